@@ -1,0 +1,70 @@
+# Everything works through a local virtual environment, made on first use.
+# Needed beforehand: make, Python 3.11 or later, and its venv module.
+
+VENV  := .venv
+PY    := $(VENV)/bin/python
+RUN   := $(PY) -m kowalevski_cas
+SLOW  ?=
+JUNIT ?=
+
+# The first Python that is new enough. `make PYTHON=...` chooses another.
+PYTHON = $(shell for p in python3.13 python3.12 python3.11 python3; do \
+	"$$p" -c 'import sys; sys.exit(sys.version_info < (3, 11))' >/dev/null 2>&1 \
+	&& { echo "$$p"; break; }; done)
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.PHONY: help verify report test lint record benchmark clean
+
+help: ## Show this list
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+
+verify: $(VENV)/.installed ## Prove or refute every formula, compare with the record, write the report
+	@$(RUN) verify --report reports
+
+report: $(VENV)/.installed ## Write reports/*.tex and reports/*.pdf
+	@$(RUN) report --output reports
+
+record: $(VENV)/.installed ## Write the record of verdicts anew
+	@$(RUN) record
+
+test: $(VENV)/.dev ## Run the tests (SLOW=1: also the slow ones; JUNIT=file: results as XML)
+	@$(PY) -m pytest -q $(if $(SLOW),,-m "not slow") $(if $(JUNIT),--junit-xml="$(JUNIT)")
+
+lint: $(VENV)/.dev ## Check style and types
+	@$(PY) -m ruff check . && $(PY) -m ruff format --check . && $(PY) -m mypy
+
+benchmark: $(VENV)/.dev ## Measure the speed of proving and of reporting
+	@$(PY) -m benchmarks
+
+clean: ## Remove the environment and everything generated, save the reports
+	@rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis *.egg-info
+	@find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+# ---------------------------------------------------------------- environment
+
+INSTALL = $(PY) -m pip install --quiet --disable-pip-version-check --no-input
+
+$(VENV)/.python: | python-is-usable
+	@rm -rf $(VENV)
+	@$(PYTHON) -m venv $(VENV)
+	@touch $@
+
+$(VENV)/.installed: pyproject.toml | $(VENV)/.python
+	@echo "Installing the libraries into $(VENV) (a minute or two, once) ..." >&2
+	@$(INSTALL) --editable .
+	@touch $@
+
+$(VENV)/.dev: pyproject.toml | $(VENV)/.installed
+	@echo "Installing the test tools into $(VENV) ..." >&2
+	@$(INSTALL) --editable '.[dev]'
+	@touch $@
+
+.PHONY: python-is-usable
+python-is-usable:
+	@test -n "$(PYTHON)" || { \
+		echo "No Python 3.11 or later was found. On Debian or Ubuntu: apt-get install python3 python3-venv" >&2; \
+		echo "Or name one: make PYTHON=/path/to/python3" >&2; exit 2; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || { \
+		echo "$(PYTHON) cannot make virtual environments. On Debian or Ubuntu: apt-get install python3-venv" >&2; \
+		exit 2; }

@@ -1,0 +1,16 @@
+"""M. P. Kharlamov (2002): a new class of motions of the Kowalevski top in two constant fields."""
+
+from kowalevski_cas.derivation import Derivation
+
+from . import section1, section2
+
+derivation = Derivation(
+    name="kharlamov2002",
+    title=(
+        "One class of solutions with two invariant relations for the problem of motion "
+        "of the Kowalevski top in double constant field"
+    ),
+    author="M. P. Kharlamov",
+    source="Mekh. Tverd. Tela 32 (2002), pp. 32–38",
+    sections=(section1.section, section2.section),
+)

@@ -1,0 +1,20 @@
+"""Exact arithmetics, one file each; a library is imported when it is first asked for."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from kowalevski_cas.arithmetic.polynomials import Polynomials
+
+Arithmetic = type[Polynomials]
+
+EXACT = ("flint", "symengine", "sympy")
+"""The arithmetics that decide, the default first."""
+
+
+def load(name: str) -> Arithmetic:
+    """The arithmetic with this name; importing its module imports its library."""
+    if name not in EXACT:
+        raise ValueError(f"unknown arithmetic “{name}”; there are {', '.join(EXACT)}")
+    arithmetic: Arithmetic = import_module(f"{__name__}.{name}").Arithmetic
+    return arithmetic

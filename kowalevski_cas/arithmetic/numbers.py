@@ -1,0 +1,113 @@
+"""Elements at exact points: numbers in a tower of square roots over the rationals."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from math import isqrt
+
+from kowalevski_cas.arithmetic.polynomials import Polynomials
+from kowalevski_cas.arithmetic.tower import Element, Ring
+
+
+def number_ring(arithmetic: type[Polynomials]) -> Ring:
+    """The rationals with :math:`i` adjoined, as a ring without variables."""
+    ring = Ring(arithmetic(("",)))
+    ring.adjoin("i", ring.number(-1))
+    return ring
+
+
+def square_root(value: Fraction) -> Fraction | None:
+    """The rational square root of a rational number, if there is one."""
+    if value < 0:
+        return None
+    top, bottom = isqrt(value.numerator), isqrt(value.denominator)
+    if top * top == value.numerator and bottom * bottom == value.denominator:
+        return Fraction(top, bottom)
+    return None
+
+
+def rational(number: Element) -> Fraction | None:
+    """The value of a number that is rational; ``None`` if it is not."""
+    if number.is_zero:
+        return Fraction(0)
+    if number.parts.keys() != {0} or number.denominator:
+        return None
+    (value,) = number.terms()[0].values()
+    return value
+
+
+class Substitution:
+    """The homomorphism from ``ring`` to a ring of numbers that an exact point defines.
+
+    ``values`` gives the generators of the polynomials; the roots of the ring
+    become rational where their radicands are squares, and are adjoined where not.
+    """
+
+    def __init__(self, ring: Ring, values: Mapping[str, Element], numbers: Ring) -> None:
+        self.numbers = numbers
+        self.values = [values[name] for name in ring.polynomials.generators]
+        self.roots: list[Element] = []
+        for name, radicand in zip(ring.roots, ring.radicands, strict=True):
+            self.roots.append(values[name] if name in values else self._root(self(radicand)))
+
+    def _root(self, radicand: Element) -> Element:
+        numbers = self.numbers
+        value = rational(radicand)
+        if value is None:
+            return numbers.adjoin(f"root {len(numbers.roots)}", radicand)
+        if value == -1:
+            return numbers.generator("i")
+        if (root := square_root(value)) is not None:
+            return numbers.number(root)
+        name = rf"\\sqrt{{{value}}}"
+        return numbers.generator(name) if name in numbers.roots else numbers.adjoin(name, radicand)
+
+    def __call__(self, element: Element) -> Element:
+        """The value of an element; raises ``ZeroDivisionError`` on a zero of its denominator."""
+        numbers = self.numbers
+        total = numbers.zero
+        for mask, terms in element.terms().items():
+            value = self._polynomial(terms)
+            for bit, root in enumerate(self.roots):
+                if mask >> bit & 1:
+                    value = value * root
+            total = total + value
+        ring = element.ring
+        for index, exponent in element.denominator.items():
+            divisor = self._polynomial(ring.polynomials.terms(ring.divisors[index]))
+            total = total * divisor.inverse() ** exponent
+        return total
+
+    def _polynomial(self, terms: Mapping[tuple[int, ...], Fraction]) -> Element:
+        total = self.numbers.zero
+        for exponents, coefficient in terms.items():
+            product = self.numbers.number(coefficient)
+            for value, exponent in zip(self.values, exponents, strict=True):
+                if exponent:
+                    product = product * value**exponent
+            total = total + product
+        return total
+
+
+def rank(matrix: list[list[Element]]) -> int:
+    """The rank of a matrix of numbers, by elimination."""
+    rows = [row for row in matrix if any(not entry.is_zero for entry in row)]
+    found = 0
+    while rows:
+        pivot = rows.pop()
+        column = next((k for k, entry in enumerate(pivot) if not entry.is_zero), None)
+        if column is None:
+            continue
+        found += 1
+        factor = pivot[column].inverse()
+        rows = [
+            row
+            if row[column].is_zero
+            else [
+                a - row[column] * factor * b if not b.is_zero else a
+                for a, b in zip(row, pivot, strict=True)
+            ]
+            for row in rows
+        ]
+    return found

@@ -1,0 +1,80 @@
+"""The bench on which a claim is decided: an arithmetic, texts, and what searches have found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
+
+from kowalevski_cas.arithmetic import Arithmetic, load
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.scene import Scene
+from kowalevski_cas.stage import Stage
+from kowalevski_cas.texts import Texts
+
+Found = TypeVar("Found")
+
+
+class Bench:
+    """Stages for one arithmetic and one set of texts, made when they are asked for.
+
+    ``shelf`` holds what searches found, in neutral form, so that a search is run
+    once and its result is checked in every arithmetic.
+    """
+
+    def __init__(
+        self,
+        arithmetic: str,
+        texts: Texts,
+        explain: bool = False,
+        shelf: dict[Any, Any] | None = None,
+        stages: dict[Any, Stage] | None = None,
+    ) -> None:
+        self.arithmetic = arithmetic
+        self.texts = texts
+        self.explain = explain
+        self._shelf = shelf if shelf is not None else {}
+        self._stages = stages if stages is not None else {}
+        self._finder: Bench | None = None
+
+    def stage(self, scene: Scene) -> Stage:
+        """The stage of a scene; shared by all texts that do not differ on it."""
+        places = set(scene.places())
+        changed = frozenset((p, t) for p, t in self.texts.replaced.items() if p in places)
+        key = (self.arithmetic, scene, changed)
+        if key not in self._stages:
+            kind: Arithmetic = load(self.arithmetic)
+            self._stages[key] = Stage(scene, kind, self.texts)
+        return self._stages[key]
+
+    def with_texts(self, texts: Texts) -> Bench:
+        """A bench for other texts, which shares the stages that stay the same."""
+        return Bench(self.arithmetic, texts, False, {}, self._stages)
+
+    @property
+    def finder(self) -> Bench:
+        """The bench on which searches are made: with FLINT."""
+        if self.arithmetic == "flint":
+            return self
+        if self._finder is None:
+            self._finder = Bench("flint", self.texts, False, self._shelf, self._stages)
+        return self._finder
+
+    def found(self, key: Any, search: Callable[[Bench], Found]) -> Found:
+        """What a search found, from the shelf if it was made before."""
+        if key not in self._shelf:
+            self._shelf[key] = search(self.finder)
+        result: Found = self._shelf[key]
+        return result
+
+    def found_elements(
+        self, key: Any, scene: Scene, search: Callable[[Stage], Sequence[Element] | None]
+    ) -> list[Element] | None:
+        """Elements that a search found on the stage of a scene, brought into this arithmetic."""
+
+        def neutral(bench: Bench) -> list[Any] | None:
+            elements = search(bench.stage(scene))
+            return None if elements is None else [element.neutral() for element in elements]
+
+        found = self.found(key, neutral)
+        ring = self.stage(scene).ring
+        return None if found is None else [ring.from_neutral(n) for n in found]

@@ -1,0 +1,148 @@
+"""Changes of variables: invertible, with the equations that they lead to, in the right unit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.claims.claim import (
+    Claim,
+    Finding,
+    Neighbour,
+    counterexample,
+    green,
+    refuted,
+    show,
+)
+from kowalevski_cas.claims.identity import Identity, Pair
+from kowalevski_cas.notation import NotationError
+from kowalevski_cas.proof.outcome import Step, Verdict
+from kowalevski_cas.scene import Change, Scene
+from kowalevski_cas.stage import Stage, StageError, scalar
+from kowalevski_cas.stage.change import Carrier
+from kowalevski_cas.texts import Printed, Texts
+
+
+@dataclass(frozen=True, eq=False)
+class ChangedEquation(Identity):
+    """A printed equation of motion holds in the new variables, and in the old ones.
+
+    In the new scene the field is derived through the inverse change; in
+    ``old``, where the new variables are defined by the change, the same
+    equation is differentiated directly. Both have to agree.
+    """
+
+    old: Scene
+
+    def decide(self, bench: Bench) -> Finding:
+        """Decide the identity on both scenes."""
+        forward = super().decide(bench)
+        backward = Identity(f"{self.id}/old", self.old, self.printed, self.words).decide(bench)
+        if forward.verdict.green != backward.verdict.green:
+            return Finding(Verdict.ERROR, message="the two directions of the change disagree")
+        return forward
+
+    def scenes(self) -> Iterator[Scene]:
+        yield from (self.scene, self.old)
+
+
+@dataclass(frozen=True, eq=False)
+class InvertibleChange(Claim):
+    """The change to ``scene`` has an inverse, and ``pairs`` are conjugates of each other."""
+
+    old: Scene
+    pairs: tuple[tuple[str, str], ...]
+
+    def decide(self, bench: Bench) -> Finding:
+        """Solve for the old variables; conjugate the new ones."""
+        stage = bench.stage(self.scene)
+        change = self.scene.field
+        assert isinstance(change, Change)
+        try:
+            inverse = Carrier(change, stage).inverse()
+        except StageError as error:
+            return Finding(Verdict.REFUTED, message=str(error))
+        old = bench.stage(self.old)
+        if not all((left - right).is_zero for left, right in self._pairs(old)):
+            found = counterexample(
+                bench, self.old, self.id, self._pairs, words="the variable, and the conjugate of its partner"
+            )
+            return refuted(found) if found else Finding(Verdict.UNDECIDED)
+        steps = [
+            Step("The inverse, as solved for:" if k == 0 else "", f"{name} = {show(value, stage)}")
+            for k, (name, value) in enumerate(inverse.items())
+        ] if bench.explain else []  # fmt: skip
+        return green((), steps)
+
+    def _pairs(self, stage: Stage) -> list[Pair]:
+        return [
+            (scalar(stage.formula(second), stage), scalar(stage.formula(first), stage, True))
+            for first, second in self.pairs
+        ]
+
+    def scenes(self) -> Iterator[Scene]:
+        yield from (self.scene, self.old)
+
+    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+        (first, _), (_, other), *_ = self.pairs
+        claim = replace(self, pairs=((first, other),))
+        yield Neighbour(f"{other} as the conjugate of {first}", claim, texts)
+
+
+@dataclass(frozen=True, eq=False)
+class Unit(Claim):
+    """The printed square of the imaginary unit makes the change lead to the printed ``rows``.
+
+    A row may be misprinted itself; so the unit is right if no other unit makes
+    more rows true, and at least one row is.
+    """
+
+    rows: tuple[Printed, ...]
+
+    def decide(self, bench: Bench) -> Finding:
+        """Count the rows that hold with the printed unit and with its neighbours."""
+        assert self.printed is not None
+        own = self.score(bench)
+        best = max(
+            (self.score(bench.with_texts(n.texts)) for n in self.neighbours(bench.texts)), default=0
+        )
+        if own and own >= best:
+            return green(())
+        found = None
+        for row in self.rows:
+            claim = Identity(f"{self.id}/{row.place}", self.scene, row, "")
+            finding = self._try(claim, bench)
+            if finding is not None and finding.counterexample is not None:
+                found = replace(
+                    finding.counterexample,
+                    words=f"the two sides of the equation {row.place} under the change with this unit",
+                )
+                break
+        return refuted(found) if found else Finding(Verdict.UNDECIDED)
+
+    def score(self, bench: Bench) -> int:
+        """How many of the rows hold."""
+        findings = (
+            self._try(Identity(f"{self.id}/{row.place}", self.scene, row, ""), bench, False)
+            for row in self.rows
+        )
+        return sum(1 for finding in findings if finding is not None and finding.verdict.green)
+
+    @staticmethod
+    def _try(claim: Identity, bench: Bench, search: bool = True) -> Finding | None:
+        try:
+            stage = bench.stage(claim.scene)
+            assert claim.printed is not None
+            formula = bench.texts.statement(claim.printed).formula
+            if not search:
+                holds = all(r.is_zero for r in claim.residuals(formula, stage))
+                return Finding(Verdict.PROVED if holds else Verdict.REFUTED)
+            return claim.decide(bench)
+        except (StageError, NotationError):
+            return None
+
+    def places(self) -> Iterator[Printed]:
+        yield from super().places()
+        yield from self.rows
+

@@ -1,0 +1,252 @@
+"""What every kind of claim has in common."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kowalevski_cas.arithmetic.numbers import Substitution, number_ring
+from kowalevski_cas.arithmetic.present import formula_of
+from kowalevski_cas.arithmetic.tower import Element, Ring
+from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.notation import Constant, Formula, Relation, Vocabulary, to_latex
+from kowalevski_cas.proof.outcome import Condition, Counterexample, Point, Step, Verdict
+from kowalevski_cas.scene import Scene
+from kowalevski_cas.stage import Stage, scalar
+from kowalevski_cas.stage.evaluate import Triple, Value
+from kowalevski_cas.texts import Printed, Texts
+
+NUMBERS = Vocabulary(scalars=frozenset({"i"}))
+"""What is needed to print numbers in a tower of roots."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """The verdict on a claim in one arithmetic, with its evidence."""
+
+    verdict: Verdict
+    conditions: tuple[Condition, ...] = ()
+    steps: tuple[Step, ...] = ()
+    counterexample: Counterexample | None = None
+    message: str = ""
+
+
+@dataclass(frozen=True)
+class Neighbour:
+    """A statement that differs a little: a mutant, or a candidate for a correction."""
+
+    words: str
+    claim: Claim
+    texts: Texts
+
+
+@dataclass(frozen=True, eq=False)
+class Claim(ABC):
+    """One statement of the paper, on its scene.
+
+    ``printed`` is the place of the formula, if the claim is one formula;
+    ``words`` says what is claimed.
+    """
+
+    id: str
+    scene: Scene
+    printed: Printed | None
+    words: str
+
+    @abstractmethod
+    def decide(self, bench: Bench) -> Finding:
+        """Decide the claim in the arithmetic of the bench."""
+
+    def residuals(self, formula: Formula, stage: Stage) -> list[Element] | None:
+        """Elements that vanish if the formula is true in place of the printed one.
+
+        ``None`` if the kind of claim has no such test, so that a neighbour has
+        to be decided in full.
+        """
+        return None
+
+    def places(self) -> Iterator[Printed]:
+        """The places of the paper on which the claim rests, its own first."""
+        if self.printed is not None:
+            yield self.printed
+        yield from self.scene.places()
+
+    def scenes(self) -> Iterator[Scene]:
+        """The scenes that the claim needs."""
+        yield self.scene
+
+    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+        """Statements one edit away, the most plausible corrections first."""
+        if self.printed is None:
+            return
+        from kowalevski_cas.notation import edits
+
+        for edit in edits(texts.statement(self.printed), texts.vocabulary):
+            yield Neighbour(edit.words, self, texts.replace(self.printed, edit.tex))
+
+
+def members(relation: Relation) -> list[Formula]:
+    """The members of a chain of equalities that are formulas, not the word ``const``."""
+    return [member for member in relation.members if not isinstance(member, Constant)]
+
+
+def components(value: Value) -> tuple[Element, ...]:
+    """A scalar or a vector as a tuple of scalars."""
+    return tuple(value) if isinstance(value, Triple) else (value,)
+
+
+def differences(left: Value, right: Value) -> list[Element]:
+    """The components of the difference of two scalars or of two vectors."""
+    pairs = zip(components(left), components(right), strict=True)
+    return [a - b for a, b in pairs]
+
+
+def equation(printed: Printed, stage: Stage) -> Element:
+    """The left side minus the right side of a printed equation."""
+    relation = stage.relation(printed)
+    left, right = relation.members[:2]
+    return scalar(left, stage) - scalar(right, stage)
+
+
+def show(element: Element, stage: Stage) -> str:
+    """An element in the names of its stage, as LaTeX."""
+    return to_latex(formula_of(element, stage.texts.vocabulary))
+
+
+def show_number(number: Element) -> str:
+    """A number as LaTeX."""
+    return to_latex(formula_of(number, NUMBERS))
+
+
+def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition, ...]:
+    """What the denominators of these elements assume to be non-zero."""
+    ring = stage.ring
+    indices = sorted({index for element in elements for index in element.denominator})
+    granted = {_shape(scalar(f, stage)) for f in stage.granted()}
+    names = {_shape(scalar(f, stage)): f for f in stage.landmarks()}
+    shown: dict[str, None] = {}
+    for index in indices:
+        divisor = Element(ring, {0: ring.divisors[index]}, {})
+        shape = _shape(divisor)
+        if shape in granted:
+            continue
+        shown[to_latex(names[shape]) if shape in names else show(divisor, stage)] = None
+    for first, second in stage.scene.conjugates:
+        if first in shown and second in shown:
+            del shown[second]
+            shown = {
+                (f"{first} {second}" if tex == first else tex): None
+                for tex in shown
+            }
+    return tuple(Condition(tex, f"${tex}\\ne 0$: it is divided by") for tex in shown)
+
+
+def _shape(element: Element) -> frozenset[object]:
+    """A polynomial up to a constant factor, as a key."""
+    parts = element.terms()
+    lead = next((parts[m][max(parts[m])] for m in sorted(parts)), Fraction(1))
+    return frozenset(
+        (mask, exponents, value / lead)
+        for mask, terms in parts.items()
+        for exponents, value in terms.items()
+    )
+
+
+def green(conditions: tuple[Condition, ...], steps: Sequence[Step] = ()) -> Finding:
+    """A finding for a statement that holds, perhaps under conditions."""
+    verdict = Verdict.CONDITIONAL if conditions else Verdict.PROVED
+    return Finding(verdict, conditions, tuple(steps))
+
+
+def refuted(counterexample: Counterexample, steps: Sequence[Step] = ()) -> Finding:
+    """A finding for a statement that an exact point refutes."""
+    return Finding(Verdict.REFUTED, (), tuple(steps), counterexample)
+
+
+class AtPoint:
+    """The values of elements of a stage at an exact point, in the arithmetic of the stage."""
+
+    def __init__(self, stage: Stage, point: dict[str, tuple[Fraction, Fraction]]) -> None:
+        self.stage = stage
+        self.numbers: Ring = number_ring(stage.arithmetic)
+        unit = self.numbers.generator("i")
+        self.values = {
+            name: self.numbers.number(re) + self.numbers.number(im) * unit
+            for name, (re, im) in point.items()
+        }
+        self.value = Substitution(stage.ring, self.values, self.numbers)
+
+    def __call__(self, element: Element) -> Element:
+        return self.value(element)
+
+    def shown(self) -> Point:
+        """The point, to be printed: the variables that vary, then the roots."""
+        values = {name: show_number(v) for name, v in self.values.items()}
+        roots = zip(self.stage.ring.roots, self.value.roots, strict=True)
+        values |= {n: show_number(v) for n, v in roots if n != "i" and n not in values}
+        return Point(values)
+
+
+def counterexample(
+    bench: Bench,
+    scene: Scene,
+    key: object,
+    pairs: Callable[[Stage], Sequence[tuple[Element, Element]]],
+    zero: Callable[[Stage], Sequence[Element]] = lambda stage: (),
+    words: str = "",
+) -> Counterexample | None:
+    """An exact point where ``zero`` vanishes and the members of a pair differ.
+
+    The point is found with FLINT and both values are computed in the arithmetic
+    of the bench; ``None`` if no such point was found.
+    """
+
+    def search(finder: Bench) -> dict[str, tuple[Fraction, Fraction]] | None:
+        from kowalevski_cas.search.real import real_points
+
+        stage = finder.stage(scene)
+        left_right = pairs(stage)
+        differing = [a - b for a, b in left_right if not (a - b).is_zero]
+        if not differing:
+            return None
+        for point in real_points(stage, zero(stage), ()):
+            at = AtPoint(stage, point)
+            try:
+                if not at(differing[0]).is_zero:
+                    return point
+            except ZeroDivisionError:
+                continue
+        return None
+
+    point = bench.found(("counterexample", key), search)
+    if point is None:
+        return None
+    stage = bench.stage(scene)
+    at = AtPoint(stage, point)
+    if any(not at(element).is_zero for element in zero(stage)):
+        return None
+    for left, right in pairs(stage):
+        a, b = at(left), at(right)
+        if not (a - b).is_zero:
+            return Counterexample(at.shown(), show_number(a), show_number(b), words)
+    return None
+
+
+__all__ = [
+    "AtPoint",
+    "Claim",
+    "Finding",
+    "Neighbour",
+    "components",
+    "conditions_of",
+    "counterexample",
+    "differences",
+    "equation",
+    "green",
+    "members",
+    "refuted",
+    "show",
+    "show_number",
+]

@@ -1,0 +1,78 @@
+"""Equivalent equations: one left side is the other times a factor that does not vanish."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.claims.claim import (
+    Claim,
+    Finding,
+    conditions_of,
+    counterexample,
+    equation,
+    green,
+    refuted,
+    show,
+)
+from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.proof.outcome import Step, Verdict
+from kowalevski_cas.stage import Stage
+from kowalevski_cas.texts import Printed
+
+
+@dataclass(frozen=True, eq=False)
+class Equivalence(Claim):
+    """The printed equation says the same as the equation ``to``; the factor between is found."""
+
+    to: Printed
+
+    def decide(self, bench: Bench) -> Finding:
+        """Divide one left side by the other; the factor and its inverse name the conditions."""
+        stage = bench.stage(self.scene)
+        found = combination(
+            bench,
+            self.scene,
+            self.id,
+            lambda finder: equation(self._printed, finder),
+            lambda finder: [equation(self.to, finder)],
+        )
+        if not found or found[0].is_zero:
+            return self._refute(bench)
+        factor = found[0]
+        conditions = conditions_of([factor, factor.inverse(), *self._sides(stage)], stage)
+        steps = (
+            [Step("The left side is that of the other equation times", show(factor, stage))]
+            if bench.explain
+            else ()
+        )
+        return green(conditions, steps)
+
+    @property
+    def _printed(self) -> Printed:
+        assert self.printed is not None
+        return self.printed
+
+    def _sides(self, stage: Stage) -> list[Element]:
+        return [equation(self._printed, stage), equation(self.to, stage)]
+
+    def _refute(self, bench: Bench) -> Finding:
+        """A point where one equation holds and the other does not, in either direction."""
+        for holds, fails in ((self.to, self._printed), (self._printed, self.to)):
+            found = counterexample(
+                bench,
+                self.scene,
+                (self.id, holds.place),
+                lambda finder, fails=fails: [(equation(fails, finder), finder.ring.zero)],
+                lambda finder, holds=holds: [equation(holds, finder)],
+                f"the left side of one equation where the other one ({holds.place}) holds, and zero",
+            )
+            if found is not None:
+                return refuted(found)
+        return Finding(Verdict.UNDECIDED, message="neither a factor nor a point was found")
+
+    def places(self) -> Iterator[Printed]:
+        yield from super().places()
+        yield self.to

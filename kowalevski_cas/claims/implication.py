@@ -1,0 +1,119 @@
+"""Implications: an equation holds wherever given equations hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.claims.claim import (
+    Claim,
+    Finding,
+    conditions_of,
+    counterexample,
+    equation,
+    green,
+    refuted,
+)
+from kowalevski_cas.claims.membership import combination, combination_steps
+from kowalevski_cas.notation import Formula, Relation
+from kowalevski_cas.proof.outcome import Condition, Step, Verdict
+from kowalevski_cas.stage import Stage, scalar
+from kowalevski_cas.texts import Printed
+
+
+@dataclass(frozen=True, eq=False)
+class Implication(Claim):
+    """The printed equation (or expression, equal to zero) follows from the ``given`` ones.
+
+    With a ``root``, it follows for one of the two values of this root, and for
+    the same one as the equations in ``together``.
+    """
+
+    given: tuple[Printed, ...]
+    root: str | None = None
+    together: tuple[Printed, ...] = ()
+    main: tuple[tuple[str, ...], ...] = ()
+
+    def decide(self, bench: Bench) -> Finding:
+        """Find the combination of the given equations, and try the places that it leaves out."""
+        stage = bench.stage(self.scene)
+        targets = self._targets(stage)
+        rows = []
+        for k in range(len(targets)):
+            row = combination(
+                bench,
+                self.scene,
+                (self.id, k),
+                lambda finder, k=k: self._targets(finder)[k],
+                self.generators,
+                self.main,
+            )
+            if row is None:
+                return self._refute(bench)
+            rows.append(row)
+        entries = [entry for row in rows for entry in row]
+        steps: list[Step] = []
+        if bench.explain:
+            names = [f"({printed.place})" for printed in self.given]
+            names = [rf"\mathrm{{{name}}}" for name in names]
+            steps = combination_steps("left minus right side", rows[0], stage, names)
+        conditions = []
+        for condition in conditions_of([*entries, *targets], stage):
+            kept, note = self._on_locus(bench, condition)
+            conditions += kept
+            steps += note
+        return green(tuple(conditions), steps)
+
+    def generators(self, stage: Stage) -> list[Element]:
+        """The left minus the right sides of the given equations."""
+        return [equation(printed, stage) for printed in self.given]
+
+    def value(self, stage: Stage, formula: Formula | None = None) -> Element:
+        """What has to vanish."""
+        assert self.printed is not None
+        formula = formula or stage.texts.statement(self.printed).formula
+        if not isinstance(formula, Relation):
+            return scalar(formula, stage)
+        left, right = formula.members[:2]
+        return scalar(left, stage) - scalar(right, stage)
+
+    def _targets(self, stage: Stage) -> list[Element]:
+        value = self.value(stage)
+        if self.root is None:
+            return [value]
+        bit = stage.ring.roots.index(self.root)
+        others = [value, *(equation(printed, stage) for printed in self.together)]
+        return [value * other.conjugate_root(bit) for other in others]
+
+    def _on_locus(
+        self, bench: Bench, condition: Condition
+    ) -> tuple[list[Condition], list[Step]]:
+        """Whether the statement holds on the locus that a condition leaves out, after all."""
+        for locus in self.scene.loci:
+            if locus.condition != condition.tex or self.root is not None:
+                continue
+
+            def generators(stage: Stage) -> Sequence[Element]:
+                return [*stage.equations(locus.equations), *self.generators(stage)]
+
+            key = (self.id, locus.words)
+            row = combination(bench, self.scene, key, self.value, generators)
+            if row is not None and not any(c.denominator for c in row):
+                return [], [Step(f"For {locus.words} it holds as well, by a separate division.")]
+        return [condition], []
+
+    def _refute(self, bench: Bench) -> Finding:
+        def pairs(stage: Stage) -> list[tuple[Element, Element]]:
+            return [(target, stage.ring.zero) for target in self._targets(stage)]
+
+        found = counterexample(
+            bench, self.scene, self.id, pairs, self.generators,
+            "left minus right side where the given equations hold, and zero",
+        )  # fmt: skip
+        return refuted(found) if found else Finding(Verdict.UNDECIDED)
+
+    def places(self) -> Iterator[Printed]:
+        yield from super().places()
+        yield from (*self.given, *self.together)

@@ -1,0 +1,116 @@
+"""Invariant relations: the derivatives of some functions are combinations of these functions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.claims.claim import (
+    Claim,
+    Finding,
+    conditions_of,
+    counterexample,
+    equation,
+    green,
+    refuted,
+    show,
+)
+from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.proof.outcome import Condition, Step, Verdict
+from kowalevski_cas.stage import Stage
+from kowalevski_cas.texts import Printed
+
+Matrix = list[list[Element]]
+
+
+@dataclass(frozen=True, eq=False)
+class InvariantRelations(Claim):
+    """The printed equations define an invariant set: (F)' = M F with a matrix M that is found."""
+
+    relations: tuple[Printed, ...]
+    names: tuple[str, ...]
+    main: tuple[tuple[str, ...], ...] = ()
+
+    def decide(self, bench: Bench) -> Finding:
+        """Find the cofactor matrix by division and check it; look for points of failure."""
+        stage = bench.stage(self.scene)
+        matrix = self.matrix(bench)
+        if matrix is None:
+            found = counterexample(
+                bench,
+                self.scene,
+                self.id,
+                lambda finder: [(self.rate(finder, k), finder.ring.zero)
+                                for k in range(len(self.relations))],
+                self.functions,
+                "the derivative on the set, and zero",
+            )  # fmt: skip
+            return refuted(found) if found else Finding(Verdict.UNDECIDED)
+        entries = [entry for row in matrix for entry in row]
+        conditions = tuple(
+            self._where_it_fails(bench, condition)
+            for condition in conditions_of([*entries, *self.functions(stage)], stage)
+        )
+        return green(conditions, self._steps(matrix, stage) if bench.explain else ())
+
+    def functions(self, stage: Stage) -> list[Element]:
+        """The left sides of the equations."""
+        return [equation(printed, stage) for printed in self.relations]
+
+    def rate(self, stage: Stage, index: int) -> Element:
+        """The derivative of one of the functions."""
+        return stage.derivative(self.functions(stage)[index])
+
+    def matrix(self, bench: Bench) -> Matrix | None:
+        """The cofactor matrix, checked; ``None`` if there is none."""
+        rows = []
+        for k in range(len(self.relations)):
+            row = combination(
+                bench,
+                self.scene,
+                (self.id, k),
+                lambda finder, k=k: self.rate(finder, k),
+                self.functions,
+                self.main,
+            )
+            if row is None:
+                return None
+            rows.append(row)
+        return rows
+
+    def _where_it_fails(self, bench: Bench, condition: Condition) -> Condition:
+        """A condition with a point of the set on its locus where the derivative does not vanish."""
+        locus = next(
+            (locus for locus in self.scene.loci if locus.condition == condition.tex), None
+        )
+        if locus is None:
+            return condition
+        found = counterexample(
+            bench,
+            self.scene,
+            (self.id, locus.words),
+            lambda finder: [(self.rate(finder, k), finder.ring.zero)
+                            for k in range(len(self.relations))],
+            lambda finder: [*finder.equations(locus.equations), *self.functions(finder)],
+            "the derivative on the set, and zero",
+        )  # fmt: skip
+        if found is None:
+            return condition
+        return Condition(condition.tex, f"it fails for {locus.words}", found)
+
+    def _steps(self, matrix: Matrix, stage: Stage) -> list[Step]:
+        rows = r" \\ ".join(" & ".join(show(entry, stage) for entry in row) for row in matrix)
+        column = r" \\ ".join(self.names)
+        return [
+            Step(
+                "The cofactor matrix that the program found:",
+                rf"\begin{{pmatrix}} {column} \end{{pmatrix}}' = "
+                rf"\begin{{pmatrix}} {rows} \end{{pmatrix}} \begin{{pmatrix}} {column} \end{{pmatrix}}",
+            )
+        ]
+
+    def places(self) -> Iterator[Printed]:
+        yield from self.relations
+        yield from super().places()

@@ -1,0 +1,77 @@
+"""A derivation: displays and claims in the order of the paper, loaded from a folder."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from kowalevski_cas.claims.claim import Claim
+from kowalevski_cas.scene import Change, Locus, Scene, vocabulary
+from kowalevski_cas.texts import Display, Texts
+
+
+@dataclass(eq=False)
+class Section:
+    """A section of a paper: it collects displays and claims in the order of the paper."""
+
+    number: str
+    title: str
+    displays: list[Display] = field(default_factory=list)
+    claims: list[Claim] = field(default_factory=list)
+
+    def display(self, id: str, tex: str) -> Display:
+        """A displayed formula, as printed."""
+        return self._add(Display(id, tex, self.number))
+
+    def inline(self, id: str, tex: str) -> Display:
+        """A formula in running text, as printed."""
+        return self._add(Display(id, tex, self.number, inline=True))
+
+    def claim(self, *claims: Claim) -> None:
+        """Statements that the paper makes here."""
+        self.claims.extend(claims)
+
+    def _add(self, display: Display) -> Display:
+        self.displays.append(display)
+        return display
+
+
+@dataclass(eq=False)
+class Derivation:
+    """A paper as a sequence of sections."""
+
+    name: str
+    title: str
+    author: str
+    source: str
+    sections: tuple[Section, ...]
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """All claims in the order of the paper."""
+        return tuple(claim for section in self.sections for claim in section.claims)
+
+    def scenes(self) -> tuple[Scene, ...]:
+        """The scenes on which the claims stand, and those from which they are changes."""
+        found: dict[Scene, None] = {}
+        for claim in self.claims:
+            for scene in claim.scenes():
+                found[scene] = None
+                if isinstance(scene.field, Change):
+                    found[scene.field.source] = None
+        return tuple(found)
+
+    def texts(self) -> Texts:
+        """The texts of the derivation, to be read in the words of its scenes."""
+        return Texts(vocabulary(self.scenes()))
+
+    def section_of(self, claim: Claim) -> Section:
+        """The section in which a claim stands."""
+        return next(section for section in self.sections if claim in section.claims)
+
+    def displays(self) -> Iterator[Display]:
+        """All displays in the order of the paper."""
+        for section in self.sections:
+            yield from section.displays
+
+__all__ = ["Change", "Derivation", "Locus", "Scene", "Section"]

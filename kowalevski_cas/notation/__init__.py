@@ -1,0 +1,73 @@
+r"""LaTeX to formula to LaTeX: a derivation as its author printed it.
+
+>>> words = Vocabulary(frozenset({"x_1", "x_2"}))
+>>> to_latex(read(r"x'_1 = {\frac 1 {x_2}}", words))
+"x_1' = \\frac{1}{x_2}"
+"""
+
+from kowalevski_cas.notation.edits import Edit, edits, replace, subtree
+from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.formula import (
+    Application,
+    Conjugate,
+    Constant,
+    CrossProduct,
+    Derivative,
+    Diagonal,
+    Formula,
+    ImaginaryPart,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    RealPart,
+    Relation,
+    Root,
+    ScalarProduct,
+    Sum,
+    Unwritten,
+    Vector,
+)
+from kowalevski_cas.notation.layout import split_display
+from kowalevski_cas.notation.printer import to_latex
+from kowalevski_cas.notation.reader import Statement, read, read_display
+from kowalevski_cas.notation.values import rank
+from kowalevski_cas.notation.vocabulary import Vocabulary
+
+__all__ = [
+    "Application",
+    "Conjugate",
+    "Constant",
+    "CrossProduct",
+    "Derivative",
+    "Diagonal",
+    "Edit",
+    "Formula",
+    "ImaginaryPart",
+    "Name",
+    "Negative",
+    "NotationError",
+    "Number",
+    "Power",
+    "Product",
+    "Quotient",
+    "RealPart",
+    "Relation",
+    "Root",
+    "ScalarProduct",
+    "Statement",
+    "Sum",
+    "Unwritten",
+    "Vector",
+    "Vocabulary",
+    "edits",
+    "rank",
+    "read",
+    "read_display",
+    "replace",
+    "split_display",
+    "subtree",
+    "to_latex",
+]

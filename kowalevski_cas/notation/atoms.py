@@ -1,0 +1,144 @@
+"""The atoms of the grammar: numbers, brackets, roots, operators, matrices."""
+
+from __future__ import annotations
+
+from kowalevski_cas.notation.cursor import STARTS, Piece
+from kowalevski_cas.notation.formula import (
+    Constant,
+    Diagonal,
+    ImaginaryPart,
+    Number,
+    RealPart,
+    Root,
+    ScalarProduct,
+    Unwritten,
+    Vector,
+)
+from kowalevski_cas.notation.macros import PARTNERS
+from kowalevski_cas.notation.symbols import Symbols
+from kowalevski_cas.notation.values import rank
+from kowalevski_cas.notation.vocabulary import VECTOR
+
+_LONGEST_NUMBER = 1000
+
+
+class Atoms(Symbols):
+    """Reads one atom at a time, by the kind of its first token."""
+
+    def factor(self) -> Piece:
+        """An atom with its powers and primes."""
+        self.deeper()
+        kind = self.tokens[self.at].kind
+        if kind == "letter":
+            piece = self.symbol()
+        elif kind in STARTS:
+            piece = getattr(self, "read_" + kind)()
+        else:
+            raise self.unexpected()
+        self.level -= 1
+        return piece
+
+    def read_number(self) -> Piece:
+        """A non-negative integer."""
+        token = self.take()
+        if len(token.text) > _LONGEST_NUMBER:
+            raise self.error(f"a number of more than {_LONGEST_NUMBER} digits", token)
+        return self.scripts((Number(int(token.text)), token.start, token.end, ()))
+
+    def read_open(self) -> Piece:
+        """Brackets, with what stands on them."""
+        return self.scripts(self.bracket())
+
+    def read_const(self) -> Piece:
+        """The word const."""
+        token = self.take()
+        return (Constant(), token.start, token.end, ())
+
+    def read_dots(self) -> Piece:
+        """An ellipsis."""
+        token = self.take()
+        return (Unwritten(), token.start, token.end, ())
+
+    def read_sqrt(self) -> Piece:
+        """A square root."""
+        start = self.take().start
+        if self.tokens[self.at].text == "[":
+            raise self.error("only square roots can be read")
+        argument = self.argument()
+        end = self.tokens[self.at - 1].end
+        return self.scripts((Root(argument[0]), start, end, (argument,)))
+
+    def listed(self) -> tuple[Piece, ...]:
+        """What stands between brackets, separated by commas."""
+        opening = self.take()
+        items = [self.sum()]
+        while self.tokens[self.at].kind == "comma":
+            self.at += 1
+            items.append(self.sum())
+        closing = self.tokens[self.at]
+        if closing.kind != "close":
+            raise self.unexpected()
+        if PARTNERS[opening.text] != closing.text:
+            raise self.error(f"{opening.text} is closed by {closing.text}")
+        if len(items) > 1 and opening.text in ("[", r"\{"):
+            raise self.error("a list in these brackets cannot be read; use round ones", opening)
+        self.at += 1
+        return tuple(items)
+
+    def bracket(self) -> Piece:
+        """A formula in brackets, a scalar product, or a vector by its components."""
+        opening = self.tokens[self.at]
+        items = self.listed()
+        start, end = opening.start, self.tokens[self.at - 1].end
+        if len(items) == 1:
+            return (items[0][0], start, end, items[0][3])
+        nodes = tuple(item[0] for item in items)
+        if len(nodes) == 2:
+            ranks = [rank(node, self.vocabulary) for node in nodes]
+            if ranks == [VECTOR, VECTOR]:
+                return (ScalarProduct(nodes[0], nodes[1]), start, end, items)
+            if ranks[0] != ranks[1]:
+                raise self.error("a pair of a vector and something else", opening)
+        return (Vector(nodes), start, end, items)
+
+    def read_operator(self) -> Piece:
+        """Re, Im and diag."""
+        token = self.take()
+        if token.text == "diag":
+            if self.tokens[self.at].kind != "open":
+                raise self.unexpected()
+            entries = self.listed()
+            node = Diagonal(tuple(entry[0] for entry in entries))
+            return (node, token.start, self.tokens[self.at - 1].end, entries)
+        bracketed = self.tokens[self.at].kind == "open"
+        argument = self.operand(token.text)
+        if bracketed and self.tokens[self.at].kind in ("^", "prime"):
+            raise self.error(f"does this stand on {token.text} or on the bracket? set brackets")
+        part = RealPart if token.text == "Re" else ImaginaryPart
+        return (part(argument[0]), token.start, argument[2], (argument,))
+
+    def read_begin(self) -> Piece:
+        """A matrix by its rows; a single row or column is a vector."""
+        start = self.take().start
+        rows: list[list[Piece]] = [[]]
+        while self.tokens[self.at].kind != "end":
+            kind = self.tokens[self.at].kind
+            if kind == "row":
+                rows.append([])
+                self.at += 1
+            elif kind == "cell":
+                self.at += 1
+            else:
+                rows[-1].append(self.sum())
+        rows = [row for row in rows if row]
+        end = self.take().end
+        if not rows or len({len(row) for row in rows}) > 1:
+            raise self.error("the rows of the matrix differ in length", self.tokens[self.at - 1])
+        if len(rows) == 1 or len(rows[0]) == 1:
+            line = tuple(cell for row in rows for cell in row)
+            return self.scripts((Vector(tuple(cell[0] for cell in line)), start, end, line))
+        pieces: list[Piece] = [
+            (Vector(tuple(cell[0] for cell in row)), row[0][1], row[-1][2], tuple(row))
+            for row in rows
+        ]
+        return self.scripts((Vector(tuple(p[0] for p in pieces)), start, end, tuple(pieces)))

@@ -1,0 +1,128 @@
+"""A place in the tokens of a statement, and what every part of the grammar asks of it."""
+
+from __future__ import annotations
+
+from kowalevski_cas.notation.errors import NotationError, undeclared
+from kowalevski_cas.notation.formula import Formula, Name
+from kowalevski_cas.notation.lexer import DEEPEST, Token
+from kowalevski_cas.notation.macros import GREEK
+from kowalevski_cas.notation.vocabulary import Vocabulary
+
+# A node, the interval that printed it, and the pieces of its children.
+Piece = tuple[Formula, int, int, tuple["Piece", ...]]
+
+END = "end of formula"
+# The kinds of tokens with which a factor can begin.
+STARTS = frozenset(
+    {"letter", "number", "open", "frac", "sqrt", "accent", "operator", "const", "dots", "begin"}
+)
+_BOLD = ("\\mathbf{", "\\boldsymbol{", "\\vec{")
+_UNFINISHED = frozenset({"sign", "relation", "times", "slash", "open", "{", "comma"})
+_INDEX = frozenset({"letter", "number", "sign", "comma"})
+
+
+class Cursor:
+    """The tokens, the place, the vocabulary; names, indices and errors."""
+
+    def __init__(self, tex: str, tokens: list[Token], vocabulary: Vocabulary) -> None:
+        last = tokens[-1].end
+        self.tex = tex
+        self.tokens = [*tokens, Token(END, "", last, last)]
+        self.at = 0
+        self.level = 0
+        self.vocabulary = vocabulary
+        self.names = vocabulary.names
+
+    def take(self) -> Token:
+        """The token here; the place moves behind it."""
+        token = self.tokens[self.at]
+        self.at += 1
+        return token
+
+    def deeper(self) -> None:
+        """Count one level of nesting."""
+        self.level += 1
+        if self.level > DEEPEST:
+            raise self.error(f"a formula nested deeper than {DEEPEST}")
+
+    def error(self, message: str, token: Token | None = None) -> NotationError:
+        """An error at the token, or here."""
+        return NotationError(message, self.tex, (token or self.tokens[self.at]).start)
+
+    def unexpected(self) -> NotationError:
+        """The error for a token with which nothing can be done here."""
+        token = self.tokens[self.at]
+        if token.kind == END:
+            return self.error("the formula breaks off here")
+        if token.kind == "stop" and self.tokens[self.at + 1].kind == "number":
+            return self.error("only integers can be read; write the decimal as a fraction")
+        if token.kind == "relation":
+            if self.at == 0 or self.tokens[self.at - 1].kind in _UNFINISHED:
+                return self.error(f"something is missing before {token.text}")
+            return self.error(f"the relation {token.text} stands inside brackets or an argument")
+        return self.error(f"{token.text or token.kind} is not expected here")
+
+    def digit(self) -> Token:
+        """The first digit of the number here, for an argument without braces."""
+        token = self.tokens[self.at]
+        if len(token.text) == 1:
+            return self.take()
+        middle = token.start + 1
+        self.tokens[self.at] = Token("number", token.text[1:], middle, token.end)
+        return Token("number", token.text[0], token.start, middle)
+
+    def index(self) -> str:
+        """The index behind an underscore, in canonical LaTeX."""
+        self.at += 1
+        kind = self.tokens[self.at].kind
+        if kind == "number":
+            return "_" + self.digit().text
+        if kind == "letter":
+            text = self.take().text
+        elif kind == "{":
+            self.at += 1
+            text = ""
+            while self.tokens[self.at].kind in _INDEX:
+                more = self.take().text
+                gap = " " if text[-1:].isalpha() and "\\" in text and more[:1].isalpha() else ""
+                text += gap + more
+            if not text or self.tokens[self.at].kind != "}":
+                raise self.error("an index is a row of letters and digits")
+            self.at += 1
+        else:
+            raise self.unexpected()
+        return "_" + text if len(text) == 1 else f"_{{{text}}}"
+
+    def primes(self) -> int:
+        """How many primes a raised argument consists of; 0 and no move if it is a power."""
+        at = self.at + 1
+        braced = self.tokens[at].kind == "{"
+        at += braced
+        first = at
+        while self.tokens[at].kind == "prime":
+            at += 1
+        count = at - first
+        if count and (not braced or self.tokens[at].kind == "}"):
+            self.at = at + braced if braced else first + 1
+            return count if braced else 1
+        return 0
+
+    def declared(self, letter: str, index: str, token: Token) -> Name:
+        """The node of a name; one bold type is as good as another."""
+        name = letter + index
+        found = self.names.get(name)
+        if found is None and letter.startswith(_BOLD):
+            inner = letter[letter.index("{") :]
+            for font in _BOLD:
+                found = found or self.names.get(font[:-1] + inner + index)
+        if found is not None:
+            return found
+        vocabulary = self.vocabulary
+        if name in vocabulary.functions:
+            raise self.error(f"the argument of the function {name} is missing", token)
+        known = letter in GREEK or letter.isalpha() or "{" in letter
+        error = undeclared(name, {*vocabulary.ranks, *vocabulary.functions}, self.tex, token.start)
+        if known:
+            raise error
+        message = error.message.replace(f"{name} is not declared", f"the macro {name} is not known")
+        raise NotationError(message, self.tex, token.start)

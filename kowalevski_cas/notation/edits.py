@@ -1,0 +1,145 @@
+"""Single-token edits of a statement: misprints to be made, and misprints to be mended."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field, fields
+
+from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.formula import Formula, Negative, Sum
+from kowalevski_cas.notation.layout import split_display
+from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.misprints import misprints
+from kowalevski_cas.notation.printer import bracketed, to_latex
+from kowalevski_cas.notation.reader import Path, Statement, read_display
+from kowalevski_cas.notation.vocabulary import Vocabulary
+
+_BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
+_COMMAND = re.compile(r"\\[A-Za-z]+$")
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """One change of one place.
+
+    ``kind`` is one of sign, index, letter, exponent, coefficient, factor, missing, power;
+    ``replacement`` is the new subtree at ``path``, and ``words`` says what was changed.
+    """
+
+    kind: str
+    path: Path
+    replacement: Formula
+    words: str
+    statement: Statement = field(repr=False)
+    vocabulary: Vocabulary = field(repr=False, compare=False)
+
+    @property
+    def formula(self) -> Formula:
+        """The whole statement after the change."""
+        return replace(self.statement.formula, self.path, self.replacement)
+
+    @property
+    def tex(self) -> str:
+        """The source after the change: as little of it as possible is typed anew."""
+        wanted, before = self.formula, split_display(self.statement.tex)
+        place = [start for start, _ in before].index(self.statement.start)
+        for source in self._sources(wanted):
+            try:
+                found = read_display(source, self.vocabulary)
+            except NotationError:
+                continue
+            if len(found) == len(before) and found[place].formula == wanted:
+                return source
+        return to_latex(wanted)
+
+    def _sources(self, wanted: Formula) -> Iterator[str]:
+        """Candidates for the source: the change in place, then wider and wider around it."""
+        if self.kind == "sign":
+            yield self._sign_flipped()
+        for length in range(len(self.path), -1, -1):
+            path = self.path[:length]
+            tex = to_latex(subtree(wanted, path))
+            yield self._typed(path, tex)
+            yield self._typed(path, bracketed(tex))
+
+    def _typed(self, path: Path, new: str) -> str:
+        """The source with what printed the node typed anew."""
+        tex = self.statement.tex
+        start, end = self.statement.spans[path]
+        # Braces whose partner stands outside stay where they are.
+        opened: list[str] = []
+        closed: list[str] = []
+        for brace in _BRACE.findall(tex, start, end):
+            if brace == "{":
+                opened.append(brace)
+            elif brace == "}" and opened:
+                opened.pop()
+            elif brace == "}":
+                closed.append(brace)
+        gap = " " if _COMMAND.search(new) and tex[end : end + 1].isalpha() else ""
+        return tex[:start] + new + "".join(closed) + gap + "".join(opened) + tex[end:]
+
+    def _sign_flipped(self) -> str:
+        """The source with the sign in front of a term changed, or one set there."""
+        tex, spans, path = self.statement.tex, self.statement.spans, self.path
+        start = after = spans[path][0]
+        before = start
+        positive = isinstance(self.replacement, Negative)
+        if not positive:
+            after = spans[(*path, 0)][0]
+        summed = bool(path) and isinstance(subtree(self.statement.formula, path[:-1]), Sum)
+        first = not summed or path[-1] == 0
+        if not first:
+            before = spans[(*path[:-1], path[-1] - 1)][1]
+        new = "-" if positive else "" if first else "+"
+        # A sign may stand twice, at the end of a row and at the beginning of the next.
+        signs = [t for t in scan(tex) if t.kind == "sign" and before <= t.start < after]
+        for token in reversed(signs):
+            tex = tex[: token.start] + new + tex[token.end :]
+        return tex if signs else tex[:start] + new + tex[start:]
+
+
+def edits(statement: Statement, vocabulary: Vocabulary) -> Iterator[Edit]:
+    r"""Every edit of one place, the likelier kinds first: sign, index, letter, exponent, ...
+
+    >>> words = Vocabulary(frozenset({"x_1", "x_2"}))
+    >>> [statement] = read_display("x_1 - x_2", words)
+    >>> [edit.tex for edit in edits(statement, words)][:4]
+    ['-x_1 - x_2', 'x_1 + x_2', 'x_2 - x_2', 'x_1 - x_1']
+    """
+    seen: set[tuple[Path, Formula]] = set()
+    for slip in misprints(statement.formula, vocabulary):
+        if (slip.path, slip.replacement) not in seen:
+            seen.add((slip.path, slip.replacement))
+            yield Edit(slip.kind, slip.path, slip.replacement, slip.words, statement, vocabulary)
+
+
+def subtree(formula: Formula, path: Path) -> Formula:
+    """The node at the end of the path."""
+    for index in path:
+        formula = tuple(formula.children())[index]
+    return formula
+
+
+def replace(formula: Formula, path: Path, new: Formula) -> Formula:
+    """The formula with another subtree at the end of the path."""
+    if not path:
+        return new
+    first, rest = path[0], path[1:]
+    values: list[object] = []
+    count = 0
+    for entry in fields(formula):
+        value = getattr(formula, entry.name)
+        items = value if isinstance(value, tuple) else (value,)
+        changed = []
+        for item in items:
+            if isinstance(item, Formula):
+                changed.append(replace(item, rest, new) if count == first else item)
+                count += 1
+            else:
+                changed.append(item)
+        values.append(tuple(changed) if isinstance(value, tuple) else changed[0])
+    if first >= count:
+        raise IndexError(f"no child {first} in {type(formula).__name__}")
+    return type(formula)(*values)

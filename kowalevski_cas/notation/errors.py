@@ -1,0 +1,137 @@
+"""What is said when a formula cannot be read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+_WIDTH = 70
+
+# Letters that are taken for one another in print or in haste.
+_LOOKALIKES = tuple(
+    frozenset(group.split())
+    for group in (
+        r"w \omega W \varpi",
+        r"a \alpha A",
+        r"b \beta B",
+        r"c C",
+        r"d \delta D",
+        r"e \epsilon \varepsilon E",
+        r"f \varphi \phi F",
+        r"g \gamma G",
+        r"h \eta H",
+        r"i \iota I",
+        r"j J",
+        r"k \kappa \varkappa K",
+        r"l \ell L",
+        r"m \mu M",
+        r"n \nu \eta N",
+        r"p \rho \varrho P",
+        r"q Q \theta",
+        r"r R",
+        r"s \sigma S",
+        r"t \tau T",
+        r"u \mu \upsilon U",
+        r"v \nu \upsilon V",
+        r"x \xi \chi X",
+        r"y \psi \gamma Y",
+        r"z \zeta Z",
+        r"\psi \Psi",
+        r"\phi \Phi \varphi",
+        r"\theta \Theta \vartheta",
+        r"\omega \Omega",
+    )
+)
+
+
+class NotationError(ValueError):
+    """A formula that cannot be read, and where.
+
+    ``str()`` shows the message, the line of the source and a caret under the place.
+    """
+
+    def __init__(self, message: str, tex: str, position: int) -> None:
+        super().__init__(message)
+        self.message = message
+        self.tex = tex
+        self.position = max(0, min(position, len(tex)))
+
+    def __str__(self) -> str:
+        """The message, the formula (a window of it when it is long) and the caret."""
+        window, column = _window(self.tex, self.position)
+        if not window.strip():
+            return self.message
+        return f"{self.message}\n  {window}\n  {' ' * column}^"
+
+
+def _window(tex: str, position: int) -> tuple[str, int]:
+    """The line around the position, cut to the width, and the caret's column in it."""
+    first = max(tex.rfind("\n", 0, position) + 1, position - 4 * _WIDTH)
+    last = tex.find("\n", position, position + 4 * _WIDTH)
+    line = tex[first : last if last >= 0 else position + 4 * _WIDTH]
+    line = "".join(char if char.isprintable() else "?" for char in line.replace("\t", " "))
+    column = position - first
+    if len(line) > _WIDTH:
+        cut = max(0, min(column - _WIDTH // 2, len(line) - _WIDTH + 6))
+        piece = line[cut : cut + _WIDTH - 6]
+        before = "..." if cut else ""
+        after = "..." if cut + _WIDTH - 6 < len(line) else ""
+        return before + piece + after, column - cut + len(before)
+    return line, column
+
+
+def undeclared(name: str, declared: Iterable[str], tex: str, position: int) -> NotationError:
+    """The error for a name that the vocabulary does not have, with the nearest that it has."""
+    near = nearest(name, declared)
+    message = f"{name} is not declared here"
+    if near:
+        listed = near[0] if len(near) == 1 else ", ".join(near[:-1]) + " or " + near[-1]
+        message += f"; did you mean {listed}?"
+    return NotationError(message, tex, position)
+
+
+def nearest(name: str, declared: Iterable[str], limit: int = 3) -> list[str]:
+    r"""The declared names closest to the given one, the closest first.
+
+    >>> nearest("w_3", ["x_1", "w_1", "w_2", r"\omega_3", r"\omega_1"])
+    ['\\omega_3', 'w_1', 'w_2']
+    """
+    candidates = sorted((-closeness(name, other), other) for other in set(declared) - {name})
+    found = [other for score, other in candidates if score <= -3][:limit]
+    if not found:
+        import difflib
+
+        found = difflib.get_close_matches(name, sorted(set(declared)), n=limit, cutoff=0.5)
+    return found
+
+
+def closeness(name: str, other: str) -> float:
+    """How easily one name is printed for another: 5 and more for a slip, 0 for no likeness."""
+    letter, index = letter_and_index(name)
+    other_letter, other_index = letter_and_index(other)
+    score = 0.0
+    if letter == other_letter:
+        score += 3
+    elif plain(letter) == plain(other_letter):
+        score += 2.8
+    elif any({plain(letter), plain(other_letter)} <= group for group in _LOOKALIKES):
+        score += 2.5
+    if index == other_index:
+        score += 2
+    elif index and other_index:
+        score += 0.5
+    return score
+
+
+def letter_and_index(name: str) -> tuple[str, str]:
+    r"""The parts of a name: ``\omega_1`` gives ``\omega`` and ``1``; the index may be empty.
+
+    >>> letter_and_index("U_{12}")
+    ('U', '12')
+    """
+    letter, _, index = name.partition("_")
+    return letter, index[1:-1] if index.startswith("{") else index
+
+
+def plain(letter: str) -> str:
+    r"""The letter without its font: ``\boldsymbol{\alpha}`` gives ``\alpha``."""
+    return letter[letter.index("{") + 1 : -1] if letter.endswith("}") else letter

@@ -1,0 +1,173 @@
+"""The formula: an immutable tree of what is printed.
+
+A node says what stands on the paper and nothing about what it means: whether
+``c_1(w_1^2+x_1)`` is a product, which names exist and along which field a dot
+differentiates is the business of a :class:`~kowalevski_cas.notation.Vocabulary`
+and of a scene.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A node of the tree. Children are formulas or tuples of formulas."""
+
+    def children(self) -> Iterator[Formula]:
+        """The subformulas directly below this node, from left to right."""
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if isinstance(value, Formula):
+                yield value
+            elif isinstance(value, tuple):
+                yield from (item for item in value if isinstance(item, Formula))
+
+
+@dataclass(frozen=True, slots=True)
+class Number(Formula):
+    """A non-negative integer, as printed."""
+
+    value: int
+
+
+@dataclass(frozen=True, slots=True)
+class Name(Formula):
+    r"""A symbol with its index, in canonical LaTeX: ``\omega_1``, ``\boldsymbol{\alpha}``, ``\mathbf{e}_1``."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Sum(Formula):
+    """Two or more terms; a subtracted term is a :class:`Negative`."""
+
+    terms: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Negative(Formula):
+    """A term with a minus sign."""
+
+    argument: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Product(Formula):
+    """Two or more factors, printed side by side."""
+
+    factors: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Quotient(Formula):
+    r"""``\frac{numerator}{denominator}``, or a slash."""
+
+    numerator: Formula
+    denominator: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Power(Formula):
+    """A base with an exponent, which may be a formula of symbols."""
+
+    base: Formula
+    exponent: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Root(Formula):
+    """A square root."""
+
+    argument: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Derivative(Formula):
+    r"""A derivative along the motion.
+
+    ``mark`` is how it is printed: ``"dot"``, ``"prime"``, or the independent
+    variable of a written-out quotient, as ``"\tau"`` in :math:`dF/d\tau`.
+    """
+
+    argument: Formula
+    mark: str
+
+
+@dataclass(frozen=True, slots=True)
+class Conjugate(Formula):
+    """The complex conjugate, printed with a bar."""
+
+    argument: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class RealPart(Formula):
+    """The real part."""
+
+    argument: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class ImaginaryPart(Formula):
+    """The imaginary part."""
+
+    argument: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Application(Formula):
+    r"""A declared function applied to arguments, as :math:`\varphi(s_1)`."""
+
+    function: str
+    arguments: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Vector(Formula):
+    """Components in parentheses, as ``(1,0,0)``."""
+
+    components: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Diagonal(Formula):
+    """A diagonal matrix by its entries."""
+
+    entries: tuple[Formula, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ScalarProduct(Formula):
+    """The scalar product of two vectors, printed as a pair in parentheses."""
+
+    left: Formula
+    right: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class CrossProduct(Formula):
+    """The vector product."""
+
+    left: Formula
+    right: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Unwritten(Formula):
+    """An ellipsis: terms that the author does not print."""
+
+
+@dataclass(frozen=True, slots=True)
+class Constant(Formula):
+    r"""The word ``const`` at the end of a chain of equalities."""
+
+
+@dataclass(frozen=True, slots=True)
+class Relation(Formula):
+    r"""A chain ``members[0] signs[0] members[1] …`` with signs ``=``, ``\equiv``, ``\ne``."""
+
+    members: tuple[Formula, ...]
+    signs: tuple[str, ...]

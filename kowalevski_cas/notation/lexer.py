@@ -1,0 +1,276 @@
+r"""LaTeX source to the tokens that print.
+
+The scanner resolves what belongs to typesetting: it drops spacing, sizes, labels and
+phantoms, gives every letter its font, and forgets braces that enclose no argument, for
+``{a+b}c`` prints as ``a+bc``. Environments become breaks between rows and cells.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.macros import (
+    ACTIONS,
+    ARGUMENTS,
+    LAYOUTS,
+    MARKS,
+    MATRICES,
+    SPELLING,
+    WORDS,
+)
+
+LONGEST = 100_000
+DEEPEST = 100
+
+_TOKEN = re.compile(
+    r"""(?P<blank>[\s~]+|%[^\n]*|\\[,;:!\ ])
+      | (?P<letter>[A-Za-z])
+      | (?P<number>[0-9]+)
+      | (?P<row>\\\\\s*\*?(?:\s*\[\s*[-+]?[\d.]+\s*[a-z]{2}\s*\])?)
+      | (?P<macro>\\(?:(?:operatorname|hspace|vspace|tag)\*|[A-Za-z]+|.|$))
+      | (?P<dots>\.\.\.)
+      | (?P<mark>.)""",
+    re.VERBOSE | re.DOTALL,
+)
+_NOISE = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
+_BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
+_SPACE = re.compile(r"(?:\s|%[^\n]*(?:\n|$))*")
+_WORD = re.compile(r"[A-Za-z]+")
+_LENGTH = re.compile(r"\s*=?\s*[-+]?[\d.]*\s*(?:[a-z]{2})?")
+_ENVIRONMENT = re.compile(r"\s*\{\s*([A-Za-z]+)\*?\s*\}(?:\s*\[[a-z]\])?")
+_CLOSING = re.compile(r"(?:\s|\\right(?![A-Za-z]))*(?:\\\}|\.)")
+_SIZES = (r"\left", r"\right", r"\middle", r"\big", r"\Big")
+_NULL = re.compile(r"\s*\.")
+
+
+@dataclass(slots=True)
+class Token:
+    """A thing that prints, or a break, with its interval in the source."""
+
+    kind: str
+    text: str
+    start: int
+    end: int
+
+
+def scan(tex: str) -> list[Token]:
+    """The tokens of a source; an error for noise, excess and unbalanced braces."""
+    if len(tex) > LONGEST:
+        raise NotationError(f"the formula is longer than {LONGEST} characters", tex, LONGEST)
+    if noise := _NOISE.search(tex):
+        raise NotationError("a control character stands in the formula", tex, noise.start())
+    return _Scanner(tex).run()
+
+
+class _Scanner:
+    """The state of one scan: where it is, the font, and the arguments still owed."""
+
+    def __init__(self, tex: str) -> None:
+        self.tex = tex
+        self.at = 0
+        self.tokens: list[Token] = []
+        self.font = ""
+        self.once = ""  # the font of the next letter or group only
+        self.owed = 0  # arguments that the last macro still awaits
+        self.depth = 0  # open brackets
+        self.once_at = 0
+        # Open braces: is it an argument, the font outside, what is owed after, where it
+        # begins, and how many tokens stand before it.
+        self.groups: list[tuple[bool, str, int, int, int]] = []
+        # Open environments: the name, is it a matrix, was a printed brace dropped before it.
+        self.environments: list[tuple[str, bool, bool]] = []
+
+    def run(self) -> list[Token]:
+        tex, size, match_at = self.tex, len(self.tex), _TOKEN.match
+        add = self.tokens.append
+        while self.at < size:
+            match = match_at(tex, self.at)
+            assert match is not None
+            kind = match.lastgroup
+            start, end = match.span()
+            self.at = end
+            if kind == "blank":
+                continue
+            if kind == "letter":
+                self.letter(match[0], start)
+            elif kind == "mark":
+                self.mark(match[0], start)
+            elif kind == "macro":
+                self.macro(match[0], start)
+            else:
+                assert kind is not None
+                if kind == "number":
+                    self.owed = max(0, self.owed - (end - start))
+                add(Token(kind, match[0], start, end))
+        if self.groups:
+            raise NotationError("this brace is never closed", tex, self.groups[-1][3])
+        if any(matrix for _, matrix, _ in self.environments):
+            raise NotationError("the matrix is never closed", tex, size)
+        return self.tokens
+
+    def add(self, kind: str, text: str, start: int) -> None:
+        self.tokens.append(Token(kind, text, start, self.at))
+
+    def argument(self) -> None:
+        """The thing just met is the next argument, if one is owed."""
+        if self.owed:
+            self.owed -= 1
+
+    def letter(self, text: str, start: int) -> None:
+        font = self.once or self.font
+        if self.once:
+            start, self.once = self.once_at, ""
+        self.argument()
+        if font == r"\mathrm" and len(text) == 1:
+            word = _WORD.match(self.tex, self.at)
+            if font == self.font and word is not None:
+                text, self.at = text + word[0], word.end()
+            if text in WORDS:
+                self.add(WORDS[text], text, start)
+                return
+            font = font if len(text) > 1 else ""
+        self.add("letter", f"{font}{{{text}}}" if font else text, start)
+
+    def mark(self, text: str, start: int) -> None:
+        kind = MARKS.get(text, "noise")
+        if kind == "{":
+            self.open_group(start)
+        elif kind == "}":
+            self.close_group(start)
+        elif kind != "blank":
+            if kind in "^_":
+                self.owed = 1
+            elif kind == "open" or kind == "close":
+                self.bracket(kind)
+            self.add(kind, text, start)
+
+    def bracket(self, kind: str) -> None:
+        self.depth += 1 if kind == "open" else -1
+        if self.depth + len(self.groups) > DEEPEST:
+            raise NotationError(f"brackets deeper than {DEEPEST}", self.tex, self.at - 1)
+
+    def open_group(self, start: int) -> None:
+        if len(self.groups) + self.depth >= DEEPEST:
+            raise NotationError(f"braces deeper than {DEEPEST}", self.tex, start)
+        # After a font macro the braces show how far the font reaches, and nothing else.
+        argument = self.owed > 0 and not self.once
+        begin = self.once_at if self.once else start
+        owed = self.owed - 1 if argument else 0
+        self.groups.append((argument, self.font, owed, begin, len(self.tokens)))
+        if argument:
+            self.owed = 0
+            self.add("{", "{", start)
+        self.font, self.once = self.once or self.font, ""
+
+    def close_group(self, start: int) -> None:
+        if not self.groups:
+            raise NotationError("this brace closes nothing", self.tex, start)
+        argument, self.font, owed, begin, before = self.groups.pop()
+        self.once = ""
+        if argument:
+            self.owed = owed
+            self.add("}", "}", start)
+        elif len(self.tokens) == before + 1:
+            # Braces around a single token, as in {\bf e}, belong to it.
+            self.tokens[-1].start, self.tokens[-1].end = begin, self.at
+
+    def macro(self, text: str, start: int) -> None:
+        action = ACTIONS.get(text, "letter")
+        if action == "letter":
+            self.letter(text, start)
+        elif action == "blank":
+            if text.startswith(_SIZES) and (null := _NULL.match(self.tex, self.at)):
+                self.at = null.end()
+        elif action == "font":
+            self.once_at = self.once_at if self.once else start
+            self.once = SPELLING.get(text, text) or self.once
+        elif action == "switch":
+            self.font = SPELLING[text]
+        elif action in ARGUMENTS:
+            self.argument()
+            self.owed += ARGUMENTS[action]
+            self.add(action, SPELLING.get(text, text), start)
+        elif action in ("skip", "text", "glue", "begin", "end", "number"):
+            getattr(self, "do_" + action)(start)
+        else:
+            if action == "open" or action == "close":
+                self.bracket(action)
+            elif action in ("prime", "dots", "const"):
+                self.argument()
+            name = text[1:] if action in ("operator", "const") else SPELLING.get(text, text)
+            self.add(action, name, start)
+
+    def do_skip(self, start: int) -> None:
+        self.at = self.after_group(self.at)
+
+    def do_glue(self, start: int) -> None:
+        """A length in words, as in hskip 3mm."""
+        length = _LENGTH.match(self.tex, self.at)
+        assert length is not None
+        self.at = length.end()
+
+    def do_number(self, start: int) -> None:
+        """An equation number: nothing after it belongs to the formula."""
+        self.at = len(self.tex)
+
+    def do_text(self, start: int) -> None:
+        """Words among formulas: an index, the word const, or a gap."""
+        inside, self.at = self.at, self.after_group(self.at)
+        words = self.tex[inside : self.at].strip("{} \t\n~.,")
+        if words in WORDS:
+            self.argument()
+            self.add(WORDS[words], words, start)
+        elif self.owed or (self.groups and self.groups[-1][0]):
+            self.argument()
+            self.add("letter", rf"\mathrm{{{words}}}", start)
+        else:
+            self.add("gap", words, start)
+
+    def do_begin(self, start: int) -> None:
+        name = self.environment(start)
+        groups = LAYOUTS.get(name, 0)
+        for _ in range(groups):
+            self.at = self.after_group(self.at)
+        braced = bool(self.tokens) and self.tokens[-1].text == r"\{" and name in LAYOUTS
+        if braced:
+            self.tokens.pop()
+            self.depth -= 1
+        matrix = name in MATRICES or (name == "array" and self.depth > 0)
+        self.environments.append((name, matrix, braced))
+        self.add("begin" if matrix else "row", name, start)
+
+    def do_end(self, start: int) -> None:
+        name = self.environment(start)
+        if not self.environments or self.environments[-1][0] != name:
+            raise NotationError(f"the end of {name} closes nothing", self.tex, start)
+        _, matrix, braced = self.environments.pop()
+        self.add("end" if matrix else "row", name, start)
+        # The printed brace before a system is a decoration; so is one behind it.
+        if braced and (closing := _CLOSING.match(self.tex, self.at)):
+            self.at = closing.end()
+
+    def environment(self, start: int) -> str:
+        match = _ENVIRONMENT.match(self.tex, self.at)
+        if match is None:
+            raise NotationError("the name of an environment is missing", self.tex, start)
+        self.at = match.end()
+        if match[1] not in LAYOUTS and match[1] not in MATRICES:
+            raise NotationError(f"the environment {match[1]} cannot be read", self.tex, start)
+        return match[1]
+
+    def after_group(self, at: int) -> int:
+        """The position behind the group, or the single token, that begins here."""
+        space = _SPACE.match(self.tex, at)
+        assert space is not None
+        at = space.end()
+        if self.tex[at : at + 1] != "{":
+            token = _TOKEN.match(self.tex, at)
+            return token.end() if token else at
+        depth = 0
+        for brace in _BRACE.finditer(self.tex, at):
+            depth += {"{": 1, "}": -1}.get(brace[0], 0)
+            if depth == 0:
+                return brace.end()
+        raise NotationError("this brace is never closed", self.tex, at)

@@ -1,0 +1,147 @@
+r"""What each LaTeX macro is to a reader of formulas.
+
+A macro that is not listed is a letter, as ``\omega`` is; whether the letter is known
+is for the vocabulary to say.
+"""
+
+from __future__ import annotations
+
+
+def _table(**rows: str) -> dict[str, str]:
+    return {"\\" + name: action for action, names in rows.items() for name in names.split()}
+
+
+GREEK = frozenset(
+    "\\" + name
+    for name in """alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa
+    varkappa lambda mu nu xi pi varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi
+    omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega ell hbar imath jmath wp
+    """.split()
+)
+
+# What the scanner does when it meets the macro.
+ACTIONS: dict[str, str] = _table(
+    blank="""displaystyle textstyle scriptstyle scriptscriptstyle mathstrut strut nonumber notag
+    limits nolimits left right middle mathop mathord mathrel mathbin mathopen mathclose hfill
+    hfil hline noindent relax allowbreak nobreak protect thinspace medspace thickspace negthinspace
+    big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr bigm Bigm biggm Biggm
+    normalsize small footnotesize large it normalfont""",
+    skip="phantom hphantom vphantom label tag tag* hspace hspace* vspace vspace* mspace ref cite",
+    glue="hskip vskip kern mkern mskip raise lower",
+    text="text mbox hbox textrm textit textbf textup intertext shortintertext",
+    font="""mathbf boldsymbol bm bs pmb mathrm operatorname operatorname* mathcal mathbb mathfrak
+    mathsf mathit hat widehat tilde widetilde vec check""",
+    switch="bf rm cal boldmath sf",
+    accent="dot ddot dddot bar overline",
+    gap="quad qquad",
+    row="cr newline tabularnewline",
+    frac="frac tfrac dfrac cfrac",
+    sqrt="sqrt",
+    times="cdot times",
+    dots="ldots dots cdots dotsb dotsc dotsm",
+    prime="prime",
+    relation="""equiv ne neq leq le leqslant geq ge geqslant ll gg approx simeq sim cong propto in
+    notin subset to rightarrow longrightarrow mapsto Rightarrow Longrightarrow Leftrightarrow
+    Longleftrightarrow iff implies""",
+    open="lbrace lbrack langle lgroup",
+    close="rbrace rbrack rangle rgroup",
+    operator="Re Im diag",
+    const="const",
+    begin="begin",
+    end="end",
+    number="eqno leqno",
+) | {
+    "\\" + sign: action
+    for action, signs in {"blank": ",;:!> /()[]\n\t", "open": "{", "close": "}"}.items()
+    for sign in signs
+}
+
+# What a single character of the source is.
+MARKS: dict[str, str] = {
+    "+": "sign",
+    "-": "sign",
+    "=": "relation",
+    "<": "relation",
+    ">": "relation",
+    "(": "open",
+    "[": "open",
+    ")": "close",
+    "]": "close",
+    "{": "{",
+    "}": "}",
+    "^": "^",
+    "_": "_",
+    "'": "prime",
+    "/": "slash",
+    ",": "comma",
+    ";": "comma",
+    "&": "cell",
+    ".": "stop",
+    "$": "blank",
+    "~": "blank",
+}
+
+# The canonical spelling of a sign, a font or a bracket that has several.
+SPELLING: dict[str, str] = {
+    r"\neq": r"\ne",
+    r"\bs": r"\boldsymbol",
+    r"\bm": r"\boldsymbol",
+    r"\pmb": r"\boldsymbol",
+    r"\boldmath": r"\boldsymbol",
+    r"\bf": r"\mathbf",
+    r"\rm": r"\mathrm",
+    r"\sf": r"\mathsf",
+    r"\cal": r"\mathcal",
+    r"\mathit": "",
+    r"\operatorname": r"\mathrm",
+    r"\operatorname*": r"\mathrm",
+    r"\widehat": r"\hat",
+    r"\widetilde": r"\tilde",
+    r"\lbrace": r"\{",
+    r"\rbrace": r"\}",
+    r"\lbrack": "[",
+    r"\rbrack": "]",
+    r"\bar": r"\overline",
+}
+
+# Words in upright letters, which the paper's author writes as ``{\rm Re}`` or ``\text{const}``.
+WORDS: dict[str, str] = {
+    "Re": "operator",
+    "Im": "operator",
+    "diag": "operator",
+    "const": "const",
+}
+
+PARTNERS: dict[str, str] = {
+    "(": ")",
+    "[": "]",
+    r"\{": r"\}",
+    r"\langle": r"\rangle",
+    r"\lgroup": r"\rgroup",
+}
+
+# How many arguments follow a macro in braces.
+ARGUMENTS: dict[str, int] = {"frac": 2, "sqrt": 1, "accent": 1}
+
+MATRICES = frozenset({"matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix"})
+
+# Environments whose rows are statements, with the number of groups after their name.
+LAYOUTS: dict[str, int] = {
+    "equation": 0,
+    "displaymath": 0,
+    "math": 0,
+    "eqnarray": 0,
+    "align": 0,
+    "aligned": 0,
+    "alignat": 1,
+    "alignedat": 1,
+    "flalign": 0,
+    "gather": 0,
+    "gathered": 0,
+    "multline": 0,
+    "multlined": 0,
+    "split": 0,
+    "cases": 0,
+    "array": 1,
+    "subequations": 0,
+}

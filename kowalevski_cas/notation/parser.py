@@ -1,0 +1,223 @@
+"""Tokens of one statement to its tree, by recursive descent.
+
+Where print can be read in two ways, the parser says so and does not choose.
+"""
+
+from __future__ import annotations
+
+from kowalevski_cas.notation.atoms import Atoms
+from kowalevski_cas.notation.cursor import END, STARTS, Piece
+from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.formula import (
+    CrossProduct,
+    Derivative,
+    Formula,
+    Negative,
+    Product,
+    Quotient,
+    Relation,
+    ScalarProduct,
+    Sum,
+)
+from kowalevski_cas.notation.values import rank
+from kowalevski_cas.notation.vocabulary import VECTOR
+
+SIGNS = ("=", r"\equiv", r"\ne")
+TALLEST = 150
+
+
+class Parser(Atoms):
+    """Reads the tokens of one statement."""
+
+    def statement(self) -> Piece:
+        """A chain of relations, or an expression."""
+        members = [self.sum()]
+        signs: list[str] = []
+        while (token := self.tokens[self.at]).kind == "relation":
+            if token.text not in SIGNS:
+                raise self.error(f"the relation {token.text} cannot be read")
+            self.at += 1
+            signs.append(token.text)
+            members.append(self.sum())
+        if self.tokens[self.at].kind != END:
+            raise self.unexpected()
+        piece = members[0]
+        if signs:
+            node = Relation(tuple([member[0] for member in members]), tuple(signs))
+            piece = (node, piece[1], members[-1][2], tuple(members))
+        # A tree is no taller than its tokens are many: short formulas need no measuring.
+        if len(self.tokens) > TALLEST:
+            self.measure(piece)
+        return piece
+
+    def measure(self, piece: Piece) -> None:
+        """Refuse a tree on which recursion would not be safe."""
+        waiting = [(piece, 1)]
+        while waiting:
+            (_, start, _, below), height = waiting.pop()
+            if height > TALLEST:
+                message = f"a formula nested deeper than {TALLEST}"
+                raise NotationError(message, self.tex, start)
+            waiting.extend((child, height + 1) for child in below)
+
+    def sum(self) -> Piece:
+        """Terms with their signs; a single term is no sum."""
+        terms: list[Piece] = []
+        while True:
+            token = self.tokens[self.at]
+            sign = ""
+            if token.kind == "sign":
+                self.at += 1
+                sign = token.text
+                second = self.tokens[self.at]
+                if second.kind == "sign":
+                    if not (terms and sign == "+" and second.text == "-"):
+                        raise self.error("two signs in a row")
+                    self.at += 1
+                    sign, token = "-", second
+            elif terms:
+                break
+            term = self.term()
+            if sign == "-":
+                term = (Negative(term[0]), token.start, term[2], (term,))
+            terms.append(term)
+        if len(terms) == 1:
+            return terms[0]
+        return (Sum(tuple([term[0] for term in terms])), terms[0][1], terms[-1][2], tuple(terms))
+
+    def term(self) -> Piece:
+        """Factors side by side, with dots and crosses between them."""
+        factors = self.factors()
+        if self.tokens[self.at].kind != "times":
+            return _product(factors)
+        left_rank = self.rank(factors)
+        crossed = False
+        while self.tokens[self.at].kind == "times":
+            cross = self.take()
+            more = self.factors()
+            right_rank = self.rank(more)
+            if left_rank == right_rank == VECTOR:
+                if crossed:
+                    raise self.error("which vectors are multiplied first? set brackets", cross)
+                left, right = _product(factors), _product(more)
+                crossed = cross.text == r"\times"
+                node: Formula = (CrossProduct if crossed else ScalarProduct)(left[0], right[0])
+                factors = [(node, left[1], right[2], (left, right))]
+                left_rank = self.rank(factors)
+            else:
+                factors += more
+                left_rank = VECTOR if VECTOR in (left_rank, right_rank) else left_rank | right_rank
+        return _product(factors)
+
+    def rank(self, factors: list[Piece]) -> int:
+        """The rank of a product."""
+        return rank(_product(factors)[0], self.vocabulary)
+
+    def factors(self) -> list[Piece]:
+        """Factors side by side; what stands before a slash is all divided by what follows."""
+        factors = [self.factor()]
+        divided = False
+        while (kind := self.tokens[self.at].kind) in STARTS or kind == "slash":
+            if kind == "slash":
+                self.at += 1
+                left, right = _product(factors), self.factor()
+                node = Quotient(left[0], right[0])
+                factors = [(node, left[1], right[2], (left, right))]
+                divided = True
+            elif divided:
+                break
+            else:
+                factors.append(self.factor())
+        if divided and (kind in STARTS or kind == "times"):
+            raise self.error("does this stand under the slash? set brackets, or use \\frac")
+        return factors
+
+    def read_frac(self) -> Piece:
+        """A fraction; over d and an independent variable it is a derivative."""
+        written = self.written_derivative()
+        if written is not None:
+            return written
+        start = self.take().start
+        above, below = self.argument(), self.argument()
+        end = self.tokens[self.at - 1].end
+        return self.scripts((Quotient(above[0], below[0]), start, end, (above, below)))
+
+    def written_derivative(self) -> Piece | None:
+        r"""``\frac{dF}{d\tau}``, or ``\frac{d}{d\tau}`` with what it is applied to."""
+        fraction = self.at
+        start = self.tokens[fraction].start
+        above = fraction + 1
+        braced = self.tokens[above].kind == "{"
+        if self.tokens[above + braced].text != "d":
+            return None
+        below = self.behind_group(above)
+        time = self.time(below)
+        if time is None:
+            self.at = fraction
+            return None
+        behind, order = self.at, time[1]
+        self.at = above + braced + 1
+        if self.order() != order:
+            raise self.error("the orders above and below differ", self.tokens[fraction])
+        if self.at == below - braced:
+            self.at = behind
+            piece = self.operand(f"the derivative by {time[0]}")
+            if self.tokens[self.at].kind in ("^", "prime"):
+                piece = self.scripts(piece)
+            end = self.tokens[self.at - 1].end
+        else:
+            piece = self.term()
+            if self.at != below - braced:
+                raise self.unexpected()
+            self.at = behind
+            end = self.tokens[behind - 1].end
+        for _ in range(order):
+            piece = (Derivative(piece[0], time[0]), start, end, (piece,))
+        return self.scripts(piece) if end == self.tokens[behind - 1].end else piece
+
+    def behind_group(self, at: int) -> int:
+        """The index behind the argument that begins at the given token."""
+        depth = 0
+        while self.tokens[at].kind != END:
+            depth += {"{": 1, "}": -1}.get(self.tokens[at].kind, 0)
+            at += 1
+            if depth == 0:
+                break
+        return at
+
+    def time(self, at: int) -> tuple[str, int] | None:
+        """The independent variable in the denominator that begins at the token, and the order."""
+        if [token.text for token in self.tokens[at : at + 2]] != ["{", "d"]:
+            return None
+        self.at = at + 2
+        if self.tokens[self.at].kind != "letter":
+            return None
+        name = self.take().text
+        if self.tokens[self.at].kind == "_":
+            name += self.index()
+        order = self.order()
+        if name not in self.vocabulary.times or self.tokens[self.at].kind != "}":
+            return None
+        self.at += 1
+        return name, order
+
+    def order(self) -> int:
+        """The order of a derivative, printed as a power: 1 without one, 0 if it is no number."""
+        if self.tokens[self.at].kind != "^":
+            return 1
+        self.at += 1
+        braced = self.tokens[self.at].kind == "{"
+        self.at += braced
+        if self.tokens[self.at].kind != "number":
+            return 0
+        digit = self.take() if braced else self.digit()
+        self.at += braced
+        return int(digit.text) if len(digit.text) < 3 else 0
+
+
+def _product(factors: list[Piece]) -> Piece:
+    """The factors as one piece; a single factor is no product."""
+    if len(factors) == 1:
+        return factors[0]
+    nodes = tuple([factor[0] for factor in factors])
+    return (Product(nodes), factors[0][1], factors[-1][2], tuple(factors))

@@ -1,0 +1,82 @@
+r"""LaTeX to formula: what the author typed, as a tree.
+
+>>> from kowalevski_cas.notation.vocabulary import Vocabulary
+>>> read(r"x'_1 = -2x_1", Vocabulary(frozenset({"x_1"}))).signs
+('=',)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from kowalevski_cas.notation.cursor import Piece
+from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.formula import Formula
+from kowalevski_cas.notation.layout import statements
+from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.parser import Parser
+from kowalevski_cas.notation.vocabulary import Vocabulary
+
+Path = tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """One statement of a display and where it stands in the source.
+
+    ``spans`` gives the interval that printed each node, brackets around it included. A node
+    is addressed by the indices of the children that lead to it.
+    """
+
+    formula: Formula
+    tex: str = field(repr=False)
+    start: int
+    end: int
+    spans: Mapping[Path, tuple[int, int]] = field(repr=False, compare=False)
+
+    @property
+    def source(self) -> str:
+        """The source of this statement alone."""
+        return self.tex[self.start : self.end]
+
+
+def read(tex: str, vocabulary: Vocabulary) -> Formula:
+    r"""The one statement, or expression, in the source.
+
+    >>> read(r"\frac12 x", Vocabulary(frozenset({"x"}))).factors[1]
+    Name(name='x')
+    """
+    found = statements(scan(tex), tex)
+    if not found:
+        raise NotationError("there is no formula here", tex, 0)
+    if len(found) > 1:
+        count = f"{len(found)} statements stand here; read_display reads them all"
+        raise NotationError(count, tex, found[1][0].start)
+    return Parser(tex, found[0], vocabulary).statement()[0]
+
+
+def read_display(tex: str, vocabulary: Vocabulary) -> tuple[Statement, ...]:
+    r"""Every statement of a display, in the order of the page.
+
+    >>> words = Vocabulary(frozenset({"F_1", "F_2"}))
+    >>> [statement.source for statement in read_display(r"$$ F_1=0,\quad F_2=0 $$", words)]
+    ['F_1=0', 'F_2=0']
+    """
+    read_so_far = []
+    for tokens in statements(scan(tex), tex):
+        piece = Parser(tex, tokens, vocabulary).statement()
+        start, end = tokens[0].start, tokens[-1].end
+        read_so_far.append(Statement(piece[0], tex, start, end, _spans(piece)))
+    return tuple(read_so_far)
+
+
+def _spans(piece: Piece) -> dict[Path, tuple[int, int]]:
+    """The interval of every node, by its path."""
+    spans: dict[Path, tuple[int, int]] = {}
+    waiting: list[tuple[Path, Piece]] = [((), piece)]
+    while waiting:
+        path, (_, start, end, below) = waiting.pop()
+        spans[path] = (start, end)
+        waiting.extend(((*path, index), child) for index, child in enumerate(below))
+    return spans

@@ -1,0 +1,54 @@
+"""The names that a formula may use, and what each of them is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from kowalevski_cas.notation.formula import Name
+
+SCALAR, VECTOR, MATRIX = 0, 1, 2
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    r"""The declared names, in canonical LaTeX.
+
+    A name is a letter with its index: ``\omega_1``, ``U_{12}``, ``\ell``,
+    ``\boldsymbol{\alpha}``, ``\mathbf{e}_1``, ``\mathrm{sn}``. An index of more than one
+    character stands in braces. Independent variables are scalars that a written-out
+    derivative may have in its denominator.
+
+    >>> words = Vocabulary(scalars={"x_1", "i"}, times={r"\tau"})
+    >>> r"\tau" in words, "x_2" in words
+    (True, False)
+    """
+
+    scalars: frozenset[str] = frozenset()
+    vectors: frozenset[str] = frozenset()
+    matrices: frozenset[str] = frozenset()
+    functions: frozenset[str] = frozenset()
+    times: frozenset[str] = frozenset()
+
+    def __post_init__(self) -> None:
+        """Accept any iterable of names."""
+        for field in ("scalars", "vectors", "matrices", "functions", "times"):
+            object.__setattr__(self, field, frozenset(getattr(self, field)))
+
+    @cached_property
+    def ranks(self) -> dict[str, int]:
+        """The rank of every name that stands for a value: 0 scalar, 1 vector, 2 matrix."""
+        return (
+            dict.fromkeys(self.matrices, MATRIX)
+            | dict.fromkeys(self.vectors, VECTOR)
+            | dict.fromkeys(self.scalars | self.times, SCALAR)
+        )
+
+    @cached_property
+    def names(self) -> dict[str, Name]:
+        """One node for every name that stands for a value, shared by all formulas."""
+        return {name: Name(name) for name in self.ranks}
+
+    def __contains__(self, name: str) -> bool:
+        """Whether the name is declared, as a value or as a function."""
+        return name in self.ranks or name in self.functions

@@ -1,0 +1,118 @@
+"""What a run says about one claim: the verdict and the evidence behind it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+
+class Verdict(StrEnum):
+    """How sure the tool is. Only the first two are green."""
+
+    PROVED = "proved"
+    CONDITIONAL = "conditional"
+    PROBABLE = "probable"
+    ENCLOSED = "enclosed"
+    REFUTED = "refuted"
+    UNDECIDED = "undecided"
+    TIMEOUT = "timeout"
+    ERROR = "error"
+
+    @property
+    def green(self) -> bool:
+        """Whether the statement is established, perhaps under named conditions."""
+        return self in (Verdict.PROVED, Verdict.CONDITIONAL)
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """An exact point: values of the scene's variables, in LaTeX (rationals, i, square roots)."""
+
+    values: dict[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Counterexample:
+    """An exact point on the constraints where the statement fails.
+
+    ``left`` and ``right`` are the two values there, in LaTeX; ``words`` says
+    what they are when they are not the two sides of an equation.
+    """
+
+    point: Point
+    left: str
+    right: str
+    words: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """An expression assumed non-zero, and what happens where it vanishes."""
+
+    tex: str
+    words: str
+    witness: Counterexample | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One step that the program took, for the report: a sentence and a display."""
+
+    words: str
+    tex: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Correction:
+    """The nearest true statement: how it is printed, what was changed, its verdict."""
+
+    printed: str
+    words: str
+    verdict: Verdict
+    conditions: tuple[Condition, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """Everything a run says about one claim.
+
+    ``products`` counts the multiplications of polynomials that the decision
+    took: a cost that is the same on every machine. ``seconds`` and ``verdicts``
+    hold the measured time and the verdict of each arithmetic.
+    """
+
+    claim: str
+    section: str
+    scene: str
+    printed: str
+    words: str
+    verdict: Verdict
+    conditions: tuple[Condition, ...] = ()
+    steps: tuple[Step, ...] = ()
+    counterexample: Counterexample | None = None
+    correction: Correction | None = None
+    rests_on: tuple[str, ...] = ()
+    digest: str = ""
+    message: str = ""
+    products: int = 0
+    seconds: dict[str, float] = field(default_factory=dict)
+    verdicts: dict[str, Verdict] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """The outcomes of one derivation, in the order of the paper.
+
+    ``sections`` lists number and heading; ``versions`` the programs and
+    libraries that took part; ``digest`` binds the statements that were decided.
+    """
+
+    derivation: str
+    title: str
+    author: str
+    source: str
+    sections: tuple[tuple[str, str], ...]
+    outcomes: tuple[Outcome, ...]
+    arithmetics: tuple[str, ...]
+    versions: dict[str, str]
+    digest: str

@@ -1,0 +1,234 @@
+"""The report as LaTeX: the same bytes from run to run."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from kowalevski_cas.proof.outcome import Point, Run, Verdict
+from kowalevski_cas.report import mathematics
+from kowalevski_cas.report.context import Report, listed, number, report
+from kowalevski_cas.report.marks import MARKS
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+TEMPLATES: Final = Path(__file__).parent / "templates"
+
+_SPECIAL: Final = {
+    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#",
+    "%": r"\%", "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}",
+    "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}",
+    "–": "--", "—": "---", "…": r"\dots{}", "“": "``", "”": "''", "‘": "`", "’": "'",
+    "§": r"\S{}", "\u00a0": "~", "\u202f": r"\,", "\u2009": r"\,",
+}  # fmt: skip
+_GREEK: Final = dict(
+    zip(
+        "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ",
+        "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma "
+        "tau upsilon varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi "
+        "Omega".split(),
+        strict=True,
+    )
+)
+_SIGNS: Final = {
+    "−": "-", "×": r"\times ", "·": r"\cdot ", "′": "'", "″": "''", "≠": r"\ne ", "≤": r"\le ",
+    "≥": r"\ge ", "≡": r"\equiv ", "≈": r"\approx ", "→": r"\to ", "∈": r"\in ", "∞": r"\infty ",
+    "√": r"\surd ", "∂": r"\partial ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
+    "½": r"\tfrac12 ", "¼": r"\tfrac14 ", "⟨": r"\langle ", "⟩": r"\rangle ", "ℓ": r"\ell ",
+    "⇒": r"\Rightarrow ", "⇔": r"\Leftrightarrow ", "∧": r"\land ", "∨": r"\lor ",
+    "∪": r"\cup ", "∩": r"\cap ", "⊂": r"\subset ", "∅": r"\emptyset ", "∇": r"\nabla ",
+    "ℝ": r"\mathbf{R}", "ℂ": r"\mathbf{C}", "ℚ": r"\mathbf{Q}", "ℤ": r"\mathbf{Z}",
+    "✓": r"\checkmark ", "✗": r"\times ",
+}  # fmt: skip
+_RAISED: Final = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺ⁿ", "0123456789-+n")
+_LOWERED: Final = str.maketrans("₀₁₂₃₄₅₆₇₈₉₋₊ₙᵢⱼₖ", "0123456789-+nijk")
+
+
+def render_latex(run: Run) -> str:
+    """The report of a run as a LaTeX document."""
+    return _render(report(run), "latex")
+
+
+def render_for_pandoc(run: Run) -> tuple[str, str]:
+    """The same document in the LaTeX that pandoc reads, and the picture in it as SVG."""
+    arranged = report(run)
+    return _render(arranged, "pandoc"), arranged.picture.svg()
+
+
+def _render(arranged: Report, target: str) -> str:
+    text = _environment().get_template("report.tex.jinja").render(report=arranged, target=target)
+    text = re.sub(r"[ \t]+\n", "\n", text)
+    return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
+
+
+def _environment() -> Environment:
+    """A Jinja environment whose delimiters LaTeX never uses."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    environment = Environment(
+        loader=FileSystemLoader(TEMPLATES),
+        block_start_string="((*",
+        block_end_string="*))",
+        variable_start_string="(((",
+        variable_end_string=")))",
+        comment_start_string="((=",
+        comment_end_string="=))",
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+    environment.filters.update(
+        words=words,
+        inline=inline,
+        plain=mathematics.plain,
+        ascii=_ascii,
+        anchor=_anchor,
+        display=display,
+        displays=displays,
+        number=number,
+        cell=cell,
+        fits=fits,
+        point=point,
+        listed=listed,
+        link=link,
+        links=links,
+        sentence=sentence,
+        thousands=thousands,
+        short=short,
+    )
+    environment.globals.update(MARKS=MARKS, Verdict=Verdict)
+    return environment
+
+
+# ---------------------------------------------------------------------- filters
+
+
+def words(text: str) -> str:
+    r"""Plain text with mathematics between dollars, as LaTeX.
+
+    >>> words("50% of $x_1$ & the_rest, ω₁ ≠ 0")
+    '50\\% of $x_1$ \\& the\\_rest, $\\omega _1\\ne $ 0'
+    """
+    parts = text.split("$")
+    if len(parts) % 2 == 0:  # a dollar too many: none of them means mathematics
+        return _escaped(text)
+    return "".join(
+        f"${mathematics.plain(part)}$" if k % 2 else _escaped(part) for k, part in enumerate(parts)
+    )
+
+
+def _escaped(text: str) -> str:
+    text = re.sub(r'"([^"\n]*)"', "“\\1”", text)
+    return "".join(map(_letter, text)).replace("$$", "")
+
+
+def _letter(letter: str) -> str:
+    if letter in _SPECIAL:
+        return _SPECIAL[letter]
+    if letter in _GREEK:
+        return f"$\\{_GREEK[letter]} $"
+    if letter in _SIGNS:
+        return f"${_SIGNS[letter]}$"
+    if (plain := letter.translate(_RAISED)) != letter:
+        return f"$^{plain}$"
+    if (plain := letter.translate(_LOWERED)) != letter:
+        return f"$_{plain}$"
+    if letter.isascii() or "À" <= letter <= "ſ":
+        return letter if letter.isprintable() or letter in "\n\t" else ""
+    return f"[U+{ord(letter):04X}]"
+
+
+def _ascii(text: str) -> str:
+    """A text for the properties of a PDF, where LaTeX means nothing."""
+    return re.sub(r"[^ -~]|[\\\\{}$&#%_^~]", "", text)
+
+
+def _anchor(text: str) -> str:
+    return re.sub(r"[^A-Za-z0-9.-]", "-", text)
+
+
+def inline(tex: str) -> str:
+    """A formula within a sentence."""
+    return f"${mathematics.plain(tex)}$"
+
+
+def display(tex: str, room: float) -> str:
+    """A formula on lines of its own, none wider than ``room`` em."""
+    return _displayed(mathematics.display(tex, room))
+
+
+def displays(formulas: tuple[str, ...], room: float) -> str:
+    """What belongs to one step: in one display if that is not too high for a page."""
+    if 1 < len(formulas) <= mathematics.LINES:
+        together = mathematics.displays(formulas, room)
+        if together.count("\\\\\n") < mathematics.LINES:
+            return _displayed(together)
+    inside = [mathematics.display(tex, room, lines=mathematics.LINES) for tex in formulas]
+    return "\n".join(map(_displayed, inside))
+
+
+def _displayed(body: str) -> str:
+    return f"\\[\n\\fit{{{body}}}\n\\]"
+
+
+def cell(tex: str, room: float = 24.0) -> str:
+    """A formula in a cell of a table."""
+    return f"\\cell{{{mathematics.display(tex, room)}}}"
+
+
+def fits(tex: str, room: float) -> bool:
+    """Whether a formula fits on a line."""
+    return mathematics.width(tex) <= room
+
+
+def point(at: Point) -> str:
+    """The coordinates of a point, equal ones together: one formula each, so that lines break."""
+    equal: dict[str, list[str]] = {}
+    for name, value in at.values.items():
+        if name == value:
+            continue
+        equal.setdefault(value, []).append(name)
+    out = [
+        inline(f"{' = '.join(names)} = {value}")
+        for value, names in equal.items()
+        if not (value.strip() == "0" and len(equal) > 1 and len(names) > 3)
+    ]
+    if len(out) < len(equal):
+        out.append("the other variables $0$")
+    return ", ".join(out)
+
+
+def sentence(text: str, end: str = ".") -> str:
+    """Words that begin with a capital (where they begin with a letter) and come to an end."""
+    text = text.strip()
+    return words(text[:1].upper() + text[1:]) + ("" if text.endswith((".", "!", "?", ":")) else end)
+
+
+def link(claim: str) -> str:
+    """A claim's id, leading to the place where it is treated."""
+    return rf"\hyperlink{{claim.{claim}}}{{\texttt{{{_escaped(claim)}}}}}"
+
+
+def links(claims: tuple[str, ...]) -> str:
+    """Several ids; consecutive rows of one display are drawn together."""
+    return listed([link(claim) for claim in claims])
+
+
+def thousands(number: int) -> str:
+    r"""A number with thin spaces between thousands.
+
+    >>> thousands(12345)
+    '12\\,345'
+    """
+    return f"{number:,}".replace(",", r"\,")
+
+
+def short(text: str, letters: int = 72) -> str:
+    """As much of a text as fits in a running head, cut between words."""
+    if len(text) <= letters:
+        return text
+    return text[:letters].rsplit(" ", 1)[0].rstrip(",;:") + " …"

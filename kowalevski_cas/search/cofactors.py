@@ -1,0 +1,179 @@
+"""Cofactors: how an expression is a combination of others, found by division."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from kowalevski_cas.arithmetic.tower import Element, Ring
+
+Monomial = tuple[int, ...]
+Split = dict[Monomial, fmpq_mpoly]
+"""A polynomial in the main variables with coefficients in the others."""
+
+
+def cofactors(
+    target: Element, generators: Sequence[Element], main: Sequence[tuple[str, ...]]
+) -> list[Element] | None:
+    """Elements :math:`c_k` with ``target`` = sum of :math:`c_k` ``generators[k]``, or ``None``.
+
+    ``target`` is divided by the generators as polynomials in a set of main
+    variables, with coefficients in the others; the leading coefficients by which
+    the division multiplies stay in the denominators of the result, and are the
+    conditions under which it holds. A multiple of one generator is recognised
+    first; then come all variables together (this division needs no condition),
+    and each of the sets in ``main``.
+    """
+    flat = _Flat(target.ring)
+    numerators = [flat.polynomial(g) for g in generators]
+    dividend = flat.polynomial(target)
+    sets = [tuple(range(flat.size)), *(flat.indices(names) for names in main)]
+    found = _divide_in_turn(dividend, numerators, sets, depth=2)
+    if found is None:
+        return None
+    unit, quotients = found
+    below = flat.inverse(unit) * flat.below(target)
+    return [
+        target.ring.zero if q.is_zero() else flat.element(q) * below * flat.below(g).inverse()
+        for q, g in zip(quotients, generators, strict=True)
+    ]
+
+
+class _Flat:
+    """The ring of a tower with its roots as ordinary variables."""
+
+    def __init__(self, ring: Ring) -> None:
+        self.ring = ring
+        self.base = len(ring.polynomials.generators)
+        self.size = self.base + len(ring.roots)
+        names = tuple(f"g{k}" for k in range(self.size))
+        self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
+
+    def indices(self, names: Sequence[str]) -> tuple[int, ...]:
+        return tuple(self.ring.names.index(name) for name in names if name in self.ring.names)
+
+    def polynomial(self, element: Element) -> fmpq_mpoly:
+        """The numerator of an element."""
+        terms = {}
+        for mask, part in element.terms().items():
+            roots = tuple(mask >> bit & 1 for bit in range(len(self.ring.roots)))
+            for exponents, value in part.items():
+                terms[exponents + roots] = fmpq(value.numerator, value.denominator)
+        return self.context.from_dict(terms)
+
+    def element(self, polynomial: fmpq_mpoly) -> Element:
+        """A polynomial as an element of the tower."""
+        total = self.ring.zero
+        for exponents, value in polynomial.to_dict().items():
+            product = self.ring.from_terms(
+                {0: {exponents[: self.base]: Fraction(int(value.p), int(value.q))}}
+            )
+            for bit, exponent in enumerate(exponents[self.base :]):
+                if exponent:
+                    product = product * self.ring.generator(self.ring.roots[bit]) ** exponent
+            total = total + product
+        return total
+
+    def inverse(self, polynomial: fmpq_mpoly) -> Element:
+        """One over a polynomial, divided by one irreducible factor after another."""
+        content, factors = polynomial.factor()
+        result = self.ring.number(1 / Fraction(int(content.p), int(content.q)))
+        for factor, exponent in factors:
+            result = result * self.element(factor).inverse() ** int(exponent)
+        return result
+
+    def below(self, element: Element) -> Element:
+        """One over the denominator of an element."""
+        return Element(self.ring, self.ring.one.parts, element.denominator)
+
+
+def _divide_in_turn(
+    dividend: fmpq_mpoly,
+    divisors: Sequence[fmpq_mpoly],
+    sets: Sequence[tuple[int, ...]],
+    depth: int,
+) -> tuple[fmpq_mpoly, list[fmpq_mpoly]] | None:
+    """Divide in one set of main variables, and what remains in another one."""
+    if dividend.is_zero():
+        return dividend.context().constant(1), [dividend] * len(divisors)
+    for k, divisor in enumerate(divisors):
+        quotient, remainder = divmod(dividend, divisor)
+        if remainder.is_zero():
+            zero = dividend.context().constant(0)
+            quotients = [quotient if j == k else zero for j in range(len(divisors))]
+            return dividend.context().constant(1), quotients
+    for main in sets:
+        unit, quotients, remainder = pseudo_divide(dividend, divisors, main)
+        if remainder.is_zero():
+            return unit, quotients
+        if depth > 1 and remainder != dividend:
+            rest = _divide_in_turn(remainder, divisors, [s for s in sets if s != main], depth - 1)
+            if rest is not None:
+                more, added = rest
+                pairs = zip(quotients, added, strict=True)
+                return unit * more, [q * more + r for q, r in pairs]
+    return None
+
+
+def pseudo_divide(
+    dividend: fmpq_mpoly, divisors: Sequence[fmpq_mpoly], main: tuple[int, ...]
+) -> tuple[fmpq_mpoly, list[fmpq_mpoly], fmpq_mpoly]:
+    """``unit * dividend = sum of quotients * divisors + remainder``, in the main variables.
+
+    ``unit`` is a product of leading coefficients, free of the main variables. A
+    divisor without main variables is passed over.
+    """
+    context = dividend.context()
+    split = [_split(g, main) for g in divisors]
+    leads = [max(s) for s in split]
+    unit = context.constant(1)
+    quotients = [context.constant(0)] * len(divisors)
+    rest, remainder = _split(dividend, main), context.constant(0)
+    while rest:
+        top = max(rest)
+        usable = [
+            k
+            for k, lead in enumerate(leads)
+            if any(lead) and all(a >= b for a, b in zip(top, lead, strict=True))
+        ]
+        if not usable:
+            remainder += rest.pop(top) * _power(context, main, top)
+            continue
+        k = usable[0]
+        lead = split[k][leads[k]]
+        shift = tuple(a - b for a, b in zip(top, leads[k], strict=True))
+        quotient, left = divmod(rest[top], lead)
+        if not left.is_zero():
+            quotient = rest[top]
+            unit *= lead
+            remainder *= lead
+            quotients = [q * lead for q in quotients]
+            rest = {m: c * lead for m, c in rest.items()}
+        quotients[k] += quotient * _power(context, main, shift)
+        for monomial, coefficient in split[k].items():
+            key = tuple(a + b for a, b in zip(monomial, shift, strict=True))
+            value = rest.get(key, context.constant(0)) - quotient * coefficient
+            if value.is_zero():
+                rest.pop(key, None)
+            else:
+                rest[key] = value
+    return unit, quotients, remainder
+
+
+def _split(polynomial: fmpq_mpoly, main: tuple[int, ...]) -> Split:
+    context = polynomial.context()
+    groups: dict[Monomial, dict[Monomial, fmpq]] = {}
+    for exponents, value in polynomial.to_dict().items():
+        key = tuple(exponents[k] for k in main)
+        others = tuple(0 if k in main else e for k, e in enumerate(exponents))
+        groups.setdefault(key, {})[others] = value
+    return {key: context.from_dict(terms) for key, terms in groups.items()}
+
+
+def _power(context: fmpq_mpoly_ctx, main: tuple[int, ...], exponents: Monomial) -> fmpq_mpoly:
+    full = [0] * context.nvars()
+    for k, exponent in zip(main, exponents, strict=True):
+        full[k] = exponent
+    return context.from_dict({tuple(full): fmpq(1)})

@@ -1,0 +1,165 @@
+"""Exact points of a stage that a real motion can pass through.
+
+Variables that are each other's conjugates get values :math:`u\\pm iv`, all
+others real ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import islice
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from kowalevski_cas.arithmetic.numbers import square_root
+from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.search.points import Assignment, constant, points
+from kowalevski_cas.stage import Stage
+
+ExactPoint = dict[str, tuple[Fraction, Fraction]]
+"""Real and imaginary parts of the generators."""
+
+RATIONAL_ROOTS = 40
+"""How many points are looked at for one at which all roots are rational."""
+
+
+class RealCoordinates:
+    """Real coordinates for the generators of a stage, and its elements in them."""
+
+    def __init__(self, stage: Stage) -> None:
+        self.stage = stage
+        ring = stage.ring
+        pairs = dict(stage.scene.conjugates)
+        partners = {b: a for a, b in pairs.items()}
+        variables = (*stage.scene.variables, *stage.scene.constants)
+        self.moving = [r for r in ring.roots if r in variables]
+        self.names = [n for n in (*ring.polynomials.generators, *self.moving)]
+        self.context = fmpq_mpoly_ctx.get(
+            tuple(f"g{k}" for k in range(len(self.names) + 1)), Ordering.lex
+        )
+        *coordinates, self.unit = self.context.gens()
+        place = {name: coordinates[k] for k, name in enumerate(self.names)}
+        self.images: dict[str, fmpq_mpoly] = {}
+        for name in self.names:
+            if name in pairs:
+                self.images[name] = place[name] + self.unit * place[pairs[name]]
+            elif name in partners:
+                self.images[name] = place[partners[name]] - self.unit * place[name]
+            else:
+                self.images[name] = place[name]
+        if "i" in ring.roots:
+            self.images["i"] = self.unit
+        self.pairs = pairs
+
+    def equations(self, element: Element) -> list[fmpq_mpoly]:
+        """Real polynomials whose vanishing makes the element vanish."""
+        ring = self.stage.ring
+        known = [bit for bit, name in enumerate(ring.roots) if name in self.images]
+        groups: dict[int, fmpq_mpoly] = {}
+        for mask, terms in element.terms().items():
+            value = self.polynomial(terms)
+            for bit in known:
+                if mask >> bit & 1:
+                    value = value * self.images[ring.roots[bit]]
+            rest = sum(1 << b for b in range(len(ring.roots)) if mask >> b & 1 and b not in known)
+            groups[rest] = groups.get(rest, self.context.constant(0)) + value
+        return [part for value in groups.values() for part in self.split(value)]
+
+    def polynomial(self, terms: Terms) -> fmpq_mpoly:
+        """A polynomial of the generators in the real coordinates."""
+        total = self.context.constant(0)
+        for exponents, coefficient in terms.items():
+            product = self.context.constant(fmpq(coefficient.numerator, coefficient.denominator))
+            for name, exponent in zip(
+                self.stage.ring.polynomials.generators, exponents, strict=True
+            ):
+                if exponent:
+                    product *= self.images[name] ** exponent
+            total += product
+        return total
+
+    def split(self, polynomial: fmpq_mpoly) -> list[fmpq_mpoly]:
+        """The real and the imaginary part, where they do not vanish."""
+        parts: list[dict[tuple[int, ...], fmpq]] = [{}, {}]
+        for exponents, value in polynomial.to_dict().items():
+            power = exponents[-1]
+            part = parts[power % 2]
+            key = (*exponents[:-1], 0)
+            part[key] = part.get(key, fmpq(0)) + (-value if power % 4 >= 2 else value)
+        polynomials = [self.context.from_dict(part) for part in parts]
+        return [p for p in polynomials if not p.is_zero()]
+
+    def relations(self) -> list[fmpq_mpoly]:
+        """The equations that the roots among the variables satisfy."""
+        ring = self.stage.ring
+        found = []
+        for name in self.moving:
+            radicand = ring.radicands[ring.roots.index(name)]
+            found.extend(self.split(self.images[name] ** 2 - self.value(radicand)))
+        return found
+
+    def value(self, element: Element) -> fmpq_mpoly:
+        """An element that is a polynomial, in the real coordinates."""
+        total = self.context.constant(0)
+        for mask, terms in element.terms().items():
+            product = self.polynomial(terms)
+            for bit, name in enumerate(self.stage.ring.roots):
+                if mask >> bit & 1:
+                    product = product * self.images[name]
+            total += product
+        return total
+
+    def point(self, assignment: Assignment) -> ExactPoint:
+        """The exact point with these coordinates."""
+        value = {name: assignment[k] for k, name in enumerate(self.names)}
+        result: ExactPoint = {}
+        for name in self.names:
+            result[name] = (value[name], Fraction(0))
+        for a, b in self.pairs.items():
+            if a in value:
+                result[a] = (value[a], value[b])
+                result[b] = (value[a], -value[b])
+        return result
+
+
+def real_points(
+    stage: Stage, zero: Sequence[Element] = (), nonzero: Sequence[Element] = ()
+) -> Iterator[ExactPoint]:
+    """Exact points where some elements vanish and others do not, with rational roots first."""
+    coordinates = RealCoordinates(stage)
+    constraints = [e for element in zero for e in coordinates.equations(element)]
+    constraints = _distinct([*constraints, *coordinates.relations()])
+    avoid = [
+        polynomial
+        for element in nonzero
+        if (equations := coordinates.equations(element))
+        for polynomial in [sum((e * e for e in equations), coordinates.context.constant(0))]
+    ]
+    found = points(constraints, range(len(coordinates.names)), avoid)
+    radicands = [
+        coordinates.value(radicand)
+        for name, radicand in zip(stage.ring.roots, stage.ring.radicands, strict=True)
+        if name != "i" and name not in coordinates.moving
+    ]
+    kept = []
+    for assignment in islice(found, RATIONAL_ROOTS):
+        if all(_is_square(radicand, assignment, coordinates) for radicand in radicands):
+            yield coordinates.point(assignment)
+        else:
+            kept.append(assignment)
+    yield from (coordinates.point(assignment) for assignment in kept)
+
+
+def _distinct(polynomials: list[fmpq_mpoly]) -> list[fmpq_mpoly]:
+    """Polynomials of which none is another one times a number: conjugate equations come twice."""
+    return list({str(p / p.leading_coefficient()): p for p in polynomials}.values())
+
+
+def _is_square(
+    radicand: fmpq_mpoly, assignment: Assignment, coordinates: RealCoordinates
+) -> bool:
+    parts = coordinates.split(radicand)
+    value = sum((constant(part, assignment) for part in parts), Fraction(0))
+    return square_root(value) is not None

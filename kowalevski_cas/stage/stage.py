@@ -1,0 +1,211 @@
+"""A scene in an arithmetic: names get values, formulas are evaluated, D differentiates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from kowalevski_cas.arithmetic.derivation import Field, along
+from kowalevski_cas.arithmetic.polynomials import Polynomials
+from kowalevski_cas.arithmetic.tower import Element, Ring
+from kowalevski_cas.notation import Constant, Formula, Name, Negative, Power, Relation, Root, Sum
+from kowalevski_cas.notation import read, to_latex
+from kowalevski_cas.scene import Change, Scene
+from kowalevski_cas.stage.change import Carrier
+from kowalevski_cas.stage.evaluate import StageError, Triple, Value, evaluate, scalar
+from kowalevski_cas.stage.field import printed_field, time_scale
+from kowalevski_cas.texts import Printed, Texts
+
+
+class Stage:
+    """One scene in one arithmetic, under given texts.
+
+    With ``ring`` and ``image`` the stage is the image of its scene in another
+    ring: the variables take the values in ``image``. So formulas are carried
+    through a change of variables, specialised, and evaluated at exact points.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        arithmetic: type[Polynomials],
+        texts: Texts,
+        ring: Ring | None = None,
+        image: Mapping[str, Element] | None = None,
+    ) -> None:
+        self.scene = scene
+        self.arithmetic = arithmetic
+        self.texts = texts
+        squared = [n for n in scene.roots if not n.startswith(r"\sqrt")]
+        self.powers = {(b, e): f"{b}^{{{e}}}" for b, e in scene.powers}
+        names = (*scene.variables, *scene.constants, *scene.undefined, *self.powers.values())
+        self.generators = tuple(name for name in names if name not in squared)
+        self.ring = ring or Ring(arithmetic(self.generators))
+        self.half = self.ring.number(Fraction(1, 2))
+        self._values: dict[tuple[str, bool], Value] = {}
+        self._roots: list[tuple[Element, Element]] = []
+        self._field: Field | None = None
+        self._conjugates = dict(scene.conjugates) | {b: a for a, b in scene.conjugates}
+        self._place_generators(image)
+
+    # -- names ---------------------------------------------------------------
+
+    def _place_generators(self, image: Mapping[str, Element] | None) -> None:
+        own = {*self.scene.variables, *self.scene.constants, *self.scene.undefined}
+        own |= {*self.scene.roots, "i"}
+        given = {name: value for name, value in (image or {}).items() if name in own}
+        if image is None:
+            given = {name: self.ring.generator(name) for name in self.generators}
+        for name in self._zero_names():
+            given[name] = self.ring.zero
+        for name, value in given.items():
+            self._values[name, False] = value
+            partner = given.get(self._conjugates.get(name, name))
+            if partner is not None:
+                self._values[name, True] = -partner if name == "i" else partner
+        if image is None:
+            self._adjoin_roots()
+        else:
+            for name in self.scene.roots:
+                root = self.formula(name)
+                if name in image and isinstance(root, Root):
+                    self._roots.append((scalar(root.argument, self), image[name]))
+
+    def _adjoin_roots(self) -> None:
+        if self.scene.unit is not None:
+            square = scalar(self.square("i", self.scene.unit), self)
+            unit = self.ring.adjoin("i", square)
+            self._values["i", False], self._values["i", True] = unit, -unit
+        for name, printed in self.scene.roots.items():
+            if printed is None:
+                root = read(name, self.texts.vocabulary)
+                if not isinstance(root, Root):
+                    raise StageError(f"{name} is not printed as a square root")
+                radicand = scalar(root.argument, self)
+            else:
+                radicand = scalar(self.square(name, printed), self)
+            value = self.ring.adjoin(name, radicand)
+            self._roots.append((radicand, value))
+            for conjugated in (False, True):
+                self._values[name, conjugated] = value
+        for name, partner in self._conjugates.items():
+            if name in self.scene.roots:
+                self._values[name, True] = self._values[partner, False]
+
+    def _zero_names(self) -> Iterator[str]:
+        for printed in self.scene.zero:
+            for member in self.relation(printed).members:
+                if isinstance(member, Name):
+                    yield from self.scene.vectors.get(member.name, (member.name,))
+
+    def value(self, name: str, conjugated: bool = False) -> Value:
+        """The value of a name; raises :class:`StageError` if it has none on the scene."""
+        key = (name, conjugated)
+        if key not in self._values:
+            if name in self.scene.vectors:
+                components = self.scene.vectors[name]
+                self._values[key] = Triple(
+                    scalar(Name(component), self, conjugated) for component in components
+                )
+            elif name in self.scene.definitions:
+                formula = self.definition(name)
+                self._values[key] = evaluate(formula, self, conjugated)
+            else:
+                raise StageError(f"{name} has no meaning on the scene “{self.scene.name}”", name)
+        return self._values[key]
+
+    def relation(self, printed: Printed) -> Relation:
+        """The chain of equalities at a place."""
+        formula = self.texts.statement(printed).formula
+        if not isinstance(formula, Relation):
+            raise StageError(f"an equation is expected at {printed.place}")
+        return formula
+
+    def definition(self, name: str) -> Formula:
+        """The expression for which a name stands: the first member that is not a bare name."""
+        members = self.relation(self.scene.definitions[name]).members
+        for member in members:
+            if not isinstance(member, Name | Constant):
+                return member
+        raise StageError(f"no expression stands for {name} in its definition", name)
+
+    def square(self, name: str, printed: Printed) -> Formula:
+        """The square of a root, from a printed equation with that square in it."""
+        relation = self.relation(printed)
+        square = Power(Name(name), read("2", self.texts.vocabulary))
+        others = [m for m in relation.members if m != square and not isinstance(m, Constant)]
+        if square in relation.members:
+            return others[0]
+        for member in relation.members:
+            if isinstance(member, Sum) and square in member.terms:
+                rest = tuple(Negative(term) for term in member.terms if term != square)
+                return Sum((others[-1], *rest))
+        raise StageError(f"{name}^2 does not stand in the equation at {printed.place}", name)
+
+    def formula(self, tex: str) -> Formula:
+        """A formula in the names of the scene."""
+        return read(tex, self.texts.vocabulary)
+
+    def granted(self) -> Iterator[Formula]:
+        """What the scene takes for granted not to vanish."""
+        return (self.formula(tex) for tex in self.scene.nonzero)
+
+    def landmarks(self) -> Iterator[Formula]:
+        """Expressions by which a condition is called where it is one of them."""
+        yield from (self.formula(locus.condition) for locus in self.scene.loci)
+
+    def equations(self, printed: tuple[str, ...]) -> list[Element]:
+        """The left sides minus the right sides of equations given as LaTeX."""
+        relations = [self.formula(tex) for tex in printed]
+        return [
+            scalar(relation.members[0], self) - scalar(relation.members[1], self)
+            for relation in relations
+            if isinstance(relation, Relation)
+        ]
+
+    def root(self, radicand: Formula, conjugated: bool = False) -> Element:
+        """The declared square root of an expression."""
+        value = scalar(radicand, self, conjugated)
+        for square, root in self._roots:
+            if (square - value).is_zero:
+                return root
+        raise StageError(f"the scene “{self.scene.name}” declares no root of {to_latex(radicand)}")
+
+    def symbolic_power(self, base: Formula, exponent: str) -> Element:
+        """A declared power with a symbolic exponent."""
+        for (name, symbol), generator in self.powers.items():
+            if base == Name(name) and symbol == exponent:
+                return self.ring.generator(generator)
+        raise StageError(f"the power {to_latex(base)}^{exponent} is not declared", exponent)
+
+    # -- derivatives ---------------------------------------------------------
+
+    @property
+    def field(self) -> Field:
+        """The vector field: the derivative of each variable by the scene's time."""
+        if self._field is None:
+            field = self.scene.field
+            if isinstance(field, Change):
+                self._field = Carrier(field, self).field()
+            else:
+                self._field = printed_field(field, self)
+            for (base, exponent), power in self.powers.items():
+                value = scalar(self.formula(base), self)
+                rate = along(value, self._field) * value.inverse()
+                rate = rate * self.ring.generator(exponent) * self.ring.generator(power)
+                self._field = {**self._field, power: rate}
+        return self._field
+
+    def derivative(self, element: Element) -> Element:
+        """The derivative along the field, by the scene's time."""
+        return along(element, self.field)
+
+    def time_factor(self, mark: str, conjugated: bool) -> Element:
+        """By what a derivative with this mark differs from the one by the scene's time."""
+        scene = self.scene
+        if mark == ("dot" if scene.time == "t" else "prime") or mark == scene.time:
+            imaginary = conjugated and isinstance(scene.field, Change)
+            return self.ring.number(-1 if imaginary else 1)
+        if scene.clock is None:
+            raise StageError(f"no derivative is printed as “{mark}” on “{scene.name}”")
+        return time_scale(scene.clock, self, conjugated).inverse()

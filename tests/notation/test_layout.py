@@ -1,0 +1,82 @@
+"""A display falls into the statements that its author meant."""
+
+import pytest
+
+from kowalevski_cas.notation import read_display, split_display, to_latex
+from tests.notation import paper
+
+
+def parts(tex):
+    return [tex[start:end] for start, end in split_display(tex)]
+
+
+COUNTS = {
+    "eq1": 1, "eq2-eq3": 3, "eq4": 3, "kowalevski-case": 3, "eq5": 3, "eq9": 8, "eq10": 9,
+    "eq11": 3, "c1-c2": 2, "eq13": 3, "U-prime": 2, "eq14": 1, "F-prime": 2, "real-form": 2,
+    "eq16": 2, "eq17": 2, "eq18-eq19": 2, "ratio": 1, "eq20": 2, "eq21": 1,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", COUNTS)
+def test_the_displays_of_the_paper_have_as_many_statements_as_rows_say(name):
+    assert len(split_display(paper.DISPLAYS[name])) == COUNTS[name]
+
+
+def test_a_row_that_ends_in_a_sign_runs_on_and_a_repeated_sign_is_one():
+    second = read_display(paper.DISPLAYS["eq16"], paper.WORDS)[1].formula
+    assert to_latex(second) == (
+        r"2[c(\xi_1^2 - \xi_2^2) - (a^2 - b^2)\xi_1\xi_2](\omega_1^2 - \omega_2^2 + \xi_1)"
+        r" + [(a^2 - b^2)(\xi_1^2 - \xi_2^2) + 4c\xi_1\xi_2](2\omega_1\omega_2 + \xi_2) = 0"
+    )
+    [psi] = read_display(paper.DISPLAYS["eq21"], paper.WORDS)
+    assert len(psi.formula.members[1].terms) == 2
+
+
+def test_nested_arrays_are_rows_and_cells():
+    assert parts(paper.DISPLAYS["eq10"])[::4] == [
+        "x'_1  =  - x_1 w_3  + z_1 w_1",
+        "2z'_1  = x_1 w_2  - y_2 w_1",
+        r"2\omega'_3 = y_2  - y_1",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("tex", "expected"),
+    [
+        ("a = 0, b = 0", ["a = 0", "b = 0"]),
+        (r"$a=0$", ["a=0"]),
+        (r"\[ a = 0,\qquad b = 0. \]", ["a = 0", "b = 0"]),
+        (r"a = 0 \quad b = 0", ["a = 0", "b = 0"]),
+        (r"a = 0 \text{ and } b = 0", ["a = 0", "b = 0"]),
+        (r"a = b \quad + c", [r"a = b \quad + c"]),
+        (r"\begin{align} a &= b, \\ c &= d \end{align}", ["a &= b", "c &= d"]),
+        (r"\begin{align*} a &= b \\ &= c \\ &= d \end{align*}", [r"a &= b \\ &= c \\ &= d"]),
+        (r"\begin{eqnarray} a &=& b + \\ && + c \end{eqnarray}", [r"a &=& b + \\ && + c"]),
+        (r"\begin{aligned} a & = b \\ & - c \end{aligned}", [r"a & = b \\ & - c"]),
+        (r"a = b \\[-2mm] -c = d", ["a = b", "-c = d"]),
+        (r"F = (a+b) \\ (c+d) = 0", [r"F = (a+b)", "(c+d) = 0"]),
+        (r"(a+b) \\ (c+d) = 0", [r"(a+b) \\ (c+d) = 0"]),
+        (r"a = (b \\ + c)", [r"a = (b \\ + c)"]),
+        (r"\left\{\begin{array}{l} a=0,\\ b=0 \end{array}\right.", ["a=0", "b=0"]),
+        (r"\left\{\begin{array}{l} a=0,\\ b=0 \end{array}\right\}", ["a=0", "b=0"]),
+        (r"\begin{array}{@{}l@{}} a=0 \cr b=0 \end{array}", ["a=0", "b=0"]),
+        (r"a = (b, c)", ["a = (b, c)"]),
+        (r"a = b \eqno(12)", ["a = b"]),
+        (r"a = b \tag{12} % , c", ["a = b"]),
+        (r"M=\begin{pmatrix} a & b \\ c & d \end{pmatrix}, x=0", None),
+        ("", []),
+        (r"\begin{equation}\label{e}\end{equation}", []),
+    ],
+)
+def test_statements(tex, expected):
+    if expected is None:
+        assert len(parts(tex)) == 2
+    else:
+        assert parts(tex) == expected
+
+
+def test_no_name_needs_to_be_known():
+    assert parts(r"\dot q_i = \frac{\partial H}{\partial p_i},\ |q| \leq \infty") == [
+        r"\dot q_i = \frac{\partial H}{\partial p_i}",
+        r"|q| \leq \infty",
+    ]

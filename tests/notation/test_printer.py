@@ -1,0 +1,67 @@
+"""What is printed reads back as the same tree."""
+
+import pytest
+from hypothesis import given, settings
+
+from kowalevski_cas.notation import (
+    Derivative,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    read,
+    read_display,
+    to_latex,
+)
+from tests.notation.strategies import WORDS, formulas
+
+x, y, ell, d, t = Name("x_1"), Name("x_2"), Name(r"\ell"), Name("d"), Name("t")
+half = Quotient(Number(1), Number(2))
+
+
+@settings(max_examples=400, deadline=None)
+@given(formulas)
+def test_reading_what_was_printed_gives_the_same_formula(formula):
+    tex = to_latex(formula)
+    assert read(tex, WORDS) == formula
+    assert to_latex(read(tex, WORDS)) == tex
+
+
+@settings(max_examples=100, deadline=None)
+@given(formulas)
+def test_every_node_has_a_place_within_its_parent(formula):
+    [statement] = read_display(f"$$ {to_latex(formula)} $$", WORDS)
+    for path, (start, end) in statement.spans.items():
+        assert start < end
+        if path:
+            outer = statement.spans[path[:-1]]
+            assert outer[0] <= start and end <= outer[1]
+
+
+@pytest.mark.parametrize(
+    ("formula", "tex"),
+    [
+        (Product((ell, Name("a"))), r"\ell a"),
+        (Product((Number(2), x, Sum((x, y)))), "2x_1(x_1 + x_2)"),
+        (Product((x, Number(2))), r"x_1\cdot 2"),
+        (Sum((Negative(x), Negative(Sum((x, y))))), "-x_1 - (x_1 + x_2)"),
+        (Power(Sum((half, x)), Number(2)), r"\left(\frac{1}{2} + x_1\right)^2"),
+        (Product((x, Sum((y, Product((x, Sum((x, y)))))))), "x_1[x_2 + x_1(x_1 + x_2)]"),
+        (Power(x, Number(12)), "x_1^{12}"),
+        (Derivative(Name(r"\omega_{12}"), "dot"), r"\dot{\omega}_{12}"),
+        (Derivative(Derivative(x, "dot"), "dot"), r"\ddot{x}_1"),
+        (Derivative(Product((x, y)), "dot"), r"\dot{(x_1x_2)}"),
+        (Derivative(Derivative(x, "prime"), "prime"), "x_1''"),
+        (Derivative(Sum((x, y)), "prime"), "(x_1 + x_2)'"),
+        (Derivative(x, r"\tau"), r"\frac{dx_1}{d\tau}"),
+        (Derivative(ell, "t"), r"\frac{d\ell}{dt}"),
+        (Derivative(Sum((x, y)), r"\tau"), r"\frac{d}{d\tau}(x_1 + x_2)"),
+        # the scalar d is not the d of a derivative
+        (Quotient(Product((d, x)), Product((d, t))), r"\frac{dx_1}{d\cdot t}"),
+    ],
+)
+def test_formulas_are_printed_tidily(formula, tex):
+    assert to_latex(formula) == tex
