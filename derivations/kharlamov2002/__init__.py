@@ -2,7 +2,7 @@
 
 from kowalevski_cas.derivation import Derivation
 
-from . import section1, section2
+from . import section1, section2, section3
 
 derivation = Derivation(
     name="kharlamov2002",
@@ -12,5 +12,5 @@ derivation = Derivation(
     ),
     author="M. P. Kharlamov",
     source="Mekh. Tverd. Tela 32 (2002), pp. 32–38",
-    sections=(section1.section, section2.section),
+    sections=(section1.section, section2.section, section3.section),
 )

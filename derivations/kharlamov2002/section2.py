@@ -201,25 +201,35 @@ with_root = Scene(
         "U_2": eq13[2],
         "F_2": F2[1],
     },
-    loci=(
-        Locus("$x_1=x_2=0$", ("x_1=0", "x_2=0"), "x_1 x_2"),
-        Locus("$c_1=c_2=0$, that is $a=b$, $c=0$", ("c_1=0", "c_2=0"), "c_1 c_2"),
-    ),
+    loci=(Locus("$x_1=x_2=0$", ("x_1=0", "x_2=0"), "x_1 x_2"),),
 )
 
-# The constants of (4) as functions: for statements about sets in the space of all nine variables.
-unscaled_constants = Scene(
-    "complex variables, any constants",
-    "the complex variables and $\\sqrt{x_1x_2}$, where $c_1$ and $c_2$ abbreviate the integrals (4)",
+with_root_and_unit = Scene(
+    "complex variables with the root and the unit",
+    "the same with $i$, for imaginary parts",
+    variables=with_root.variables,
+    constants=with_root.constants,
+    field=change,
+    time=r"\tau",
+    unit=unit[1],
+    conjugates=with_root.conjugates,
+    roots=with_root.roots,
+    definitions=with_root.definitions,
+)
+
+# For statements about sets in the space of all nine variables the constants of (4) are functions.
+all_constants = Scene(
+    "complex variables, all constants",
+    "the complex variables, $\\sqrt{x_1x_2}$ and $i$, where $c_1$, $c_2$ abbreviate the integrals (4)",
+    vectors=FRAME,
     variables=(*X, r"\omega_3"),
     field=change,
     time=r"\tau",
+    unit=unit[1],
     conjugates=PAIRS,
     roots={r"\sqrt{x_1x_2}": None},
-    definitions={**with_root.definitions, "c_1": c[1], "c_2": c[2]},
-    loci=(
-        Locus("$c_1=c_2=0$, that is $a=b$, $c=0$", ("c_1=0", "c_2=0"), "c_1 c_2"),
-    ),
+    definitions={**with_root.definitions, "c_1": c[1], "c_2": c[2], "H": eq17[1], "K": eq17[2]},
+    loci=(Locus("$c_1=c_2=0$, that is $a=b$, $c=0$", ("c_1=0", "c_2=0"), "c_1 c_2"),),
 )
 
 initial = Scene(
@@ -346,12 +356,12 @@ section.claim(
     N4,
     Dimension(
         "N4-dimension",
-        unscaled_constants,
+        all_constants,
         None,
         "with (4), the relations (15) define a four-dimensional manifold",
-        levels=(),
+        levels=(eq4[1], eq4[2], eq4[3]),
         equations=(eq15[1], eq15[2]),
-        dimension=7,
+        dimension=4,
     ),
     Reality(
         "reality",
@@ -360,5 +370,52 @@ section.claim(
         r"$\theta$ and $Q_1$ are real, $U_1-U_2$ is purely imaginary",
         real=(r"\theta", "Q_1"),
         imaginary=("U_1-U_2",),
+    ),
+    Equivalence(
+        "real-form.1",
+        with_root_and_unit,
+        real_form[1],
+        "the first of the equations (15) in real form",
+        to=eq15[1],
+    ),
+    Equivalence(
+        "real-form.2",
+        with_root_and_unit,
+        real_form[2],
+        "the second of the equations (15) in real form",
+        to=eq15[2],
+    ),
+    Equivalence(
+        "eq16.1", initial, eq16[1], "the first relation in the initial variables", to=real_form[1]
+    ),
+    Equivalence(
+        "eq16.2", initial, eq16[2], "the second relation in the initial variables", to=real_form[2]
+    ),
+    InvariantRelations(
+        "eq16.invariance",
+        real_variables,
+        None,
+        "the system (16), read literally with (4), is an invariant set",
+        relations=(eq16[1], eq16[2]),
+        names=("E_1", "E_2"),
+        main=((r"\omega_3",),),
+    ),
+    FirstIntegral("eq17.1", kowalevski, eq17[1], "the energy integral on $N^4$"),
+    FirstIntegral("eq17.2", kowalevski, eq17[2], "the integral $K$ on $N^4$"),
+    Independence(
+        "N4-independence",
+        all_constants,
+        None,
+        "$H$ and $K$ are independent on $N^4$",
+        levels=(eq4[1], eq4[2], eq4[3]),
+        equations=(eq15[1], eq15[2]),
+        functions=("H", "K"),
+    ),
+    LastMultiplier(
+        "last-multiplier",
+        kowalevski,
+        None,
+        "the flow preserves the volume of the space and, with it, a measure on $N^4$",
+        relations=N4,
     ),
 )

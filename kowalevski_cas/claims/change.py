@@ -16,7 +16,7 @@ from kowalevski_cas.claims.claim import (
     show,
 )
 from kowalevski_cas.claims.identity import Identity, Pair
-from kowalevski_cas.notation import NotationError
+from kowalevski_cas.notation import NotationError, edits
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.scene import Change, Scene
 from kowalevski_cas.stage import Stage, StageError, scalar
@@ -141,6 +141,13 @@ class Unit(Claim):
             return claim.decide(bench)
         except (StageError, NotationError):
             return None
+
+    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+        """Other numbers on the right side: its sign and its size changed."""
+        assert self.printed is not None
+        for edit in edits(texts.statement(self.printed), texts.vocabulary):
+            if edit.path[:1] == (1,) and edit.kind in ("sign", "coefficient"):
+                yield Neighbour(edit.words, self, texts.replace(self.printed, edit.tex))
 
     def places(self) -> Iterator[Printed]:
         yield from super().places()

@@ -11,9 +11,9 @@ from kowalevski_cas.arithmetic.numbers import Substitution, number_ring
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.notation import Constant, Formula, Relation, Vocabulary, to_latex
+from kowalevski_cas.notation import Constant, Formula, Relation, Vocabulary, edits, to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Point, Step, Verdict
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.scene import Locus, Scene
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.stage.evaluate import Triple, Value
 from kowalevski_cas.texts import Printed, Texts
@@ -81,8 +81,6 @@ class Claim(ABC):
         """Statements one edit away, the most plausible corrections first."""
         if self.printed is None:
             return
-        from kowalevski_cas.notation import edits
-
         for edit in edits(texts.statement(self.printed), texts.vocabulary):
             yield Neighbour(edit.words, self, texts.replace(self.printed, edit.tex))
 
@@ -137,10 +135,18 @@ def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition,
         if first in shown and second in shown:
             del shown[second]
             shown = {
-                (f"{first} {second}" if tex == first else tex): None
+                (f"{first}{second}" if tex == first else tex): None
                 for tex in shown
             }
     return tuple(Condition(tex, f"${tex}\\ne 0$: it is divided by") for tex in shown)
+
+
+def locus_of(condition: Condition, stage: Stage) -> Locus | None:
+    """The declared locus where a condition is violated, if there is one."""
+    for locus in stage.scene.loci:
+        if to_latex(stage.formula(locus.condition)) == condition.tex:
+            return locus
+    return None
 
 
 def _shape(element: Element) -> frozenset[object]:
@@ -245,6 +251,7 @@ __all__ = [
     "differences",
     "equation",
     "green",
+    "locus_of",
     "members",
     "refuted",
     "show",

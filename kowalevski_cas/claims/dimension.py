@@ -23,6 +23,7 @@ from kowalevski_cas.claims.claim import (
     refuted,
 )
 from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.scene import Locus
 from kowalevski_cas.stage import Stage, scalar
@@ -64,7 +65,8 @@ class Set(Claim):
         def system(stage: Stage) -> list[Element]:
             equations = self.constraints(stage)
             chosen = equations if functions is None else [equations[k] for k in functions]
-            return [*self.level_functions(stage), *chosen, *self.extra(stage)]
+            there = stage.equations(locus.equations) if locus is not None else []
+            return [*self.level_functions(stage), *chosen, *there, *self.extra(stage)]
 
         def search(finder: Bench) -> ExactPoint | None:
             from kowalevski_cas.search.real import real_points
@@ -148,7 +150,8 @@ class Dimension(Set):
         if found is None or number - found[0] == self.dimension:
             return []
         words = f"for {locus.words} the set has dimension {number - found[0]}"
-        return [Condition(locus.condition, words, self._witness(found[1], number - found[0], number))]
+        condition = to_latex(bench.stage(self.scene).formula(locus.condition))
+        return [Condition(condition, words, self._witness(found[1], number - found[0], number))]
 
     def _is_empty(self, bench: Bench, locus: Locus, index: int) -> bool:
         """Whether an equation of the set holds everywhere on the locus."""

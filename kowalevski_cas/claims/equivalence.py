@@ -32,16 +32,9 @@ class Equivalence(Claim):
     def decide(self, bench: Bench) -> Finding:
         """Divide one left side by the other; the factor and its inverse name the conditions."""
         stage = bench.stage(self.scene)
-        found = combination(
-            bench,
-            self.scene,
-            self.id,
-            lambda finder: equation(self._printed, finder),
-            lambda finder: [equation(self.to, finder)],
-        )
-        if not found or found[0].is_zero:
+        factor = self._factor(bench)
+        if factor is None:
             return self._refute(bench)
-        factor = found[0]
         conditions = conditions_of([factor, factor.inverse(), *self._sides(stage)], stage)
         steps = (
             [Step("The left side is that of the other equation times", show(factor, stage))]
@@ -49,6 +42,20 @@ class Equivalence(Claim):
             else ()
         )
         return green(conditions, steps)
+
+    def _factor(self, bench: Bench) -> Element | None:
+        """The left side of the printed equation over that of the other one."""
+        for top, bottom in ((self._printed, self.to), (self.to, self._printed)):
+            found = combination(
+                bench,
+                self.scene,
+                (self.id, top.place),
+                lambda finder, top=top: equation(top, finder),
+                lambda finder, bottom=bottom: [equation(bottom, finder)],
+            )
+            if found and not found[0].is_zero:
+                return found[0] if top is self._printed else found[0].inverse()
+        return None
 
     @property
     def _printed(self) -> Printed:

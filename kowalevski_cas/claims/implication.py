@@ -14,6 +14,7 @@ from kowalevski_cas.claims.claim import (
     counterexample,
     equation,
     green,
+    locus_of,
     refuted,
 )
 from kowalevski_cas.claims.membership import combination, combination_steps
@@ -91,18 +92,17 @@ class Implication(Claim):
         self, bench: Bench, condition: Condition
     ) -> tuple[list[Condition], list[Step]]:
         """Whether the statement holds on the locus that a condition leaves out, after all."""
-        for locus in self.scene.loci:
-            if locus.condition != condition.tex or self.root is not None:
-                continue
+        locus = locus_of(condition, bench.stage(self.scene))
+        if locus is None or self.root is not None:
+            return [condition], []
 
-            def generators(stage: Stage) -> Sequence[Element]:
-                return [*stage.equations(locus.equations), *self.generators(stage)]
+        def generators(stage: Stage) -> Sequence[Element]:
+            return [*stage.equations(locus.equations), *self.generators(stage)]
 
-            key = (self.id, locus.words)
-            row = combination(bench, self.scene, key, self.value, generators)
-            if row is not None and not any(c.denominator for c in row):
-                return [], [Step(f"For {locus.words} it holds as well, by a separate division.")]
-        return [condition], []
+        row = combination(bench, self.scene, (self.id, locus.words), self.value, generators)
+        if row is None or any(cofactor.denominator for cofactor in row):
+            return [condition], []
+        return [], [Step(f"For {locus.words} it holds as well, by a separate division.")]
 
     def _refute(self, bench: Bench) -> Finding:
         def pairs(stage: Stage) -> list[tuple[Element, Element]]:

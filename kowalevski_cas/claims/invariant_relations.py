@@ -14,6 +14,7 @@ from kowalevski_cas.claims.claim import (
     counterexample,
     equation,
     green,
+    locus_of,
     refuted,
     show,
 )
@@ -82,11 +83,12 @@ class InvariantRelations(Claim):
 
     def _where_it_fails(self, bench: Bench, condition: Condition) -> Condition:
         """A condition with a point of the set on its locus where the derivative does not vanish."""
-        locus = next(
-            (locus for locus in self.scene.loci if locus.condition == condition.tex), None
-        )
+        stage = bench.stage(self.scene)
+        locus = locus_of(condition, stage)
         if locus is None:
             return condition
+        if condition in conditions_of(self.functions(stage), stage):
+            return Condition(condition.tex, f"the relations have no meaning for {locus.words}")
         found = counterexample(
             bench,
             self.scene,

@@ -20,6 +20,7 @@ from kowalevski_cas.claims.claim import (
 )
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.proof.outcome import Step, Verdict
+from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.texts import Printed, Texts
 
@@ -44,7 +45,8 @@ class LastMultiplier(Claim):
         matrix = self.relations.matrix(bench)
         if matrix is None:
             return Finding(Verdict.UNDECIDED, message="the set has no cofactor matrix")
-        trace = stage.ring.zero
+        other = bench.stage(self.relations.scene)
+        trace = other.ring.zero
         for k, row in enumerate(matrix):
             trace = trace + row[k]
         if residual.is_zero and trace.is_zero:
@@ -52,9 +54,9 @@ class LastMultiplier(Claim):
             steps = [Step(
                 "The divergence of the field and the trace of the cofactor matrix:",
                 rf"\mathrm{{div}} = {show(self._divergence(stage), stage)},"
-                rf"\quad \mathrm{{tr}} = {show(trace, stage)}",
+                rf"\quad \mathrm{{tr}} = {show(trace, other)}",
             )] if bench.explain else ()  # fmt: skip
-            return green(conditions_of(entries, stage), steps)
+            return green(conditions_of(entries, other), steps)
         found = counterexample(
             bench, self.scene, (self.id, self.density),
             lambda finder: [(self._rate(finder), finder.ring.zero)],
@@ -71,6 +73,9 @@ class LastMultiplier(Claim):
     def _rate(self, stage: Stage) -> Element:
         density = scalar(stage.formula(self.density), stage)
         return stage.derivative(density) + density * self._divergence(stage)
+
+    def scenes(self) -> Iterator[Scene]:
+        yield from (self.scene, self.relations.scene)
 
     def places(self) -> Iterator[Printed]:
         yield from self.relations.places()

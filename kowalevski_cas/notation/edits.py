@@ -15,7 +15,7 @@ from kowalevski_cas.notation.printer import bracketed, to_latex
 from kowalevski_cas.notation.reader import Path, Statement, read_display
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
-_BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
+_BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
 _COMMAND = re.compile(r"\\[A-Za-z]+$")
 
 

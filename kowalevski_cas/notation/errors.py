@@ -55,6 +55,10 @@ class NotationError(ValueError):
         self.tex = tex
         self.position = max(0, min(position, len(tex)))
 
+    def __reduce__(self) -> tuple[type[NotationError], tuple[str, str, int]]:
+        """An error may cross from one process to another."""
+        return NotationError, (self.message, self.tex, self.position)
+
     def __str__(self) -> str:
         """The message, the formula (a window of it when it is long) and the caret."""
         window, column = _window(self.tex, self.position)

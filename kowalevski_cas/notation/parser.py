@@ -159,7 +159,8 @@ class Parser(Atoms):
         self.at = above + braced + 1
         if self.order() != order:
             raise self.error("the orders above and below differ", self.tokens[fraction])
-        if self.at == below - braced:
+        applied = self.at == below - braced
+        if applied:
             self.at = behind
             piece = self.operand(f"the derivative by {time[0]}")
             if self.tokens[self.at].kind in ("^", "prime"):
@@ -173,7 +174,7 @@ class Parser(Atoms):
             end = self.tokens[behind - 1].end
         for _ in range(order):
             piece = (Derivative(piece[0], time[0]), start, end, (piece,))
-        return self.scripts(piece) if end == self.tokens[behind - 1].end else piece
+        return piece if applied else self.scripts(piece)
 
     def behind_group(self, at: int) -> int:
         """The index behind the argument that begins at the given token."""

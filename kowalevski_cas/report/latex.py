@@ -51,10 +51,21 @@ def render_latex(run: Run) -> str:
     return _render(report(run), "latex")
 
 
-def render_for_pandoc(run: Run) -> tuple[str, str]:
-    """The same document in the LaTeX that pandoc reads, and the picture in it as SVG."""
-    arranged = report(run)
-    return _render(arranged, "pandoc"), arranged.picture.svg()
+def render_for_pandoc(run: Run) -> str:
+    """The same document in the LaTeX that pandoc reads."""
+    text = _render(report(run), "pandoc").replace(r"\begin{aligned}[t]", r"\begin{aligned}")
+    return re.sub(r"\{\}(?=[+-])", r"\\text{}", text)  # a sign at the beginning of a line
+
+
+def render_typst(run: Run, body: str) -> str:
+    """A Typst document around the body that pandoc made."""
+    template = _environment().get_template("report.typ.jinja")
+    return template.render(report=report(run), body=body)
+
+
+def render_picture(run: Run) -> str:
+    """The picture of which claim rests on which, as SVG."""
+    return report(run).picture.svg()
 
 
 def _render(arranged: Report, target: str) -> str:
@@ -87,6 +98,7 @@ def _environment() -> Environment:
         plain=mathematics.plain,
         ascii=_ascii,
         anchor=_anchor,
+        typst=_typst,
         display=display,
         displays=displays,
         number=number,
@@ -99,6 +111,7 @@ def _environment() -> Environment:
         sentence=sentence,
         thousands=thousands,
         short=short,
+        upfirst=lambda text: text[:1].upper() + text[1:],
     )
     environment.globals.update(MARKS=MARKS, Verdict=Verdict)
     return environment
@@ -147,6 +160,11 @@ def _ascii(text: str) -> str:
     return re.sub(r"[^ -~]|[\\\\{}$&#%_^~]", "", text)
 
 
+def _typst(text: str) -> str:
+    """A text between double quotes in Typst."""
+    return text.replace("\\", "\\\\").replace('"', '\\"')
+
+
 def _anchor(text: str) -> str:
     return re.sub(r"[^A-Za-z0-9.-]", "-", text)
 
@@ -176,8 +194,9 @@ def _displayed(body: str) -> str:
 
 
 def cell(tex: str, room: float = 24.0) -> str:
-    """A formula in a cell of a table."""
-    return f"\\cell{{{mathematics.display(tex, room)}}}"
+    """A formula in a cell of a table; the first of several lines stands beside the other cells."""
+    body = mathematics.display(tex, room).replace(r"\begin{aligned}", r"\begin{aligned}[t]", 1)
+    return f"\\cell{{{body}}}"
 
 
 def fits(tex: str, room: float) -> bool:
@@ -186,7 +205,7 @@ def fits(tex: str, room: float) -> bool:
 
 
 def point(at: Point) -> str:
-    """The coordinates of a point, equal ones together: one formula each, so that lines break."""
+    """``At`` and the coordinates of a point, equal ones together, each a formula of its own."""
     equal: dict[str, list[str]] = {}
     for name, value in at.values.items():
         if name == value:
@@ -199,7 +218,7 @@ def point(at: Point) -> str:
     ]
     if len(out) < len(equal):
         out.append("the other variables $0$")
-    return ", ".join(out)
+    return f"At {', '.join(out)}, " if out else ""
 
 
 def sentence(text: str, end: str = ".") -> str:

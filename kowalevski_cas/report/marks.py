@@ -10,33 +10,34 @@ from kowalevski_cas.proof.outcome import Verdict
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """The sign of a verdict in text and in LaTeX, its colour, and what it means."""
+    """The sign of a verdict in text, in LaTeX and in Typst, its colour, and what it means."""
 
     sign: str
     tex: str
+    typst: str
     colour: str
     meaning: str
 
 
 MARKS: Final[dict[Verdict, Mark]] = {
     Verdict.PROVED: Mark(
-        "✓", r"$\checkmark$", "1F5C3A", "true as printed, by an exact computation"
+        "✓", r"$\checkmark$", "$checkmark$", "1F5C3A", "true as printed, by an exact computation"
     ),
     Verdict.CONDITIONAL: Mark(
         "(✓)",
-        r"$(\checkmark)$",
+        r"$(\checkmark)$", "$(checkmark)$",
         "8A5A00",
         "true where the named expressions are not zero; what happens elsewhere is said",
     ),
-    Verdict.PROBABLE: Mark("≈", r"$\approx$", "555555", "true but for a named chance of error"),
-    Verdict.ENCLOSED: Mark("±", r"$\pm$", "555555", "true within a named radius"),
+    Verdict.PROBABLE: Mark("≈", r"$\approx$", "$approx$", "555555", "true but for a named chance of error"),
+    Verdict.ENCLOSED: Mark("±", r"$\pm$", "$plus.minus$", "555555", "true within a named radius"),
     Verdict.REFUTED: Mark(
         "×",
-        r"$\boldsymbol{\times}$",
+        r"$\boldsymbol{\times}$", "$bold(times)$",
         "A3201D",
         "false as printed, shown by an exact point at which it fails",
     ),
-    Verdict.UNDECIDED: Mark("?", r"?", "555555", "neither proved nor refuted"),
-    Verdict.TIMEOUT: Mark("…", r"\dots", "555555", "not decided in the time allowed"),
-    Verdict.ERROR: Mark("!", r"!", "555555", "not decided, because something went wrong"),
+    Verdict.UNDECIDED: Mark("?", r"?", "?", "555555", "neither proved nor refuted"),
+    Verdict.TIMEOUT: Mark("…", r"\dots", "…", "555555", "not decided in the time allowed"),
+    Verdict.ERROR: Mark("!", r"!", "!", "555555", "not decided, because something went wrong"),
 }

@@ -9,7 +9,7 @@ before a relation or a sign, in brackets only if there is no other way.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
@@ -429,6 +429,15 @@ def width(tex: str) -> float:
 
 
 @dataclass(frozen=True, slots=True)
+class _Break:
+    """A place where a line can begin: how deep in brackets, and what it costs."""
+
+    place: int
+    depth: int = 0
+    cost: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
 class _Line:
     """One line of a display: what stands left of the alignment, and right of it."""
 
@@ -515,17 +524,17 @@ def _head(nodes: Sequence[Node]) -> int:
     return 0
 
 
-def _loosened(nodes: Sequence[Node], room: float) -> list[Node]:
-    r"""The nodes, with pairs and fractions that do not fit on a line taken apart."""
+def _loosened(nodes: Sequence[Node], room: float, part: float) -> list[Node]:
+    r"""The nodes, with pairs that take more than a part of the line, and wide fractions, apart."""
     loose: list[Node] = []
     for node in nodes:
-        if node.inner and node.inner[0].kind == "open" and node.width > 0.4 * room:
+        if node.inner and node.inner[0].kind == "open" and node.width > part * room:
             first, *inside, last = node.inner
             opening, closing = first.tex.strip(), last.tex.strip()
             if opening != "." and not closing.startswith("."):
                 big = r"\Big" if node.tall else ""
                 loose.append(Node(f"{big and big + 'l'}{opening}", first.width, "open"))
-                loose += _loosened(inside, room)
+                loose += _loosened(inside, room, part)
                 loose.append(Node(f"{big and big + 'r'}{closing}", last.width, "close"))
                 continue
         if node.inner and node.inner[0].kind != "open" and node.width > 0.9 * room:
@@ -533,7 +542,7 @@ def _loosened(nodes: Sequence[Node], room: float) -> list[Node]:
             if _width(below) < 0.6 * room:
                 one = Node(rf"\frac{{1}}{{{node.below}}}", _width(below) + 0.24, tall=True)
                 loose += [one, Node(r"\Bigl(", 0.6, "open")]
-                loose += _loosened(node.inner, room)
+                loose += _loosened(node.inner, room, part)
                 loose.append(Node(r"\Bigr)", 0.6, "close"))
                 continue
         loose.append(node)
@@ -544,70 +553,69 @@ def _broken(nodes: Sequence[Node], room: float, *, first: bool) -> list[_Line]:
     """The nodes in lines. With ``first`` the line begins with the relation that is aligned."""
     if _width(nodes) <= room:
         return [_Line("", _tex(nodes))]
-    loose = _loosened(nodes, room)
-    places = _breaks(loose)
-    places = [(0, 0, 0.0), *[p for p in places if p[0] > 0], (len(loose), 0, 0.0)]
-    # A longest-path search would do for three lines; this one is good for three hundred.
-    best: list[tuple[float, int]] = [(0.0, -1)]
-    sums = [0.0]
-    for node in loose:
-        sums.append(sums[-1] + node.width)
-    for end in range(1, len(places)):
-        choices = []
-        for start in range(end - 1, -1, -1):
-            indent = float(_indent(places[start], first)) if start else 0.0
-            wide = sums[places[end][0]] - sums[places[start][0]] + indent
-            over = max(0.0, wide - room)
-            choices.append((best[start][0] + 100.0 + 2000.0 * over + places[end][2], start))
-            if over and start < end - 1:
-                break
-        last = end == len(places) - 1
-        cost, start = min(choices)
-        if not last:
-            used = sums[places[end][0]] - sums[places[start][0]]
-            cost += 20.0 * max(0.0, 1 - used / room) ** 2
-        best.append((cost, start))
-    cuts = [len(places) - 1]
-    while cuts[-1] > 0:
-        cuts.append(best[cuts[-1]][1])
-    cuts.reverse()
+    found = []
+    for part, price in ((1.0, 0.0), (0.7, 60.0), (0.4, 200.0)):
+        loose = _loosened(nodes, room, part)
+        cost, cuts = _cuts(loose, room, first)
+        found.append((cost + price, -part, cuts, loose))
+    _, _, cuts, loose = min(found, key=lambda one: one[:2])
     return [
-        _Line(
-            "",
-            _tex(_trim(loose[places[a][0] : places[b][0]])),
-            _indent(places[a], first) if a else 0,
-        )
+        _Line("", _tex(_trim(loose[a.place : b.place])), _indent(a, first) if a.place else 0)
         for a, b in pairwise(cuts)
     ]
 
 
-def _indent(place: tuple[int, int, float], first: bool) -> int:
+def _cuts(nodes: Sequence[Node], room: float, first: bool) -> tuple[float, list[_Break]]:
+    """Where to break, from the beginning to the end, and what it costs.
+
+    Few lines, few breaks within brackets, no line wider than there is room.
+    """
+    sums = [0.0]
+    for node in nodes:
+        sums.append(sums[-1] + node.width)
+    places = [_Break(0), *_breaks(nodes), _Break(len(nodes))]
+    best: list[tuple[float, int]] = [(0.0, -1)]
+    for end in range(1, len(places)):
+        choices = []
+        for start in range(end - 1, -1, -1):
+            used = sums[places[end].place] - sums[places[start].place]
+            used += _indent(places[start], first) if start else 0
+            over = max(0.0, used - room)
+            empty = 0.0 if end == len(places) - 1 else max(0.0, 1 - used / room)
+            cost = 100.0 + 2000.0 * over + 20.0 * empty**2 + places[end].cost
+            choices.append((best[start][0] + cost, start))
+            if over:
+                break
+        best.append(min(choices))
+    cuts = [len(places) - 1]
+    while cuts[-1] > 0:
+        cuts.append(best[cuts[-1]][1])
+    return best[-1][0], [places[cut] for cut in reversed(cuts)]
+
+
+def _indent(at: _Break, first: bool) -> int:
     """How far the line that begins at a break is moved to the right, in em."""
-    _, depth, kind = place
-    if kind < 0:  # a relation, or a new statement after a comma
+    if at.cost < 0:  # a relation, or a new statement after a comma
         return 0 if first else 1
-    return min(1 + depth, 4) + (0 if first else 1)
+    return min(1 + at.depth, 4) + (0 if first else 1)
 
 
-def _breaks(nodes: Sequence[Node]) -> list[tuple[int, int, float]]:
-    """Where a line can be broken: the place, its depth in brackets, and what it costs."""
-    found: list[tuple[int, int, float]] = []
+def _breaks(nodes: Sequence[Node]) -> Iterator[_Break]:
+    """Where a line can be broken."""
     depth, before = 0, "open"
     for place, node in enumerate(nodes):
         if node.kind == "close":
             depth = max(0, depth - 1)
-        if node.kind == "rel" and depth == 0 and place:
-            found.append((place, depth, -5.0))
-        elif node.tex.strip() in _SIGNS and before in {"ord", "close"}:
-            found.append((place, depth, 60.0 * depth))
-        elif before == "punct":
-            found.append((place, depth, -1.0 if depth == 0 else 60.0 * depth))
-        elif node.kind == "open" and before in {"ord", "close"} and depth == 0:
-            tall = node.tex.startswith(r"\bigl") or place + 12 < len(nodes)
-            if tall:
-                found.append((place, depth + 2, 400.0))
+        if place:
+            if node.kind == "rel" and depth == 0:
+                yield _Break(place, depth, -5.0)
+            elif node.tex.strip() in _SIGNS and before in {"ord", "close"}:
+                yield _Break(place, depth, 60.0 * depth)
+            elif before == "punct":
+                yield _Break(place, depth, 60.0 * depth if depth else -1.0)
+            elif depth == 0 and before in {"ord", "close"} and node.inner and node.width > 4:
+                yield _Break(place, 2, 180.0)
         if node.kind == "open":
             depth += 1
         if node.kind != "space":
             before = node.kind
-    return found

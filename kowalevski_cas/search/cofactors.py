@@ -27,50 +27,75 @@ def cofactors(
     and each of the sets in ``main``.
     """
     flat = _Flat(target.ring)
-    numerators = [flat.polynomial(g) for g in generators]
+    contents, numerators = zip(*(flat.without_roots(g) for g in generators), strict=True)
     dividend = flat.polynomial(target)
     sets = [tuple(range(flat.size)), *(flat.indices(names) for names in main)]
-    found = _divide_in_turn(dividend, numerators, sets, depth=2)
+    found = _divide_in_turn(dividend, numerators, sets, flat.relations(), depth=2)
     if found is None:
         return None
     unit, quotients = found
     below = flat.inverse(unit) * flat.below(target)
     return [
-        target.ring.zero if q.is_zero() else flat.element(q) * below * flat.below(g).inverse()
-        for q, g in zip(quotients, generators, strict=True)
+        target.ring.zero
+        if q.is_zero()
+        else flat.element(q) * below * (flat.below(g) * content).inverse()
+        for q, g, content in zip(quotients, generators, contents, strict=True)
     ]
 
 
 class _Flat:
-    """The ring of a tower with its roots as ordinary variables."""
+    """The ring of a tower with its roots as ordinary variables.
+
+    The roots come first, the last one foremost, so that in lexicographic order
+    the relations between them are led by their squares.
+    """
 
     def __init__(self, ring: Ring) -> None:
         self.ring = ring
-        self.base = len(ring.polynomials.generators)
-        self.size = self.base + len(ring.roots)
-        names = tuple(f"g{k}" for k in range(self.size))
-        self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
+        self.roots = len(ring.roots)
+        self.size = self.roots + len(ring.polynomials.generators)
+        self.context = fmpq_mpoly_ctx.get(tuple(f"g{k}" for k in range(self.size)), Ordering.lex)
 
     def indices(self, names: Sequence[str]) -> tuple[int, ...]:
-        return tuple(self.ring.names.index(name) for name in names if name in self.ring.names)
+        """The places of names among the variables."""
+        order = (*reversed(self.ring.roots), *self.ring.polynomials.generators)
+        return tuple(order.index(name) for name in names if name in order)
+
+    def relations(self) -> list[fmpq_mpoly]:
+        """The equations of the roots, those of the last ones first."""
+        return [
+            self.context.gens()[self.roots - 1 - bit] ** 2 - self.polynomial(radicand)
+            for bit, radicand in reversed(list(enumerate(self.ring.radicands)))
+        ]
 
     def polynomial(self, element: Element) -> fmpq_mpoly:
         """The numerator of an element."""
         terms = {}
         for mask, part in element.terms().items():
-            roots = tuple(mask >> bit & 1 for bit in range(len(self.ring.roots)))
+            roots = tuple(mask >> bit & 1 for bit in reversed(range(self.roots)))
             for exponents, value in part.items():
-                terms[exponents + roots] = fmpq(value.numerator, value.denominator)
+                terms[roots + exponents] = fmpq(value.numerator, value.denominator)
         return self.context.from_dict(terms)
+
+    def without_roots(self, element: Element) -> tuple[Element, fmpq_mpoly]:
+        """The roots that divide a numerator, as an element, and the numerator without them."""
+        polynomial = self.polynomial(element)
+        content = self.ring.one
+        for bit, name in enumerate(self.ring.roots):
+            root = self.context.gens()[self.roots - 1 - bit]
+            quotient, remainder = divmod(polynomial, root)
+            if remainder.is_zero() and not polynomial.is_zero():
+                polynomial, content = quotient, content * self.ring.generator(name)
+        return content, polynomial
 
     def element(self, polynomial: fmpq_mpoly) -> Element:
         """A polynomial as an element of the tower."""
         total = self.ring.zero
         for exponents, value in polynomial.to_dict().items():
-            product = self.ring.from_terms(
-                {0: {exponents[: self.base]: Fraction(int(value.p), int(value.q))}}
-            )
-            for bit, exponent in enumerate(exponents[self.base :]):
+            exponents = tuple(map(int, exponents))
+            coefficient = Fraction(int(value.p), int(value.q))
+            product = self.ring.from_terms({0: {exponents[self.roots :]: coefficient}})
+            for bit, exponent in enumerate(reversed(exponents[: self.roots])):
                 if exponent:
                     product = product * self.ring.generator(self.ring.roots[bit]) ** exponent
             total = total + product
@@ -93,6 +118,7 @@ def _divide_in_turn(
     dividend: fmpq_mpoly,
     divisors: Sequence[fmpq_mpoly],
     sets: Sequence[tuple[int, ...]],
+    relations: Sequence[fmpq_mpoly],
     depth: int,
 ) -> tuple[fmpq_mpoly, list[fmpq_mpoly]] | None:
     """Divide in one set of main variables, and what remains in another one."""
@@ -106,10 +132,13 @@ def _divide_in_turn(
             return dividend.context().constant(1), quotients
     for main in sets:
         unit, quotients, remainder = pseudo_divide(dividend, divisors, main)
+        for relation in relations:
+            remainder = divmod(remainder, relation)[1]
         if remainder.is_zero():
             return unit, quotients
         if depth > 1 and remainder != dividend:
-            rest = _divide_in_turn(remainder, divisors, [s for s in sets if s != main], depth - 1)
+            others = [s for s in sets if s != main]
+            rest = _divide_in_turn(remainder, divisors, others, relations, depth - 1)
             if rest is not None:
                 more, added = rest
                 pairs = zip(quotients, added, strict=True)

@@ -4,98 +4,150 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import islice
+from itertools import count, islice
 
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq, fmpq_mat, fmpq_mpoly
 
 from kowalevski_cas.arithmetic.numbers import square_root
 
-Plan = list[tuple[fmpq_mpoly, int]]
 Assignment = dict[int, Fraction]
 
-ATTEMPTS = 4000
-"""How many starting values are tried before the search gives up."""
+ATTEMPTS = 200
+"""How many starting values are tried with each choice of variables."""
 
+CHOICES = 6
+"""How many choices of variables to be solved for are tried."""
 
-class NoPoint(LookupError):
-    """No exact point was found on the constraints within the attempts allowed."""
+DENOMINATORS = (1, 2, 3, 1, 7)
+"""Denominators of the coordinates that are chosen, in turn."""
 
 
 def points(
     constraints: Sequence[fmpq_mpoly],
     variables: Sequence[int],
     avoid: Sequence[fmpq_mpoly] = (),
-    fixed: Mapping[int, Fraction] | None = None,
 ) -> Iterator[Assignment]:
     """Rational points where the constraints vanish and the expressions to avoid do not.
 
-    ``variables`` are indices of generators. All but one of the variables of each
-    constraint get small values from a fixed sequence; the remaining one is
-    solved for, where the equation is linear, or quadratic with a discriminant
-    that is a square.
+    ``variables`` are indices of generators. Variables that a constraint gives at
+    once are eliminated. For the constraints that remain, one variable each is
+    solved for, while all others get small values from a fixed sequence: where the
+    equations are linear, or quadratic with a discriminant that is a square.
     """
-    constraints = [c for c in constraints if not c.is_zero()]
-    fixed = dict(fixed or {})
-    for plan in islice(_plans(constraints, variables, fixed), 12):
-        solved = {variable for _, variable in plan}
-        free = [v for v in variables if v not in solved and v not in fixed]
-        sequence = _small_numbers()
-        for _ in range(ATTEMPTS):
-            values = {**fixed, **{v: next(sequence) for v in free}}
-            if _complete(plan, values) and not any(_value(a, values).is_zero() for a in avoid):
+    rest, eliminated = _eliminate([c for c in constraints if not c.is_zero()], variables)
+    if any(c.is_constant() for c in rest):
+        return
+    gone = {v for v, _ in eliminated}
+    open_variables = [v for v in variables if v not in gone]
+    for solved in islice(_choices(rest, open_variables), CHOICES):
+        free = [v for v in open_variables if v not in solved]
+        for sequence in islice(_small_numbers(), ATTEMPTS):
+            values = {v: next(sequence) for v in free}
+            if not _complete(rest, len(solved), values):
+                continue
+            for variable, expression in reversed(eliminated):
+                values[variable] = constant(expression, values)
+            if not any(constant(a, values) == 0 for a in avoid):
                 yield values
 
 
-def _plans(
-    constraints: list[fmpq_mpoly], variables: Sequence[int], fixed: Mapping[int, Fraction]
-) -> Iterator[Plan]:
-    """Orders in which the constraints can be solved one variable at a time, linear ones first."""
-    occurring = [
-        {v for v in variables if v not in fixed and c.degrees()[v] > 0} for c in constraints
-    ]
+def constant(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> Fraction:
+    """The value of a polynomial at a point."""
+    value = next(iter(_value(polynomial, values).to_dict().values()), fmpq(0))
+    return Fraction(int(value.p), int(value.q))
 
-    def extend(chosen: tuple[tuple[int, int], ...]) -> Iterator[tuple[tuple[int, int], ...]]:
-        # Built from the last to the first: a variable that is solved for later
-        # must not occur in what is solved before.
-        left = [k for k in range(len(constraints)) if k not in {c for c, _ in chosen}]
-        if not left:
+
+def _eliminate(
+    constraints: list[fmpq_mpoly], variables: Sequence[int]
+) -> tuple[list[fmpq_mpoly], list[tuple[int, fmpq_mpoly]]]:
+    """Solve constraints that are linear in a variable with a constant coefficient."""
+    eliminated: list[tuple[int, fmpq_mpoly]] = []
+    while True:
+        found = next(((c, v) for c in constraints for v in variables if _gives(c, v)), None)
+        if found is None:
+            return constraints, eliminated
+        constraint, variable = found
+        context = constraint.context()
+        generators = list(context.gens())
+        expression = generators[variable] - constraint / constraint.derivative(variable)
+        generators[variable] = expression
+        eliminated.append((variable, expression))
+        substituted = (c.compose(*generators, ctx=context) for c in constraints)
+        constraints = [c for c in substituted if not c.is_zero()]
+
+
+def _gives(constraint: fmpq_mpoly, variable: int) -> bool:
+    return constraint.degrees()[variable] == 1 and constraint.derivative(variable).is_constant()
+
+
+def _choices(constraints: list[fmpq_mpoly], variables: list[int]) -> Iterator[tuple[int, ...]]:
+    """A variable for each constraint, of low degree in it; those that occur in few come first."""
+    occurring = [{v: int(c.degrees()[v]) for v in variables if c.degrees()[v]} for c in constraints]
+    shared = {v: sum(v in degrees for degrees in occurring) for v in variables}
+
+    def extend(chosen: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
+        if len(chosen) == len(constraints):
             yield chosen
             return
-        later = {v for _, v in chosen}
-        choices = [
-            (constraints[k].degrees()[v], k, v)
-            for k in left
-            for v in occurring[k] - later
-            if constraints[k].degrees()[v] <= 2
-            and not any(v in occurring[other] for other in left if other != k)
-        ]
-        for _, k, v in sorted(choices):
-            yield from extend(((k, v), *chosen))
+        degrees = occurring[len(chosen)]
+        usable = [v for v, d in degrees.items() if d <= 2 and v not in chosen]
+        for v in sorted(usable, key=lambda v: (degrees[v], shared[v], v)):
+            yield from extend((*chosen, v))
 
-    for order in extend(()):
-        yield [(constraints[k], v) for k, v in order]
+    return extend(())
 
 
-def _complete(plan: Plan, values: Assignment) -> bool:
-    """Solve the constraints in order, entering what is found; whether all could be solved."""
-    for constraint, variable in plan:
-        univariate = _value(constraint, values)
-        coefficients = [Fraction(0)] * 3
-        for exponents, value in univariate.to_dict().items():
-            if exponents[variable] != sum(exponents):
-                return False
-            coefficients[exponents[variable]] = Fraction(int(value.p), int(value.q))
-        c, b, a = coefficients
-        if a == 0:
-            if b == 0:
-                return False
-            values[variable] = -c / b
-            continue
-        root = square_root(b * b - 4 * a * c)
-        if root is None:
+def _complete(constraints: list[fmpq_mpoly], unknowns: int, values: Assignment) -> bool:
+    """Solve for the unknown variables, entering what is found; whether it could be done."""
+    while unknowns:
+        left = [c for c in (_value(c, values) for c in constraints) if not c.is_zero()]
+        single = [c for c in left if sum(1 for d in c.degrees() if d) == 1]
+        if single:
+            found = _solve_one(single[0])
+        else:
+            found = _solve_linear([c for c in left if c.total_degree() == 1])
+        if not found:
             return False
-        values[variable] = (root - b) / (2 * a)
-    return True
+        values.update(found)
+        unknowns -= len(found)
+    return all(_value(c, values).is_zero() for c in constraints)
+
+
+def _solve_one(polynomial: fmpq_mpoly) -> Assignment:
+    """The root of a linear polynomial in one variable, or a rational one of a quadratic."""
+    variable = next(k for k, d in enumerate(polynomial.degrees()) if d)
+    if polynomial.degrees()[variable] > 2:
+        return {}
+    coefficients = [Fraction(0)] * 3
+    for exponents, value in polynomial.to_dict().items():
+        coefficients[exponents[variable]] = Fraction(int(value.p), int(value.q))
+    c, b, a = coefficients
+    if a == 0:
+        return {variable: -c / b}
+    root = square_root(b * b - 4 * a * c)
+    return {} if root is None else {variable: (root - b) / (2 * a)}
+
+
+def _solve_linear(polynomials: list[fmpq_mpoly]) -> Assignment:
+    """The solution of a square linear system; nothing if it is singular."""
+    unknowns = sorted({k for p in polynomials for k, d in enumerate(p.degrees()) if d})
+    if not polynomials or len(unknowns) != len(polynomials):
+        return {}
+    size = len(unknowns)
+    matrix = [[_coefficient(p, k) for k in unknowns] for p in polynomials]
+    right = [[-_coefficient(p, None)] for p in polynomials]
+    try:
+        solution = fmpq_mat(matrix).solve(fmpq_mat(right))
+    except ZeroDivisionError:
+        return {}
+    found = [solution[row, 0] for row in range(size)]
+    return {k: Fraction(int(v.p), int(v.q)) for k, v in zip(unknowns, found, strict=True)}
+
+
+def _coefficient(polynomial: fmpq_mpoly, variable: int | None) -> fmpq:
+    size = polynomial.context().nvars()
+    exponents = tuple(int(k == variable) for k in range(size))
+    return polynomial.to_dict().get(exponents, fmpq(0))
 
 
 def _value(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> fmpq_mpoly:
@@ -105,17 +157,21 @@ def _value(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> fmpq_mpoly
     )
 
 
-def constant(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> Fraction:
-    """The value of a polynomial at a point."""
-    value = next(iter(_value(polynomial, values).to_dict().values()), fmpq(0))
-    return Fraction(int(value.p), int(value.q))
+def _small_numbers() -> Iterator[Iterator[Fraction]]:
+    """Sequences of small non-zero rationals, irregular and the same in every run.
 
-
-def _small_numbers() -> Iterator[Fraction]:
-    """Small non-zero rationals in a fixed irregular order, the same in every run."""
+    Each sequence has one denominator: points of spheres and cones lie there.
+    """
     state = 1
+    for attempt in count():
+        denominator = DENOMINATORS[attempt % len(DENOMINATORS)]
+        state = state * 69069 + 1 & 0x7FFFFFFF
+        yield _sequence(state, denominator, max(4, denominator - 1))
+
+
+def _sequence(state: int, denominator: int, largest: int) -> Iterator[Fraction]:
     while True:
         state = state * 1103515245 + 12345 & 0x7FFFFFFF
-        numerator = (state >> 16) % 9 - 4
+        numerator = (state >> 16) % (2 * largest + 1) - largest
         if numerator:
-            yield Fraction(numerator, 1 if (state >> 8) % 4 else 2)
+            yield Fraction(numerator, denominator)

@@ -31,7 +31,7 @@ class Carrier:
         self.bridge = Ring(stage.arithmetic((*self.new, *stage.scene.constants)))
         self.unit: dict[str, Element] = {}
         if change.source.unit is not None:
-            square = scalar(stage.square("i", change.source.unit), stage)
+            square = stage.square("i", change.source.unit)
             value = sum((v for t in square.terms().values() for v in t.values()), Fraction(0))
             self.unit = {"i": self.bridge.adjoin("i", self.bridge.number(value))}
 
@@ -50,6 +50,10 @@ class Carrier:
                 total = total + coefficient * old_field[old]
             field[name] = self._transfer(total * per_time, name)
         return field
+
+    def old_variables(self) -> dict[str, Element]:
+        """The old variables on the stage of the new scene, which needs the unit."""
+        return {name: self._transfer(value, name) for name, value in self.inverse().items()}
 
     @cached_property
     def matrix(self) -> list[list[Element]]:
@@ -89,13 +93,17 @@ class Carrier:
 
     def _transfer(self, element: Element, name: str) -> Element:
         """An element of the bridge as an element of the stage's ring."""
-        if element.parts.keys() - {0} or element.denominator:
-            raise StageError(f"the derivative of {name} is not free of the imaginary unit", name)
-        generators = [scalar(Name(g), self.stage) for g in self.bridge.polynomials.generators]
-        total = self.stage.ring.zero
-        for terms in element.terms().values():
+        stage = self.stage
+        unit = {0: stage.ring.one}
+        if stage.scene.unit is not None:
+            unit[1] = scalar(Name("i"), stage)
+        if element.parts.keys() - unit.keys() or element.denominator:
+            raise StageError(f"{name} is not free of the imaginary unit", name)
+        generators = [scalar(Name(g), stage) for g in self.bridge.polynomials.generators]
+        total = stage.ring.zero
+        for mask, terms in element.terms().items():
             for exponents, value in terms.items():
-                product = self.stage.ring.number(value)
+                product = stage.ring.number(value) * unit[mask]
                 for generator, exponent in zip(generators, exponents, strict=True):
                     product = product * generator**exponent if exponent else product
                 total = total + product

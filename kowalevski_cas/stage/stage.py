@@ -8,7 +8,7 @@ from fractions import Fraction
 from kowalevski_cas.arithmetic.derivation import Field, along
 from kowalevski_cas.arithmetic.polynomials import Polynomials
 from kowalevski_cas.arithmetic.tower import Element, Ring
-from kowalevski_cas.notation import Constant, Formula, Name, Negative, Power, Relation, Root, Sum
+from kowalevski_cas.notation import Constant, Formula, Name, Relation, Root
 from kowalevski_cas.notation import read, to_latex
 from kowalevski_cas.scene import Change, Scene
 from kowalevski_cas.stage.change import Carrier
@@ -45,6 +45,7 @@ class Stage:
         self._values: dict[tuple[str, bool], Value] = {}
         self._roots: list[tuple[Element, Element]] = []
         self._field: Field | None = None
+        self._old: dict[str, Element] | None = None
         self._conjugates = dict(scene.conjugates) | {b: a for a, b in scene.conjugates}
         self._place_generators(image)
 
@@ -73,8 +74,7 @@ class Stage:
 
     def _adjoin_roots(self) -> None:
         if self.scene.unit is not None:
-            square = scalar(self.square("i", self.scene.unit), self)
-            unit = self.ring.adjoin("i", square)
+            unit = self.ring.adjoin("i", self.square("i", self.scene.unit))
             self._values["i", False], self._values["i", True] = unit, -unit
         for name, printed in self.scene.roots.items():
             if printed is None:
@@ -83,8 +83,8 @@ class Stage:
                     raise StageError(f"{name} is not printed as a square root")
                 radicand = scalar(root.argument, self)
             else:
-                radicand = scalar(self.square(name, printed), self)
-            value = self.ring.adjoin(name, radicand)
+                radicand = self.square(name, printed)
+            value = self.ring.zero if radicand.is_zero else self.ring.adjoin(name, radicand)
             self._roots.append((radicand, value))
             for conjugated in (False, True):
                 self._values[name, conjugated] = value
@@ -102,7 +102,9 @@ class Stage:
         """The value of a name; raises :class:`StageError` if it has none on the scene."""
         key = (name, conjugated)
         if key not in self._values:
-            if name in self.scene.vectors:
+            if not conjugated and (old := self._old_value(name)) is not None:
+                self._values[key] = old
+            elif name in self.scene.vectors:
                 components = self.scene.vectors[name]
                 self._values[key] = Triple(
                     scalar(Name(component), self, conjugated) for component in components
@@ -113,6 +115,17 @@ class Stage:
             else:
                 raise StageError(f"{name} has no meaning on the scene “{self.scene.name}”", name)
         return self._values[key]
+
+    def _old_value(self, name: str) -> Element | None:
+        """A variable of the scene from which this one is a change, where the unit is at hand."""
+        change = self.scene.field
+        if not isinstance(change, Change) or self.scene.unit is None:
+            return None
+        if name not in change.source.variables or name in self.scene.variables:
+            return None
+        if self._old is None:
+            self._old = Carrier(change, self).old_variables()
+        return self._old[name]
 
     def relation(self, printed: Printed) -> Relation:
         """The chain of equalities at a place."""
@@ -129,18 +142,31 @@ class Stage:
                 return member
         raise StageError(f"no expression stands for {name} in its definition", name)
 
-    def square(self, name: str, printed: Printed) -> Formula:
-        """The square of a root, from a printed equation with that square in it."""
-        relation = self.relation(printed)
-        square = Power(Name(name), read("2", self.texts.vocabulary))
-        others = [m for m in relation.members if m != square and not isinstance(m, Constant)]
-        if square in relation.members:
-            return others[0]
-        for member in relation.members:
-            if isinstance(member, Sum) and square in member.terms:
-                rest = tuple(Negative(term) for term in member.terms if term != square)
-                return Sum((others[-1], *rest))
-        raise StageError(f"{name}^2 does not stand in the equation at {printed.place}", name)
+    def square(self, name: str, printed: Printed) -> Element:
+        """What the square of a root equals, by a printed equation in which it stands.
+
+        The equation is solved for the square: ``a^2`` in :math:`(\\alpha,\\alpha)=a^2`,
+        ``z_1^2`` in :math:`z_1^2+x_1y_2=c_1`. Members with names that the scene does
+        not have are passed over.
+        """
+        bridge = Ring(self.arithmetic((*self.generators, name)))
+        image = {n: bridge.generator(n) for n in (*self.generators, name)}
+        stage = Stage(self.scene, self.arithmetic, self.texts, bridge, image)
+        sides = []
+        for member in self.relation(printed).members:
+            try:
+                sides.append(scalar(member, stage))
+            except StageError:
+                continue
+        if len(sides) < 2:
+            raise StageError(f"the equation at {printed.place} does not give {name}^2", name)
+        terms = (sides[0] - sides[-1]).terms().get(0, {})
+        leading = [(e, v) for e, v in terms.items() if e[-1]]
+        if len(leading) != 1 or sum(leading[0][0]) != 2 or leading[0][0][-1] != 2:
+            raise StageError(f"the equation at {printed.place} does not give {name}^2", name)
+        ((top, factor),) = leading
+        rest = {e[:-1]: -v / factor for e, v in terms.items() if e != top}
+        return self.ring.from_terms({0: rest})
 
     def formula(self, tex: str) -> Formula:
         """A formula in the names of the scene."""

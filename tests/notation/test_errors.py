@@ -1,5 +1,6 @@
 """An error says what is wrong, shows where, and never takes long."""
 
+import pickle
 import random
 
 import pytest
@@ -87,6 +88,12 @@ def test_of_a_long_formula_only_the_neighbourhood_is_shown():
 
 def test_of_several_lines_the_right_one_is_shown():
     assert complaint("a +\n  q +\n d").split("\n")[1:] == ["    q +", "    ^"]
+
+
+def test_an_error_crosses_to_another_process():
+    with pytest.raises(NotationError) as caught:
+        read("a + q", WORDS)
+    assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,220 @@
+"""From a run to files: LaTeX, and PDF by TeX where there is one, else by pandoc and Typst."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Final, Literal
+
+from kowalevski_cas.proof.outcome import Run
+from kowalevski_cas.report.latex import (
+    TEMPLATES,
+    render_for_pandoc,
+    render_latex,
+    render_picture,
+    render_typst,
+)
+
+Engine = Literal["auto", "latex", "typst"]
+
+_SECONDS: Final = 120
+
+
+class ReportError(Exception):
+    """A report could not be made; the message says why and what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """The files of a report, the engine that made the PDF, and what is worth telling."""
+
+    tex: Path
+    pdf: Path
+    engine: Literal["latex", "typst"]
+    notes: tuple[str, ...] = ()
+
+
+def write_report(run: Run, folder: Path, *, engine: Engine = "auto") -> Written:
+    """Write ``<derivation>.tex`` and ``<derivation>.pdf`` into a folder.
+
+    Each file appears whole or not at all: a failure or an interrupt leaves an earlier one as it
+    was. With ``engine="auto"`` LaTeX makes the PDF where it is installed and complete, else Typst.
+
+    Raises:
+        ReportError: if no PDF can be made; the ``.tex`` is written by then.
+    """
+    tex = folder / f"{run.derivation}.tex"
+    source = render_latex(run)
+    _replace(tex, source.encode())
+    notes: list[str] = []
+    if engine == "latex" or (engine == "auto" and latex_command()):
+        try:
+            return _written(tex, latex_pdf(source), "latex", notes)
+        except ReportError as error:
+            if engine == "latex":
+                raise
+            notes.append(f"{error} The PDF was made by Typst instead.")
+    content, warnings = _typst(run)
+    return _written(tex, content, "typst", [*notes, *warnings])
+
+
+def _written(
+    tex: Path, content: bytes, engine: Literal["latex", "typst"], notes: list[str]
+) -> Written:
+    pdf = tex.with_suffix(".pdf")
+    _replace(pdf, content)
+    return Written(tex, pdf, engine, tuple(notes))
+
+
+def _replace(path: Path, content: bytes) -> None:
+    """Write a file under another name, then put it in its place."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    except OSError as error:
+        raise ReportError(f"{path.parent} cannot be written to: {error.strerror}.") from None
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        os.chmod(name, 0o644)
+        os.replace(name, path)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+
+
+# ------------------------------------------------------------------------ LaTeX
+
+
+def latex_command() -> str | None:
+    """The LaTeX that is installed: latexmk, or pdflatex by itself, or none."""
+    if not shutil.which("pdflatex"):
+        return None
+    return "latexmk" if shutil.which("latexmk") else "pdflatex"
+
+
+def latex_pdf(source: str) -> bytes:
+    """The PDF that pdflatex makes of a document.
+
+    Raises:
+        ReportError: if there is no LaTeX, or it fails; the message has its first complaint.
+    """
+    command = latex_command()
+    if command is None:
+        raise ReportError("No LaTeX was found: install latexmk and pdflatex, or use Typst.")
+    with tempfile.TemporaryDirectory(prefix="kowalevski-") as name:
+        folder = Path(name)
+        (folder / "report.tex").write_text(source, encoding="utf-8")
+        options = ["-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape", "report.tex"]
+        if command == "latexmk":
+            _latex(["latexmk", "-norc", "-pdf", *options], folder)
+        else:
+            for _ in range(3):
+                _latex(["pdflatex", *options], folder)
+                if "Rerun" not in _log(folder):
+                    break
+        return (folder / "report.pdf").read_bytes()
+
+
+def _latex(command: list[str], folder: Path) -> None:
+    surroundings = {
+        **os.environ,
+        "SOURCE_DATE_EPOCH": "0",
+        "FORCE_SOURCE_DATE": "1",
+        "max_print_line": "1000",
+        "openin_any": "p",
+        "openout_any": "p",
+    }
+    try:
+        done = subprocess.run(
+            command,
+            cwd=folder,
+            env=surroundings,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=_SECONDS,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        raise ReportError(f"{command[0]} did not end within {_SECONDS} s.") from None
+    if done.returncode:
+        complaint = re.search(r"^! *(.+)", _log(folder), re.MULTILINE)
+        what = complaint[1].rstrip(".") if complaint else f"exit code {done.returncode}"
+        raise ReportError(f"{command[0]} failed: {what}.")
+
+
+def _log(folder: Path) -> str:
+    log = folder / "report.log"
+    return log.read_text(encoding="utf-8", errors="replace") if log.exists() else ""
+
+
+# ------------------------------------------------------------------------ Typst
+
+
+def typst_pdf(run: Run) -> bytes:
+    """The PDF that pandoc and Typst make of a run, from wheels alone.
+
+    Raises:
+        ReportError: if one of the two is missing or fails.
+    """
+    return _typst(run)[0]
+
+
+def _typst(run: Run) -> tuple[bytes, list[str]]:
+    try:
+        import typst
+    except ImportError:
+        raise ReportError(
+            "The PDF needs either LaTeX (latexmk and pdflatex) or the typst wheel: "
+            "pip install typst."
+        ) from None
+    body, warnings = _pandoc(render_for_pandoc(run))
+    with tempfile.TemporaryDirectory(prefix="kowalevski-") as name:
+        folder = Path(name)
+        (folder / "report.typ").write_text(render_typst(run, body), encoding="utf-8")
+        (folder / "picture.svg").write_text(render_picture(run), encoding="utf-8")
+        try:
+            content = typst.compile(folder / "report.typ", root=folder, ignore_system_fonts=True)
+        except (RuntimeError, ValueError) as error:
+            raise ReportError(f"Typst failed: {str(error).splitlines()[0]}.") from None
+    return bytes(content), warnings
+
+
+def pandoc_command() -> str | None:
+    """The pandoc of the pypandoc-binary wheel, else one that is installed, else none."""
+    spec = find_spec("pypandoc")
+    if spec and spec.origin:
+        for name in ("pandoc", "pandoc.exe"):
+            bundled = Path(spec.origin).parent / "files" / name
+            if bundled.is_file():
+                return str(bundled)
+    return shutil.which("pandoc")
+
+
+def _pandoc(source: str) -> tuple[str, list[str]]:
+    """A LaTeX document as Typst, and the formulas that pandoc could not read."""
+    command = pandoc_command()
+    if command is None:
+        raise ReportError("No pandoc was found: pip install pypandoc-binary.")
+    options = ["--sandbox", "--from=latex", "--to=typst", "--wrap=none"]
+    try:
+        done = subprocess.run(
+            [command, *options, f"--lua-filter={TEMPLATES / 'typst.lua'}"],
+            input=source.encode(),
+            capture_output=True,
+            timeout=_SECONDS,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        raise ReportError(f"pandoc did not end within {_SECONDS} s.") from None
+    complaints = done.stderr.decode(errors="replace")
+    if done.returncode:
+        raise ReportError(f"pandoc failed: {complaints.strip().splitlines()[0]}")
+    unread = re.findall(r"Could not convert TeX math (.*), rendering as TeX", complaints)
+    return done.stdout.decode(), [f"Left as TeX in the PDF: {formula}" for formula in unread]
