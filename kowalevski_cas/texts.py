@@ -8,10 +8,12 @@ with other texts.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from kowalevski_cas.notation import (
+    Edit,
+    Formula,
     NotationError,
     Statement,
     Vocabulary,
@@ -51,61 +53,58 @@ class Printed:
 class Texts:
     """The texts at the places of a derivation, read in one vocabulary.
 
-    ``replaced`` holds, by place, statements that stand there instead of what the
-    derivation prints.
+    ``sources`` holds displays, by id, that differ from what the derivation
+    prints; ``edits`` holds single statements that are changed on top of that.
     """
 
     def __init__(
         self,
         vocabulary: Vocabulary,
-        replaced: Mapping[Printed, str] | None = None,
-        base: Texts | None = None,
+        sources: Mapping[str, str] | None = None,
+        edits: Mapping[Printed, Edit] | None = None,
+        read: dict[str, tuple[Statement, ...]] | None = None,
     ) -> None:
         self.vocabulary = vocabulary
-        self.replaced = dict(replaced or {})
-        self.base = base
-        self._displays: dict[Display, tuple[Statement, ...]] = {}
-        self._statements: dict[Printed, Statement] = {}
+        self.sources = dict(sources or {})
+        self.edits = dict(edits or {})
+        self._read: dict[str, tuple[Statement, ...]] = read if read is not None else {}
 
-    def replace(self, printed: Printed, tex: str) -> Texts:
-        """The same texts with another statement at one place."""
-        base = self.base or self
-        return Texts(self.vocabulary, {**self.replaced, printed: tex}, base)
+    def edited(self, printed: Printed, edit: Edit) -> Texts:
+        """The same texts with one statement changed."""
+        return Texts(self.vocabulary, self.sources, {**self.edits, printed: edit}, self._read)
+
+    def with_source(self, display: Display, tex: str) -> Texts:
+        """The same texts with another source of one display."""
+        return Texts(self.vocabulary, {**self.sources, display.id: tex}, self.edits)
+
+    def formula(self, printed: Printed) -> Formula:
+        """The formula at a place; raises ``NotationError`` if it cannot be read."""
+        edit = self.edits.get(printed)
+        return self.statement(printed).formula if edit is None else edit.formula
 
     def statement(self, printed: Printed) -> Statement:
-        """The statement at a place; raises ``NotationError`` if it cannot be read."""
-        if printed not in self._statements:
-            self._statements[printed] = self._read(printed)
-        return self._statements[printed]
-
-    def _read(self, printed: Printed) -> Statement:
-        if (tex := self.replaced.get(printed)) is not None:
-            return self._only(read_display(tex, self.vocabulary), printed, tex)
-        if self.base is not None:
-            return self.base.statement(printed)
-        if printed.display not in self._displays:
-            display = printed.display
+        """The statement at a place, as it stands before edits."""
+        display = printed.display
+        if display.id not in self._read:
+            tex = self.sources.get(display.id, display.tex)
             try:
-                self._displays[display] = read_display(display.tex, self.vocabulary)
+                self._read[display.id] = read_display(tex, self.vocabulary)
             except NotationError as error:
                 message = f"{display.id}: {error.message}"
                 raise NotationError(message, error.tex, error.position) from None
-        statements = self._displays[printed.display]
+        statements = self._read[display.id]
         if not 1 <= printed.number <= len(statements):
             raise NotationError(
-                f"{printed.display.id} has {len(statements)} statements, "
-                f"number {printed.number} is asked for",
-                printed.display.tex,
+                f"{display.id}: statement {printed.number} is asked for, there are "
+                f"{len(statements)}",
+                self.sources.get(display.id, display.tex),
                 0,
             )
         return statements[printed.number - 1]
 
-    @staticmethod
-    def _only(statements: tuple[Statement, ...], printed: Printed, tex: str) -> Statement:
-        if len(statements) != 1:
-            raise NotationError(f"one statement is expected at {printed.place}", tex, 0)
-        return statements[0]
-
-    def source(self, printed: Printed) -> str:
-        """The TeX of the statement at a place."""
-        return self.statement(printed).source
+    def changes(self, places: Collection[Printed]) -> frozenset[object]:
+        """What differs from the derivation at these places, as a key."""
+        ids = {printed.display.id for printed in places}
+        sources = {item for item in self.sources.items() if item[0] in ids}
+        edits = {(p, edit.formula) for p, edit in self.edits.items() if p in places}
+        return frozenset(sources | edits)

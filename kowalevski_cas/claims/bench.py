@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import cache
 from typing import Any, TypeVar
 
 from kowalevski_cas.arithmetic import Arithmetic, load
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage
-from kowalevski_cas.texts import Texts
+from kowalevski_cas.texts import Printed, Texts
 
 Found = TypeVar("Found")
 
@@ -18,7 +19,9 @@ class Bench:
     """Stages for one arithmetic and one set of texts, made when they are asked for.
 
     ``shelf`` holds what searches found, in neutral form, so that a search is run
-    once and its result is checked in every arithmetic.
+    once and its result is checked in every arithmetic. With ``explain`` findings
+    tell their steps; without ``refute`` nobody looks for points where a
+    statement fails, which is enough to ask whether it is true.
     """
 
     def __init__(
@@ -28,27 +31,32 @@ class Bench:
         explain: bool = False,
         shelf: dict[Any, Any] | None = None,
         stages: dict[Any, Stage] | None = None,
+        refute: bool = True,
     ) -> None:
         self.arithmetic = arithmetic
         self.texts = texts
         self.explain = explain
+        self.refute = refute
         self._shelf = shelf if shelf is not None else {}
         self._stages = stages if stages is not None else {}
         self._finder: Bench | None = None
 
     def stage(self, scene: Scene) -> Stage:
         """The stage of a scene; shared by all texts that do not differ on it."""
-        places = set(scene.places())
-        changed = frozenset((p, t) for p, t in self.texts.replaced.items() if p in places)
-        key = (self.arithmetic, scene, changed)
+        key = (self.arithmetic, scene, self.texts.changes(self._places(scene)))
         if key not in self._stages:
             kind: Arithmetic = load(self.arithmetic)
             self._stages[key] = Stage(scene, kind, self.texts)
         return self._stages[key]
 
-    def with_texts(self, texts: Texts) -> Bench:
+    @staticmethod
+    @cache
+    def _places(scene: Scene) -> frozenset[Printed]:
+        return frozenset(scene.places())
+
+    def with_texts(self, texts: Texts, refute: bool = True) -> Bench:
         """A bench for other texts, which shares the stages that stay the same."""
-        return Bench(self.arithmetic, texts, False, {}, self._stages)
+        return Bench(self.arithmetic, texts, False, {}, self._stages, refute)
 
     @property
     def finder(self) -> Bench:
@@ -56,7 +64,9 @@ class Bench:
         if self.arithmetic == "flint":
             return self
         if self._finder is None:
-            self._finder = Bench("flint", self.texts, False, self._shelf, self._stages)
+            self._finder = Bench(
+                "flint", self.texts, False, self._shelf, self._stages, self.refute
+            )
         return self._finder
 
     def found(self, key: Any, search: Callable[[Bench], Found]) -> Found:

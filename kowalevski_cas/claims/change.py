@@ -16,7 +16,7 @@ from kowalevski_cas.claims.claim import (
     show,
 )
 from kowalevski_cas.claims.identity import Identity, Pair
-from kowalevski_cas.notation import NotationError, edits
+from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.scene import Change, Scene
 from kowalevski_cas.stage import Stage, StageError, scalar
@@ -134,7 +134,7 @@ class Unit(Claim):
         try:
             stage = bench.stage(claim.scene)
             assert claim.printed is not None
-            formula = bench.texts.statement(claim.printed).formula
+            formula = bench.texts.formula(claim.printed)
             if not search:
                 holds = all(r.is_zero for r in claim.residuals(formula, stage))
                 return Finding(Verdict.PROVED if holds else Verdict.REFUTED)
@@ -145,9 +145,10 @@ class Unit(Claim):
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         """Other numbers on the right side: its sign and its size changed."""
         assert self.printed is not None
-        for edit in edits(texts.statement(self.printed), texts.vocabulary):
-            if edit.path[:1] == (1,) and edit.kind in ("sign", "coefficient"):
-                yield Neighbour(edit.words, self, texts.replace(self.printed, edit.tex))
+        for neighbour in super().neighbours(texts):
+            edit = neighbour.edit
+            if edit and edit.path[:1] == (1,) and edit.kind in ("sign", "coefficient"):
+                yield neighbour
 
     def places(self) -> Iterator[Printed]:
         yield from super().places()

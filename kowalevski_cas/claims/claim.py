@@ -11,7 +11,7 @@ from kowalevski_cas.arithmetic.numbers import Substitution, number_ring
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.notation import Constant, Formula, Relation, Vocabulary, edits, to_latex
+from kowalevski_cas.notation import Constant, Edit, Formula, Relation, Vocabulary, edits, to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Point, Step, Verdict
 from kowalevski_cas.scene import Locus, Scene
 from kowalevski_cas.stage import Stage, scalar
@@ -40,6 +40,8 @@ class Neighbour:
     words: str
     claim: Claim
     texts: Texts
+    printed: Printed | None = None
+    edit: Edit | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,10 +81,15 @@ class Claim(ABC):
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         """Statements one edit away, the most plausible corrections first."""
-        if self.printed is None:
-            return
-        for edit in edits(texts.statement(self.printed), texts.vocabulary):
-            yield Neighbour(edit.words, self, texts.replace(self.printed, edit.tex))
+        names = frozenset(self.scene.names()) - {*self.scene.undefined}
+        for printed in self.establishes():
+            for edit in edits(texts.statement(printed), texts.vocabulary, names):
+                yield Neighbour(edit.words, self, texts.edited(printed, edit), printed, edit)
+
+    def establishes(self) -> Iterator[Printed]:
+        """The places that are right if the claim is."""
+        if self.printed is not None:
+            yield self.printed
 
 
 def members(relation: Relation) -> list[Formula]:
@@ -208,6 +215,8 @@ def counterexample(
     The point is found with FLINT and both values are computed in the arithmetic
     of the bench; ``None`` if no such point was found.
     """
+    if not bench.refute:
+        return None
 
     def search(finder: Bench) -> dict[str, tuple[Fraction, Fraction]] | None:
         from kowalevski_cas.search.real import real_points

@@ -42,7 +42,7 @@ class Coefficient(Claim):
         """Compare partial derivatives by the variable."""
         stage = bench.stage(self.scene)
         assert self.printed is not None
-        formula = bench.texts.statement(self.printed).formula
+        formula = bench.texts.formula(self.printed)
         pairs = self.pairs(formula, stage)
         steps = (
             [Step(f"The coefficient of ${self.variable}$, as generated:", show(pairs[0][0], stage))]
@@ -62,7 +62,7 @@ class Coefficient(Claim):
         if self.derivative_of is None:
             left, right = (self._partial(scalar(_written(m), stage), stage) for m in chain)
             return [(left, right)]
-        expression = stage.texts.statement(self.derivative_of).formula
+        expression = stage.texts.formula(self.derivative_of)
         generated = self._partial(stage.derivative(scalar(expression, stage)), stage)
         pairs = [(generated, scalar(member, stage)) for member in chain]
         return [*pairs, (self._partial(generated, stage), stage.ring.zero)]

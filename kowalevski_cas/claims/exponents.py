@@ -97,7 +97,7 @@ class SolvedExponents(Claim):
         return Element(ring, ring.one.parts, element.denominator).inverse()
 
     def _coefficient(self, stage: Stage) -> Element:
-        expression = stage.texts.statement(self.ansatz).formula
+        expression = stage.texts.formula(self.ansatz)
         derivative = stage.derivative(scalar(expression, stage))
         return along(derivative, {self.variable: stage.ring.one})
 

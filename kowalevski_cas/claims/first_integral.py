@@ -20,7 +20,7 @@ from kowalevski_cas.claims.claim import (
 )
 from kowalevski_cas.claims.membership import combination, combination_steps
 from kowalevski_cas.notation import Formula, Name, Relation
-from kowalevski_cas.proof.outcome import Step, Verdict
+from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.texts import Printed
 
@@ -39,25 +39,15 @@ class FirstIntegral(Claim):
         """Differentiate; on a set, divide the derivative by its equations."""
         stage = bench.stage(self.scene)
         assert self.printed is not None
-        formula = bench.texts.statement(self.printed).formula
+        formula = bench.texts.formula(self.printed)
         rates = self.residuals(formula, stage)
         steps = [Step("The derivative along the vector field, as generated:", show(r, stage))
                  for r in rates] if bench.explain and self.on else []  # fmt: skip
-        off = counterexample(
-            bench,
-            self.scene,
-            (self.id, "off"),
-            lambda finder: [(r, finder.ring.zero) for r in self.residuals(formula, finder)],
-            words="the derivative, and zero",
-        )
-        if not self.on:
-            if all(rate.is_zero for rate in rates):
-                return green(conditions_of(rates, stage))
-            return refuted(off) if off else Finding(Verdict.UNDECIDED)
-        if off is None:
-            return Finding(
-                Verdict.REFUTED, message="it is a first integral off the set as well", steps=tuple(steps)
-            )
+        if not self.on or all(rate.is_zero for rate in rates):
+            return self._everywhere(bench, rates, stage)
+        off = self._moves(bench, (), "the derivative off the set, and zero")
+        if bench.refute and off is None:
+            return Finding(Verdict.UNDECIDED, message="no point was found where it moves")
         found = [
             combination(
                 bench,
@@ -73,17 +63,36 @@ class FirstIntegral(Claim):
             entries = [entry for row in found if row for entry in row]
             if bench.explain:
                 steps += combination_steps("it", found[0] or [], stage)
-                steps.append(Step("Off the set it moves.", ""))
+                assert off is not None
+                steps.append(Step(f"Off the set it moves: at a point there the derivative is ${off.left}$."))
             return green(conditions_of(entries, stage), steps)
-        on_set = counterexample(
+        on_set = self._moves(bench, self.on, "the derivative on the set, and zero")
+        return refuted(on_set, steps) if on_set else Finding(Verdict.UNDECIDED)
+
+    def _everywhere(self, bench: Bench, rates: list[Element], stage: Stage) -> Finding:
+        """The finding when no set is named, or none is needed."""
+        if any(not rate.is_zero for rate in rates):
+            moves = self._moves(bench, (), "the derivative, and zero")
+            return refuted(moves) if moves else Finding(Verdict.UNDECIDED)
+        if self.on:
+            message = "it is a first integral off the set as well"
+            return Finding(Verdict.REFUTED, message=message)
+        return green(conditions_of(rates, stage))
+
+    def _moves(
+        self, bench: Bench, on: tuple[Printed, ...], words: str
+    ) -> Counterexample | None:
+        """An exact point, on a set, where the derivative does not vanish."""
+        assert self.printed is not None
+        formula = bench.texts.formula(self.printed)
+        return counterexample(
             bench,
             self.scene,
-            (self.id, "on"),
+            (self.id, on),
             lambda finder: [(r, finder.ring.zero) for r in self.residuals(formula, finder)],
-            self.generators,
-            "the derivative on the set, and zero",
+            lambda finder: [equation(printed, finder) for printed in on],
+            words,
         )
-        return refuted(on_set, steps) if on_set else Finding(Verdict.UNDECIDED)
 
     def generators(self, stage: Stage) -> Sequence[Element]:
         """The left sides of the equations of the set."""

@@ -34,7 +34,7 @@ class Identity(Claim):
         """Prove by bringing every difference to zero; refute at an exact point."""
         stage = bench.stage(self.scene)
         assert self.printed is not None
-        formula = bench.texts.statement(self.printed).formula
+        formula = bench.texts.formula(self.printed)
         pairs = self.pairs(formula, stage)
         steps = self._steps(formula, stage) if bench.explain else ()
         if all((left - right).is_zero for left, right in pairs):

@@ -74,7 +74,7 @@ class Implication(Claim):
     def value(self, stage: Stage, formula: Formula | None = None) -> Element:
         """What has to vanish."""
         assert self.printed is not None
-        formula = formula or stage.texts.statement(self.printed).formula
+        formula = formula or stage.texts.formula(self.printed)
         if not isinstance(formula, Relation):
             return scalar(formula, stage)
         left, right = formula.members[:2]

@@ -37,7 +37,7 @@ class Scaling(Claim):
         """Scale the field of the scene and compare it with the simple one, component by component."""
         stage = bench.stage(self.scene)
         assert self.printed is not None
-        formula = bench.texts.statement(self.printed).formula
+        formula = bench.texts.formula(self.printed)
         pairs = self.pairs(formula, stage)
         if all((left - right).is_zero for left, right in pairs):
             return green(conditions_of([x for pair in pairs for x in pair], stage))

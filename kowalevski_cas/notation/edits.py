@@ -100,8 +100,12 @@ class Edit:
         return tex if signs else tex[:start] + new + tex[start:]
 
 
-def edits(statement: Statement, vocabulary: Vocabulary) -> Iterator[Edit]:
+def edits(
+    statement: Statement, vocabulary: Vocabulary, names: frozenset[str] | None = None
+) -> Iterator[Edit]:
     r"""Every edit of one place, the likelier kinds first: sign, index, letter, exponent, ...
+
+    ``names`` are the scalars that an edit may bring in, all that are declared if ``None``.
 
     >>> words = Vocabulary(frozenset({"x_1", "x_2"}))
     >>> [statement] = read_display("x_1 - x_2", words)
@@ -109,7 +113,8 @@ def edits(statement: Statement, vocabulary: Vocabulary) -> Iterator[Edit]:
     ['-x_1 - x_2', 'x_1 + x_2', 'x_2 - x_2', 'x_1 - x_1']
     """
     seen: set[tuple[Path, Formula]] = set()
-    for slip in misprints(statement.formula, vocabulary):
+    offered = vocabulary.scalars if names is None else names
+    for slip in misprints(statement.formula, vocabulary, offered):
         if (slip.path, slip.replacement) not in seen:
             seen.add((slip.path, slip.replacement))
             yield Edit(slip.kind, slip.path, slip.replacement, slip.words, statement, vocabulary)

@@ -54,10 +54,12 @@ class _Place:
     raised: bool
 
 
-def misprints(formula: Formula, vocabulary: Vocabulary) -> Iterator[Misprint]:
-    """Every slip in one place, the likelier kinds first."""
+def misprints(
+    formula: Formula, vocabulary: Vocabulary, offered: Iterable[str]
+) -> Iterator[Misprint]:
+    """Every slip in one place, the likelier kinds first; new names are among those offered."""
     places = list(_places(formula))
-    names = sorted(vocabulary.scalars)
+    names = sorted(offered)
     present = {place.node.name for place in places if isinstance(place.node, Name)}
     names.sort(key=lambda name: name not in present)
     for place in places:

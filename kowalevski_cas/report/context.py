@@ -199,13 +199,12 @@ def _second_sentence(run: Run) -> str:
         how = f"the arithmetics disagree about {disputed}"
     elif len(run.arithmetics) > 1:
         every = [o for o in agreed if set(o.verdicts) >= set(run.arithmetics)]
-        what = (
-            "every verdict was"
-            if len(every) == len(run.outcomes)
-            else "the verdict was"
-            if len(run.outcomes) == 1
-            else f"{len(every)} of the verdicts were"
-        )
+        if len(run.outcomes) == 1:
+            what = "the verdict was"
+        elif len(every) == len(run.outcomes):
+            what = "every verdict was"
+        else:
+            what = f"{len(every)} of the verdicts {'was' if len(every) == 1 else 'were'}"
         how = f"{what} reached by each of {names} on its own, without a disagreement"
     else:
         how = f"the arithmetic is {names or 'exact'}"

@@ -81,7 +81,7 @@ class Picture:
             out.append(
                 f"\\node[claim,{box.verdict.value},minimum width={box.width:.1f}mm] "
                 f"at ({box.x:.1f},{-box.y:.1f}) "
-                f"{{{MARKS[box.verdict].tex}\\,\\hyperlink{{claim.{box.name}}}"
+                f"{{{MARKS[box.verdict].tex}\\,\\hyperlink{{claim.{anchor(box.name)}}}"
                 f"{{\\ttfamily {_latex(box.label)}}}}};"
             )
         return "\n".join(out)
@@ -383,6 +383,11 @@ def _spread(layer: Sequence[_Cell], wanted: Sequence[float]) -> None:
 # --------------------------------------------------------------------- drawing
 
 
+def anchor(text: str) -> str:
+    """A name that both LaTeX and Typst take for a label."""
+    return re.sub(r"[^A-Za-z0-9.-]", "-", text)
+
+
 def _latex(text: str) -> str:
     return text.replace("–", "--").replace("_", r"\_")
 
@@ -432,9 +437,12 @@ def _svg_box(box: Box) -> str:
         else f'<text x="{start + 1.3:.2f}" y="{box.y + 0.85:.2f}" font-size="2.6" '
         f'text-anchor="middle">{escape(MARKS[box.verdict].sign)}</text>'
     )
+    label = (
+        f'<text x="{start + 4.0:.2f}" y="{box.y + 0.8:.2f}" font-size="2.45" '
+        f'textLength="{wide:.2f}" font-family="DejaVu Sans Mono, monospace">'
+        f"{escape(box.label)}</text>"
+    )
     return (
         f'<rect x="{left:.1f}" y="{top:.1f}" width="{box.width:.1f}" height="{_BOX}" rx="0.8" '
-        f"{style}/>{mark}"
-        f'<text x="{start + 4.0:.2f}" y="{box.y + 0.8:.2f}" font-size="2.45" textLength="{wide:.2f}" '
-        f"font-family=\"'DejaVu Sans Mono', monospace\">{escape(box.label)}</text>"
+        f"{style}/>{mark}{label}"
     )

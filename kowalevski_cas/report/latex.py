@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 from kowalevski_cas.proof.outcome import Point, Run, Verdict
 from kowalevski_cas.report import mathematics
 from kowalevski_cas.report.context import Report, listed, number, report
+from kowalevski_cas.report.graph import anchor
 from kowalevski_cas.report.marks import MARKS
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ def _environment() -> Environment:
         inline=inline,
         plain=mathematics.plain,
         ascii=_ascii,
-        anchor=_anchor,
+        anchor=anchor,
         typst=_typst,
         display=display,
         displays=displays,
@@ -165,10 +166,6 @@ def _typst(text: str) -> str:
     return text.replace("\\", "\\\\").replace('"', '\\"')
 
 
-def _anchor(text: str) -> str:
-    return re.sub(r"[^A-Za-z0-9.-]", "-", text)
-
-
 def inline(tex: str) -> str:
     """A formula within a sentence."""
     return f"${mathematics.plain(tex)}$"
@@ -229,7 +226,7 @@ def sentence(text: str, end: str = ".") -> str:
 
 def link(claim: str) -> str:
     """A claim's id, leading to the place where it is treated."""
-    return rf"\hyperlink{{claim.{claim}}}{{\texttt{{{_escaped(claim)}}}}}"
+    return rf"\hyperlink{{claim.{anchor(claim)}}}{{\texttt{{{_escaped(claim)}}}}}"
 
 
 def links(claims: tuple[str, ...]) -> str:

@@ -25,15 +25,19 @@ MARKS: Final[dict[Verdict, Mark]] = {
     ),
     Verdict.CONDITIONAL: Mark(
         "(✓)",
-        r"$(\checkmark)$", "$(checkmark)$",
+        r"$(\checkmark)$",
+        "$(checkmark)$",
         "8A5A00",
         "true where the named expressions are not zero; what happens elsewhere is said",
     ),
-    Verdict.PROBABLE: Mark("≈", r"$\approx$", "$approx$", "555555", "true but for a named chance of error"),
+    Verdict.PROBABLE: Mark(
+        "≈", r"$\approx$", "$approx$", "555555", "true but for a named chance of error"
+    ),
     Verdict.ENCLOSED: Mark("±", r"$\pm$", "$plus.minus$", "555555", "true within a named radius"),
     Verdict.REFUTED: Mark(
         "×",
-        r"$\boldsymbol{\times}$", "$bold(times)$",
+        r"$\boldsymbol{\times}$",
+        "$bold(times)$",
         "A3201D",
         "false as printed, shown by an exact point at which it fails",
     ),

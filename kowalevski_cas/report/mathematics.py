@@ -19,6 +19,7 @@ LINES: Final = 12
 """Displays of the program's own steps longer than this are shortened by dots."""
 
 _SCRIPT: Final = 0.72
+_DEEP: Final = 60
 _TOKEN: Final = re.compile(r"\\[A-Za-z]+\*?|\\.|%[^\n]*\n?|\s+|.", re.DOTALL)
 
 _WIDE: Final = dict.fromkeys("mwMW", 0.88) | dict.fromkeys("ABDGHKNOQRUXVY", 0.77)
@@ -40,6 +41,7 @@ _BINARY: Final = _SIGNS | {
 }  # fmt: skip
 _OPEN: Final = {"(", "[", r"\{", r"\langle", r"\lfloor", r"\lbrace"}
 _CLOSE: Final = {")", "]", r"\}", r"\rangle", r"\rfloor", r"\rbrace"}
+_DELIMITERS: Final = _OPEN | _CLOSE | {".", "|", r"\|", "/", r"\vert", r"\Vert", "<", ">"}
 _PUNCTUATION: Final = {",", ";"}
 _SPACES: Final = {
     r"\,": 0.17, r"\:": 0.22, r"\;": 0.28, r"\ ": 0.33, "~": 0.33, r"\!": -0.17, r"\quad": 1.0,
@@ -85,6 +87,10 @@ class Node:
     tall: bool = False
 
 
+class _TooDeepError(Exception):
+    """Brackets within brackets, deeper than anybody prints."""
+
+
 class _Reader:
     """Reads TeX tolerantly: what does not balance is balanced, what is unknown is kept."""
 
@@ -105,6 +111,9 @@ class _Reader:
 
     def nodes(self, *stops: str) -> list[Node]:
         """The nodes up to one of the stops (which is left standing) or the end."""
+        self.depth += 1
+        if self.depth > _DEEP:
+            raise _TooDeepError
         found: list[Node] = []
         while token := self.peek():
             if token in stops:
@@ -126,6 +135,7 @@ class _Reader:
                 found += self.node(token)
             if found and found[-1].kind == "close":
                 self.close(found)
+        self.depth -= 1
         return found
 
     def close(self, found: list[Node]) -> None:
@@ -136,15 +146,15 @@ class _Reader:
                 return
             if found[place].kind == "open":
                 inside = found[place + 1 : -1]
-                if found[place].tex == opening and not any(n.kind in {"row", "cell"} for n in inside):
+                if found[place].tex == opening and not any(
+                    n.kind in {"row", "cell"} for n in inside
+                ):
                     found[place:] = [_pair(opening, inside, found[-1].tex)]
                 return
 
     def group(self) -> list[Node]:
         """The nodes up to the closing brace, which is consumed."""
-        self.depth += 1
-        inside = self.nodes("}") if self.depth < 200 else []
-        self.depth -= 1
+        inside = self.nodes("}")
         self.next()
         return inside
 
@@ -153,6 +163,9 @@ class _Reader:
         if token == "{":
             return self.group()
         return self.node(token) if token and token not in "}^_&" else []
+
+    def delimiter(self) -> str:
+        return self.next() if self.peek() in _DELIMITERS else ""
 
     def raw(self) -> str:
         """The verbatim text of a braced argument."""
@@ -175,7 +188,7 @@ class _Reader:
         wider = _SCRIPT * _width(inside)
         already = len(base.tex) > 1 and base.rows == () and base.below == "script"
         width = max(base.width, base.width - 0.4 + wider) if already else base.width + wider
-        inner = ()
+        inner: tuple[Node, ...] = ()
         if base.inner and base.inner[0].kind == "open":
             last = base.inner[-1]
             inner = (*base.inner[:-1], replace(last, tex=f"{last.tex}{token}{_braced(inside)}"))
@@ -235,7 +248,8 @@ class _Reader:
         if token == r"\left":
             return [self.pair()]
         if sized := _SIZED.match(token):
-            delimiter = self.next()
+            if not (delimiter := self.delimiter()):
+                return []
             kind = {"l": "open", "r": "close"}.get(sized[2]) or _kind(delimiter)
             return [Node(f"{token}{delimiter}", 0.6, kind)]
         if token == r"\begin":
@@ -244,7 +258,7 @@ class _Reader:
             self.raw()
             return []
         if token == r"\right":
-            self.next()
+            self.delimiter()
             return []
         if _FUNCTION.match(token):
             return [Node(token + " ", 0.5 * (len(token) - 1) + 0.17)]
@@ -272,10 +286,10 @@ class _Reader:
         return Node(rf"\sqrt{index}{{{_tex(inside)}}}", _width(inside) + 0.9)
 
     def pair(self) -> Node:
-        opening = self.next()
+        opening = self.delimiter() or "."
         inside = self.nodes(r"\right")
         self.next()
-        closing = self.next() or "."
+        closing = self.delimiter() or "."
         return _pair(opening, inside, closing)
 
     def environment(self) -> Node:
@@ -299,7 +313,9 @@ def _pair(opening: str, inside: Sequence[Node], closing: str) -> Node:
     tall = any(node.tall for node in inside)
     left, right = (r"\left", r"\right") if tall or "." in {opening, closing} else ("", "")
     return Node(
-        f"{left}{opening} {_tex(inside)} {right}{closing}" if left else f"{opening}{_tex(inside)}{closing}",
+        f"{left}{opening} {_tex(inside)} {right}{closing}"
+        if left
+        else f"{opening}{_tex(inside)}{closing}",
         _width(inside) + (1.5 if tall else 0.8),
         inner=(Node(opening, 0.45, "open"), *inside, Node(closing, 0.45, "close")),
         tall=tall,
@@ -375,7 +391,10 @@ def _split(nodes: Iterable[Node], kind: str) -> list[tuple[Node, ...]]:
 
 @lru_cache(maxsize=4096)
 def _read(tex: str) -> tuple[Node, ...]:
-    return _trim(_Reader(_unwrapped(tex)).nodes())
+    try:
+        return _trim(_Reader(_unwrapped(tex)).nodes())
+    except _TooDeepError:
+        return (Node(" ".join(tex.split()), 0.4 * len(tex)),)
 
 
 def _unwrapped(tex: str) -> str:
@@ -501,9 +520,7 @@ def _statements(nodes: Sequence[Node]) -> list[tuple[Node, ...]]:
             for row in nodes[0].rows
         ]
     else:
-        rows = [
-            tuple(node for node in row if node.kind != "cell") for row in _split(nodes, "row")
-        ]
+        rows = [tuple(node for node in row if node.kind != "cell") for row in _split(nodes, "row")]
     joined: list[tuple[Node, ...]] = []
     for row in filter(None, map(_trim, rows)):
         if joined and row[0].kind in {"bin", "rel"}:

@@ -117,7 +117,7 @@ def latex_pdf(source: str) -> bytes:
         else:
             for _ in range(3):
                 _latex(["pdflatex", *options], folder)
-                if "Rerun" not in _log(folder):
+                if not re.search(r"Rerun (to|LaTeX)", _log(folder)):
                     break
         return (folder / "report.pdf").read_bytes()
 

@@ -57,10 +57,16 @@ def evaluate(formula: Formula, stage: Stage, conjugated: bool = False) -> Value:
     Raises :class:`StageError` if a name has no meaning on the scene, if vectors
     and scalars are mixed up, or if a denominator vanishes identically.
     """
+    memory = stage.memory
+    if memory is not None and (known := memory.get((id(formula), conjugated))) is not None:
+        return known[1]
     rule = _RULES.get(type(formula))
     if rule is None:
         raise StageError(f"{to_latex(formula)} has no value of its own")
-    return rule(formula, stage, conjugated)
+    value = rule(formula, stage, conjugated)
+    if memory is not None:
+        memory[id(formula), conjugated] = (formula, value)
+    return value
 
 
 def scalar(formula: Formula, stage: Stage, conjugated: bool = False) -> Element:

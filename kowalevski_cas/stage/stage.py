@@ -25,6 +25,9 @@ class Stage:
     through a change of variables, specialised, and evaluated at exact points.
     """
 
+    memory: dict[tuple[int, bool], tuple[Formula, Value]] | None = None
+    """Values of subformulas by identity, where they are worth remembering."""
+
     def __init__(
         self,
         scene: Scene,
@@ -129,7 +132,7 @@ class Stage:
 
     def relation(self, printed: Printed) -> Relation:
         """The chain of equalities at a place."""
-        formula = self.texts.statement(printed).formula
+        formula = self.texts.formula(printed)
         if not isinstance(formula, Relation):
             raise StageError(f"an equation is expected at {printed.place}")
         return formula
@@ -196,6 +199,10 @@ class Stage:
             if (square - value).is_zero:
                 return root
         raise StageError(f"the scene “{self.scene.name}” declares no root of {to_latex(radicand)}")
+
+    def declared_roots(self) -> list[tuple[Element, Element]]:
+        """The roots that may be printed as such: pairs of a radicand and its root."""
+        return self._roots
 
     def symbolic_power(self, base: Formula, exponent: str) -> Element:
         """A declared power with a symbolic exponent."""

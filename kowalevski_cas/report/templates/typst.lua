@@ -81,7 +81,7 @@ local around = {
   rows = { "#rows[", "]" },
   evidence = { "#evidence[", "]" },
   intro = { "#before[", "]" },
-  plate = { "#pagebreak(weak: true)", "" },
+  plate = { "#block(breakable: false)[", "]" },
   picturing = { "#block(above: 1em, below: 1em)[", "]" },
 }
 

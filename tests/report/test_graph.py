@@ -1,0 +1,65 @@
+"""The picture of which claim rests on which."""
+
+from xml.etree import ElementTree
+
+from kowalevski_cas.proof.outcome import Outcome, Verdict
+from kowalevski_cas.report.graph import WIDTH, picture
+from tests.report.fixtures import P, R, claim, outcomes
+
+
+def chain(*pairs: tuple[str, tuple[str, ...]]) -> list[Outcome]:
+    return [claim(name, "1", "x=x", "", P, rests_on=below) for name, below in pairs]
+
+
+def test_every_claim_is_in_a_box_or_named_as_alone() -> None:
+    drawn = picture(outcomes())
+    labels = {box.label for box in drawn.boxes}
+    assert "eq10.1–9" in labels and "eq16.invariance" in labels
+    assert set(drawn.alone) == {
+        "last-multiplier", "probable-one", "enclosed-one", "timeout-one", "error-one"
+    }  # fmt: skip
+
+
+def test_foundations_stand_above_what_rests_on_them() -> None:
+    drawn = picture(chain(("a", ()), ("b", ("a",)), ("c", ("b", "a")), ("d", ("a",))))
+    height = {box.name: box.y for box in drawn.boxes}
+    assert height["a"] < height["b"] < height["c"] and height["a"] < height["d"]
+    assert sum(line.tip for line in drawn.lines) == 3  # a to c follows from the others
+
+
+def test_rows_share_a_box_with_the_least_verdict() -> None:
+    rows = [claim("eq1.1", "1", "", "", P), claim("eq1.2", "1", "", "", R)]
+    (box, _) = picture([*rows, claim("z", "1", "", "", P, rests_on=("eq1.1",))]).boxes
+    assert (box.label, box.verdict) == ("eq1.1–2", Verdict.REFUTED)
+
+
+def test_rows_stay_apart_where_one_rests_on_another_by_way_of_a_third() -> None:
+    drawn = picture(chain(("eq1.1", ()), ("m", ("eq1.1",)), ("eq1.2", ("m",))))
+    assert [box.label for box in drawn.boxes] == ["eq1.1", "m", "eq1.2"]
+
+
+def test_circles_and_unknown_names_do_no_harm() -> None:
+    drawn = picture(chain(("a", ("b", "nowhere")), ("b", ("a",)), ("c", ("c",))))
+    assert {box.name for box in drawn.boxes} == {"a", "b"}
+    assert drawn.alone == ("c",)
+
+
+def test_no_claims_no_picture() -> None:
+    assert picture([]).boxes == ()
+    assert picture([]).scale == 1.0
+
+
+def test_boxes_do_not_overlap_and_layers_are_no_wider_than_the_page() -> None:
+    many = chain(*[(f"claim-number-{k}", ("root",) if k else ()) for k in range(40)], ("root", ()))
+    drawn = picture(many)
+    assert drawn.width <= WIDTH + 1
+    for box in drawn.boxes:
+        for other in drawn.boxes:
+            if box is not other and box.y == other.y:
+                assert abs(box.x - other.x) >= (box.width + other.width) / 2
+
+
+def test_svg_is_well_formed_and_self_contained() -> None:
+    root = ElementTree.fromstring(picture(outcomes()).svg())
+    assert root.tag.endswith("svg")
+    assert len(root.findall("{*}rect")) == len(picture(outcomes()).boxes)

@@ -1,0 +1,160 @@
+"""From a run to files, by LaTeX and by Typst."""
+
+import io
+import os
+import re
+import shutil
+import stat
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from kowalevski_cas.report import ReportError, pdf, render_latex, write_report
+from tests.report.fixtures import P, claim, run
+
+needs_latex = pytest.mark.skipif(
+    not pdf.latex_command(), reason="no pdflatex here; CI_TEX=1 .ci/run installs it"
+)
+
+
+def said(content: bytes) -> tuple[int, str]:
+    reader = PdfReader(io.BytesIO(content))
+    text = " ".join(page.extract_text() for page in reader.pages)
+    return len(reader.pages), re.sub(r"\s+", " ", text)
+
+
+def check(content: bytes) -> None:
+    pages, text = said(content)
+    assert 5 <= pages <= 12
+    for outcome in run().outcomes:
+        assert outcome.claim in text.replace("- ", "-").replace("fi", "fi")
+    for heading in ("Main equations", "Errata", "Which claim rests on which", "Programs, digests"):
+        assert heading in text
+    assert "\\" not in text.replace("& \\", "")  # no TeX was left unread
+
+
+def test_typst(tmp_path: Path) -> None:
+    written = write_report(run(), tmp_path, engine="typst")
+    assert (written.tex.name, written.pdf.name) == ("kharlamov2002.tex", "kharlamov2002.pdf")
+    assert written.engine == "typst" and written.notes == ()
+    assert written.tex.read_text(encoding="utf-8") == render_latex(run())
+    check(written.pdf.read_bytes())
+
+
+def test_typst_makes_the_same_bytes_again() -> None:
+    assert pdf.typst_pdf(run()) == pdf.typst_pdf(run())
+
+
+@needs_latex
+def test_latex(tmp_path: Path) -> None:
+    written = write_report(run(), tmp_path)
+    assert written.engine == "latex" and written.notes == ()
+    check(written.pdf.read_bytes())
+
+
+@needs_latex
+def test_no_overfull_boxes_and_no_missing_references(monkeypatch: pytest.MonkeyPatch) -> None:
+    logs: list[str] = []
+    latex = pdf._latex
+
+    def listening(command: list[str], folder: Path) -> None:
+        latex(command, folder)
+        logs.append((folder / "report.log").read_text(encoding="utf-8", errors="replace"))
+
+    monkeypatch.setattr(pdf, "_latex", listening)
+    pdf.latex_pdf(render_latex(run()))
+    assert not re.findall(r"Overfull.*", logs[-1])
+    assert not re.findall(
+        r"undefined|multiply defined|Rerun (?:to|LaTeX)|Missing character", logs[-1]
+    )
+
+
+@needs_latex
+def test_pdflatex_without_latexmk(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pdf, "latex_command", lambda: "pdflatex")
+    check(pdf.latex_pdf(render_latex(run())))
+
+
+@needs_latex
+def test_latex_says_what_it_stumbled_over() -> None:
+    with pytest.raises(ReportError, match=r"failed: .*Undefined control sequence"):
+        pdf.latex_pdf(r"\documentclass{article}\begin{document}\nosuchthing\end{document}")
+
+
+def test_no_latex_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pdf, "latex_command", lambda: None)
+    with pytest.raises(ReportError, match="No LaTeX was found"):
+        pdf.latex_pdf("")
+
+
+def test_a_failing_latex_gives_way_to_typst(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def failing(source: str) -> bytes:
+        raise ReportError("latexmk failed: File `fancyhdr.sty' not found.")
+
+    monkeypatch.setattr(pdf, "latex_command", lambda: "latexmk")
+    monkeypatch.setattr(pdf, "latex_pdf", failing)
+    written = write_report(run(), tmp_path)
+    assert written.engine == "typst"
+    assert written.notes == (
+        "latexmk failed: File `fancyhdr.sty' not found. The PDF was made by Typst instead.",
+    )
+
+
+@pytest.mark.parametrize("what", [ReportError("no"), KeyboardInterrupt()])
+def test_a_failure_leaves_the_earlier_pdf(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, what: BaseException
+) -> None:
+    earlier = tmp_path / "kharlamov2002.pdf"
+    earlier.write_bytes(b"earlier")
+
+    def failing(source: str) -> tuple[str, list[str]]:
+        raise what
+
+    monkeypatch.setattr(pdf, "_pandoc", failing)
+    with pytest.raises(type(what)):
+        write_report(run(), tmp_path, engine="typst")
+    assert earlier.read_bytes() == b"earlier"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["kharlamov2002.pdf", "kharlamov2002.tex"]
+
+
+def test_an_interrupt_while_writing_leaves_the_earlier_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    earlier = tmp_path / "kharlamov2002.tex"
+    earlier.write_text("earlier")
+
+    def interrupted(*names: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(os, "replace", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        write_report(run(), tmp_path, engine="typst")
+    assert earlier.read_text() == "earlier"
+    assert list(tmp_path.iterdir()) == [earlier]
+
+
+def test_files_are_readable_by_others(tmp_path: Path) -> None:
+    written = write_report(run(claim("a", "1", "x=x", "", P)), tmp_path / "new", engine="typst")
+    assert stat.S_IMODE(written.pdf.stat().st_mode) == 0o644
+
+
+def test_a_folder_that_cannot_be(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(ReportError, match="cannot be written to"):
+        write_report(run(), tmp_path / "file" / "reports", engine="typst")
+
+
+def test_a_formula_that_pandoc_cannot_read_is_named(tmp_path: Path) -> None:
+    odd = claim("odd", "1", r"x = \nosuchthing{y}{z}", "", P)
+    written = write_report(run(odd), tmp_path, engine="typst")
+    assert any("nosuchthing" in note for note in written.notes)
+
+
+def test_no_pandoc_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pdf, "find_spec", lambda name: None)
+    monkeypatch.setattr(shutil, "which", lambda name: None)
+    with pytest.raises(ReportError, match="pip install pypandoc-binary"):
+        pdf.typst_pdf(run())
