@@ -74,9 +74,9 @@ def misprints(
     for place in places:
         yield from _factors(place, vocabulary)
     for place in places:
-        yield from _missing(place, names, vocabulary)
-    for place in places:
         yield from _moves(place, vocabulary)
+    for place in places:
+        yield from _missing(place, names, vocabulary)
 
 
 def product(factors: Iterable[Formula]) -> Formula:

@@ -364,7 +364,7 @@ def _place(layers: Sequence[Sequence[_Cell]]) -> None:
 
 
 def _spread(layer: Sequence[_Cell], wanted: Sequence[float]) -> None:
-    """The places nearest to those wanted, in order and with room between (least squares)."""
+    """The places nearest to those wanted, in order, with room between, and on the page."""
     offsets = [0.0]
     for cell, after in pairwise(layer):
         room = _BESIDE if cell.box and after.box else _PASS
@@ -378,6 +378,11 @@ def _spread(layer: Sequence[_Cell], wanted: Sequence[float]) -> None:
     flat = [value for value, count in blocks for _ in range(count)]
     for cell, value, offset in zip(layer, flat, offsets, strict=True):
         cell.x = value + offset
+    left = layer[0].x - layer[0].width / 2 + WIDTH / 2
+    right = layer[-1].x + layer[-1].width / 2 - WIDTH / 2
+    shift = -(left + right) / 2 if right - left > 0 else -min(0.0, left) - max(0.0, right)
+    for cell in layer:
+        cell.x += shift
 
 
 # --------------------------------------------------------------------- drawing

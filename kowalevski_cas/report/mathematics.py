@@ -356,12 +356,15 @@ def _spaced(token: str) -> str:
 
 
 def _tex(nodes: Iterable[Node]) -> str:
-    text = ""
+    text, before = "", "open"
     for node in nodes:
-        tex = f" {node.tex.strip()} " if node.kind in {"bin", "rel"} else node.tex
-        text += tex
-        if node.kind == "punct":
-            text += " "
+        if node.kind == "bin" and before not in {"ord", "close"}:
+            text += _spaced(node.tex.strip())  # a sign, not an operation
+        elif node.kind in {"bin", "rel"}:
+            text += f" {node.tex.strip()} "
+        else:
+            text += node.tex + (" " if node.kind == "punct" else "")
+        before = node.kind
     return re.sub(r"(?<!\\) +", " ", text).strip(" ") if not text.endswith("\\ ") else text
 
 
@@ -467,8 +470,9 @@ class _Line:
     @property
     def tex(self) -> str:
         space = r"\quad " * (self.indent % 2) + r"\qquad " * (self.indent // 2)
-        lead = space + "{}" if self.indent else ""
-        return f"{self.left} & {lead}{self.right}".strip()
+        sign = re.match(r"([+-]|\\pm|\\mp) ?", self.right) if self.indent else None
+        right = f"{{}} {sign[1]} {self.right[sign.end() :]}" if sign else self.right
+        return f"{self.left} & {space}{right}".strip()
 
 
 def display(tex: str, room: float, *, lines: int | None = None) -> str:
@@ -503,7 +507,7 @@ def _set(statements: Sequence[tuple[Node, ...]], room: float, lines: int | None)
             set_lines += _broken(statement, room, first=False)
     if lines is not None and len(set_lines) > lines:
         left_out = len(set_lines) - lines + 1
-        dots = _Line("", rf"{{}}+ \cdots \quad\text{{({left_out} more lines)}}", 1)
+        dots = _Line("", rf"+ \cdots \quad\text{{({left_out} more lines)}}", 1)
         set_lines = [*set_lines[: lines - 2], dots, set_lines[-1]]
     if len(set_lines) == 1:
         line = set_lines[0]

@@ -81,7 +81,7 @@ local around = {
   rows = { "#rows[", "]" },
   evidence = { "#evidence[", "]" },
   intro = { "#before[", "]" },
-  plate = { "#block(breakable: false)[", "]" },
+  plate = { "#block(breakable: false, above: 2em)[", "]" },
   picturing = { "#block(above: 1em, below: 1em)[", "]" },
 }
 

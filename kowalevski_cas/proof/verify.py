@@ -1,0 +1,172 @@
+"""The run: every claim of a derivation, in the order of the paper, in every arithmetic."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from time import perf_counter
+
+from kowalevski_cas.claims import Claim, Finding
+from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.notation import NotationError, to_latex
+from kowalevski_cas.proof.digest import combined, statement_digest
+from kowalevski_cas.proof.outcome import Correction, Outcome, Run, Verdict
+from kowalevski_cas.search.corrections import correction
+from kowalevski_cas.stage import Stage, StageError
+from kowalevski_cas.texts import Printed, Texts
+
+Progress = Callable[[str, int, int], None]
+
+
+def verify(
+    derivation: Derivation,
+    arithmetics: Sequence[str],
+    only: Sequence[str] = (),
+    explain: bool = False,
+    progress: Progress = lambda claim, done, total: None,
+) -> Run:
+    """Decide the claims of a derivation.
+
+    A formula that is refuted and corrected stands corrected for the claims that
+    come after it. With ``only``, the claims before a chosen one are decided
+    where it rests on them, but not reported.
+    """
+    session = _Session(derivation, arithmetics, explain)
+    chosen = [c for c in derivation.claims if not only or c.id in only]
+    needed = session.needed(chosen)
+    outcomes = []
+    for done, claim in enumerate(needed):
+        progress(claim.id, done, len(needed))
+        outcome = session.decide(claim)
+        if claim in chosen:
+            outcomes.append(outcome)
+    return Run(
+        derivation=derivation.name,
+        title=derivation.title,
+        author=derivation.author,
+        source=derivation.source,
+        sections=tuple((s.number, s.title) for s in derivation.sections),
+        outcomes=tuple(outcomes),
+        arithmetics=tuple(arithmetics),
+        versions={},
+        digest=combined(f"{o.claim} {o.digest}" for o in outcomes),
+    )
+
+
+class _Session:
+    """The state of a run: the texts as corrected so far, stages, and found evidence."""
+
+    def __init__(self, derivation: Derivation, arithmetics: Sequence[str], explain: bool) -> None:
+        self.derivation = derivation
+        self.arithmetics = arithmetics
+        self.explain = explain
+        self.texts = derivation.texts()
+        self.stages: dict[object, Stage] = {}
+        self.shelf: dict[object, object] = {}
+        self.established: dict[Printed, str] = {}
+        for claim in derivation.claims:
+            for printed in claim.establishes():
+                self.established.setdefault(printed, claim.id)
+
+    def rests_on(self, claim: Claim) -> tuple[str, ...]:
+        """The claims that establish the places on which a claim stands."""
+        ids = dict.fromkeys(self.established.get(place) for place in claim.places())
+        return tuple(i for i in ids if i is not None and i != claim.id)
+
+    def needed(self, chosen: Sequence[Claim]) -> list[Claim]:
+        """The chosen claims and those on which they rest, in the order of the paper."""
+        ids = {claim.id for claim in chosen}
+        by_id = {claim.id: claim for claim in self.derivation.claims}
+        waiting = list(chosen)
+        while waiting:
+            for id in self.rests_on(waiting.pop()):
+                if id not in ids:
+                    ids.add(id)
+                    waiting.append(by_id[id])
+        return [claim for claim in self.derivation.claims if claim.id in ids]
+
+    def decide(self, claim: Claim) -> Outcome:
+        """The outcome for one claim; its correction becomes part of the texts."""
+        digest, printed = "", ""
+        seconds: dict[str, float] = {}
+        findings: dict[str, Finding] = {}
+        before = self._products()
+        for arithmetic in self.arithmetics:
+            start = perf_counter()
+            findings[arithmetic] = self._decide(claim, self._bench(arithmetic, self.texts))
+            seconds[arithmetic] = perf_counter() - start
+        products = self._products() - before
+        first = findings[self.arithmetics[0]]
+        verdicts = {name: finding.verdict for name, finding in findings.items()}
+        verdict, message = first.verdict, first.message
+        if len(set(verdicts.values())) > 1:
+            shown = ", ".join(f"{name}: {v}" for name, v in verdicts.items())
+            verdict, message = Verdict.ERROR, f"the arithmetics disagree ({shown})"
+        if verdict is not Verdict.ERROR:
+            digest = statement_digest(claim, self.texts)
+            printed = self._printed(claim)
+        mended = None
+        if verdict is Verdict.REFUTED:
+            start = perf_counter()
+            mended = self._correct(claim)
+            seconds[self.arithmetics[0]] += perf_counter() - start
+        return Outcome(
+            claim=claim.id,
+            section=self.derivation.section_of(claim).number,
+            scene=claim.scene.name,
+            printed=printed,
+            words=claim.words,
+            verdict=verdict,
+            conditions=first.conditions,
+            steps=first.steps,
+            counterexample=first.counterexample,
+            correction=mended,
+            rests_on=self.rests_on(claim),
+            digest=digest,
+            message=message,
+            products=products,
+            seconds=seconds,
+            verdicts=verdicts,
+        )
+
+    def _bench(self, arithmetic: str, texts: Texts) -> Bench:
+        explain = self.explain and arithmetic == self.arithmetics[0]
+        return Bench(arithmetic, texts, explain, self.shelf, self.stages)
+
+    @staticmethod
+    def _decide(claim: Claim, bench: Bench) -> Finding:
+        try:
+            return claim.decide(bench)
+        except (NotationError, StageError) as error:
+            return Finding(Verdict.ERROR, message=str(error))
+
+    def _correct(self, claim: Claim) -> Correction | None:
+        """The nearest true statement, decided in every arithmetic."""
+        bench = self._bench(self.arithmetics[0], self.texts)
+        neighbour = correction(claim, bench)
+        if neighbour is None or neighbour.printed is None or neighbour.edit is None:
+            return None
+        texts = self.texts.with_source(neighbour.printed.display, neighbour.edit.tex)
+        self.shelf = {}
+        findings = [
+            self._decide(neighbour.claim, self._bench(arithmetic, texts))
+            for arithmetic in self.arithmetics
+        ]
+        verdicts = {finding.verdict for finding in findings}
+        verdict = findings[0].verdict if len(verdicts) == 1 else Verdict.ERROR
+        if verdict.green:
+            self.texts = texts
+        return Correction(
+            printed=to_latex(texts.formula(neighbour.printed)),
+            words=neighbour.words,
+            verdict=verdict,
+            conditions=findings[0].conditions,
+        )
+
+    def _printed(self, claim: Claim) -> str:
+        """The formulas of a claim as the paper prints them."""
+        places = [claim.printed] if claim.printed else list(claim.establishes())
+        return r",\quad ".join(self.texts.statement(place).source for place in places)
+
+    def _products(self) -> int:
+        return sum(stage.ring.products for stage in self.stages.values())
