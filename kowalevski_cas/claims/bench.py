@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from typing import Any, TypeVar
 
@@ -13,6 +13,8 @@ from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Printed, Texts
 
 Found = TypeVar("Found")
+Key = str | int | Printed | tuple["Key", ...]
+"""What a search is for: the kind of search, the claim, and what tells its searches apart."""
 
 
 class Bench:
@@ -29,7 +31,7 @@ class Bench:
         arithmetic: str,
         texts: Texts,
         explain: bool = False,
-        shelf: dict[Any, Any] | None = None,
+        shelf: dict[str, Any] | None = None,
         stages: dict[Any, Stage] | None = None,
         refute: bool = True,
     ) -> None:
@@ -69,15 +71,16 @@ class Bench:
             )
         return self._finder
 
-    def found(self, key: Any, search: Callable[[Bench], Found]) -> Found:
+    def found(self, key: Key, search: Callable[[Bench], Found]) -> Found:
         """What a search found, from the shelf if it was made before."""
-        if key not in self._shelf:
-            self._shelf[key] = search(self.finder)
-        result: Found = self._shelf[key]
+        label = "/".join(_labels(key))
+        if label not in self._shelf:
+            self._shelf[label] = search(self.finder)
+        result: Found = self._shelf[label]
         return result
 
     def found_elements(
-        self, key: Any, scene: Scene, search: Callable[[Stage], Sequence[Element] | None]
+        self, key: Key, scene: Scene, search: Callable[[Stage], Sequence[Element] | None]
     ) -> list[Element] | None:
         """Elements that a search found on the stage of a scene, brought into this arithmetic."""
 
@@ -88,3 +91,11 @@ class Bench:
         found = self.found(key, neutral)
         ring = self.stage(scene).ring
         return None if found is None else [ring.from_neutral(n) for n in found]
+
+
+def _labels(key: Key) -> Iterator[str]:
+    if isinstance(key, tuple):
+        for part in key:
+            yield from _labels(part)
+    else:
+        yield key.place if isinstance(key, Printed) else str(key)

@@ -10,7 +10,7 @@ from fractions import Fraction
 from kowalevski_cas.arithmetic.numbers import Substitution, number_ring
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element, Ring
-from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.claims.bench import Bench, Key
 from kowalevski_cas.notation import Constant, Edit, Formula, Relation, Vocabulary, edits, to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Point, Step, Verdict
 from kowalevski_cas.scene import Locus, Scene
@@ -205,7 +205,7 @@ class AtPoint:
 def counterexample(
     bench: Bench,
     scene: Scene,
-    key: object,
+    key: Key,
     pairs: Callable[[Stage], Sequence[tuple[Element, Element]]],
     zero: Callable[[Stage], Sequence[Element]] = lambda stage: (),
     words: str = "",

@@ -10,7 +10,7 @@ from itertools import islice
 from kowalevski_cas.arithmetic.derivation import gradient
 from kowalevski_cas.arithmetic.numbers import rank
 from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.claims.bench import Bench, Key
 from kowalevski_cas.claims.claim import (
     AtPoint,
     Claim,
@@ -55,7 +55,7 @@ class Set(Claim):
         return [scalar(members(stage.relation(p))[0], stage) for p in self.levels]
 
     def rank_at_a_point(
-        self, bench: Bench, key: object, locus: Locus | None, functions: Sequence[int] | None = None
+        self, bench: Bench, key: Key, locus: Locus | None, functions: Sequence[int] | None = None
     ) -> tuple[int, AtPoint] | None:
         """The largest rank found of the differentials, and the point where it was taken.
 

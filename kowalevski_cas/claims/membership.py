@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Callable, Sequence
 
 from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.claims.bench import Bench, Key
 from kowalevski_cas.claims.claim import show
 from kowalevski_cas.proof.outcome import Step
 from kowalevski_cas.scene import Scene
@@ -15,7 +15,7 @@ from kowalevski_cas.stage import Stage
 def combination(
     bench: Bench,
     scene: Scene,
-    key: Hashable,
+    key: Key,
     target: Callable[[Stage], Element],
     generators: Callable[[Stage], Sequence[Element]],
     main: Sequence[tuple[str, ...]] = (),

@@ -9,7 +9,8 @@ from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import NotationError, to_latex
-from kowalevski_cas.proof.digest import combined, statement_digest
+from kowalevski_cas.proof.digest import Digester, combined
+from kowalevski_cas.proof.evidence import Evidence, Mended
 from kowalevski_cas.proof.outcome import Correction, Outcome, Run, Verdict
 from kowalevski_cas.search.corrections import correction
 from kowalevski_cas.stage import Stage, StageError
@@ -24,14 +25,16 @@ def verify(
     only: Sequence[str] = (),
     explain: bool = False,
     progress: Progress = lambda claim, done, total: None,
+    evidence: dict[str, Evidence] | None = None,
 ) -> Run:
     """Decide the claims of a derivation.
 
     A formula that is refuted and corrected stands corrected for the claims that
     come after it. With ``only``, the claims before a chosen one are decided
-    where it rests on them, but not reported.
+    where it rests on them, but not reported. ``evidence`` saves the searches
+    whose results it holds; what is found anew is added to it.
     """
-    session = _Session(derivation, arithmetics, explain)
+    session = _Session(derivation, arithmetics, explain, {} if evidence is None else evidence)
     chosen = [c for c in derivation.claims if not only or c.id in only]
     needed = session.needed(chosen)
     outcomes = []
@@ -56,13 +59,21 @@ def verify(
 class _Session:
     """The state of a run: the texts as corrected so far, stages, and found evidence."""
 
-    def __init__(self, derivation: Derivation, arithmetics: Sequence[str], explain: bool) -> None:
+    def __init__(
+        self,
+        derivation: Derivation,
+        arithmetics: Sequence[str],
+        explain: bool,
+        evidence: dict[str, Evidence],
+    ) -> None:
         self.derivation = derivation
         self.arithmetics = arithmetics
         self.explain = explain
+        self.evidence = evidence
         self.texts = derivation.texts()
+        self.digester = Digester(self.texts)
         self.stages: dict[object, Stage] = {}
-        self.shelf: dict[object, object] = {}
+        self.shelf: dict[str, object] = {}
         self.established: dict[Printed, str] = {}
         for claim in derivation.claims:
             for printed in claim.establishes():
@@ -87,7 +98,9 @@ class _Session:
 
     def decide(self, claim: Claim) -> Outcome:
         """The outcome for one claim; its correction becomes part of the texts."""
-        digest, printed = "", ""
+        digest, kept = self._digest(claim)
+        self.shelf.update(kept.found)
+        known = set(self.shelf) - set(kept.found)
         seconds: dict[str, float] = {}
         findings: dict[str, Finding] = {}
         before = self._products()
@@ -102,14 +115,15 @@ class _Session:
         if len(set(verdicts.values())) > 1:
             shown = ", ".join(f"{name}: {v}" for name, v in verdicts.items())
             verdict, message = Verdict.ERROR, f"the arithmetics disagree ({shown})"
-        if verdict is not Verdict.ERROR:
-            digest = statement_digest(claim, self.texts)
-            printed = self._printed(claim)
+        kept.found = {label: value for label, value in self.shelf.items() if label not in known}
+        printed = self._printed(claim) if digest else ""
         mended = None
         if verdict is Verdict.REFUTED:
             start = perf_counter()
-            mended = self._correct(claim)
+            mended = self._correct(claim, kept)
             seconds[self.arithmetics[0]] += perf_counter() - start
+        if digest:
+            self.evidence[claim.id] = kept
         return Outcome(
             claim=claim.id,
             section=self.derivation.section_of(claim).number,
@@ -129,6 +143,15 @@ class _Session:
             verdicts=verdicts,
         )
 
+    def _digest(self, claim: Claim) -> tuple[str, Evidence]:
+        """The digest of a claim, and the evidence for it that was kept."""
+        try:
+            digest = self.digester.statement(claim)
+        except NotationError:
+            return "", Evidence("")
+        kept = self.evidence.get(claim.id)
+        return digest, kept if kept is not None and kept.digest == digest else Evidence(digest)
+
     def _bench(self, arithmetic: str, texts: Texts) -> Bench:
         explain = self.explain and arithmetic == self.arithmetics[0]
         return Bench(arithmetic, texts, explain, self.shelf, self.stages)
@@ -140,25 +163,28 @@ class _Session:
         except (NotationError, StageError) as error:
             return Finding(Verdict.ERROR, message=str(error))
 
-    def _correct(self, claim: Claim) -> Correction | None:
+    def _correct(self, claim: Claim, kept: Evidence) -> Correction | None:
         """The nearest true statement, decided in every arithmetic."""
-        bench = self._bench(self.arithmetics[0], self.texts)
-        neighbour = correction(claim, bench)
-        if neighbour is None or neighbour.printed is None or neighbour.edit is None:
-            return None
-        texts = self.texts.with_source(neighbour.printed.display, neighbour.edit.tex)
+        if kept.correction is None:
+            bench = self._bench(self.arithmetics[0], self.texts)
+            neighbour = correction(claim, bench)
+            if neighbour is None or neighbour.printed is None or neighbour.edit is None:
+                return None
+            kept.correction = Mended(neighbour.printed.place, neighbour.edit.tex, neighbour.words)
+        place = next(p for p in claim.establishes() if p.place == kept.correction.place)
+        texts = self.texts.with_source(place.display, kept.correction.tex)
         self.shelf = {}
         findings = [
-            self._decide(neighbour.claim, self._bench(arithmetic, texts))
-            for arithmetic in self.arithmetics
+            self._decide(claim, self._bench(arithmetic, texts)) for arithmetic in self.arithmetics
         ]
         verdicts = {finding.verdict for finding in findings}
         verdict = findings[0].verdict if len(verdicts) == 1 else Verdict.ERROR
         if verdict.green:
             self.texts = texts
+            self.digester = Digester(texts)
         return Correction(
-            printed=to_latex(texts.formula(neighbour.printed)),
-            words=neighbour.words,
+            printed=to_latex(texts.formula(place)),
+            words=kept.correction.words,
             verdict=verdict,
             conditions=findings[0].conditions,
         )

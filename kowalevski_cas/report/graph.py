@@ -72,11 +72,12 @@ class Picture:
         """The factor that brings the picture to the size of a page."""
         if not self.boxes:
             return 1.0
-        return min(1.0, WIDTH / self.width, HEIGHT / self.height)
+        return min(1.0, 0.999 * WIDTH / self.width, HEIGHT / self.height)
 
     def tikz(self) -> str:
         """The picture as the body of a ``tikzpicture``."""
-        out = [_tikz_line(line) for line in self.lines]
+        out = [f"\\useasboundingbox (0,0) rectangle ({self.width:.1f},{-self.height:.1f});"]
+        out += [_tikz_line(line) for line in self.lines]
         for box in self.boxes:
             out.append(
                 f"\\node[claim,{box.verdict.value},minimum width={box.width:.1f}mm] "
@@ -367,7 +368,7 @@ def _spread(layer: Sequence[_Cell], wanted: Sequence[float]) -> None:
     """The places nearest to those wanted, in order, with room between, and on the page."""
     offsets = [0.0]
     for cell, after in pairwise(layer):
-        room = _BESIDE if cell.box and after.box else _PASS
+        room = _BESIDE if cell.box or after.box else _PASS
         offsets.append(offsets[-1] + (cell.width + after.width) / 2 + room)
     blocks: list[tuple[float, int]] = []
     for want, offset in zip(wanted, offsets, strict=True):

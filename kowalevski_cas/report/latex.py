@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from kowalevski_cas.proof.outcome import Point, Run, Verdict
+from kowalevski_cas.proof.outcome import Outcome, Point, Run, Verdict
 from kowalevski_cas.report import mathematics
 from kowalevski_cas.report.context import Report, listed, number, report
 from kowalevski_cas.report.graph import anchor
@@ -106,7 +106,7 @@ def _environment() -> Environment:
         displays=displays,
         number=number,
         cell=cell,
-        fits=fits,
+        column=column,
         point=point,
         listed=listed,
         link=link,
@@ -127,7 +127,7 @@ def words(text: str) -> str:
     r"""Plain text with mathematics between dollars, as LaTeX.
 
     >>> words("50% of $x_1$ & the_rest, ω₁ ≠ 0")
-    '50\\% of $x_1$ \\& the\\_rest, $\\omega _1\\ne $ 0'
+    '50\\% of $x_1$ \\& the\\_rest, $\\omega _1$ $\\ne $ 0'
     """
     parts = text.split("$")
     if len(parts) % 2 == 0:  # a dollar too many: none of them means mathematics
@@ -198,9 +198,10 @@ def cell(tex: str, room: float = 24.0) -> str:
     return f"\\cell{{{body}}}"
 
 
-def fits(tex: str, room: float) -> bool:
-    """Whether a formula fits on a line."""
-    return mathematics.width(tex) <= room
+def column(rows: tuple[Outcome, ...]) -> float:
+    """The part of the line that ids and verdicts leave to the formulas in a table of rows."""
+    letters = max(1.1 * len(row.claim) + len(row.verdict.value) for row in rows)
+    return round(0.92 - 0.0108 * letters, 2)
 
 
 def point(at: Point) -> str:

@@ -1,0 +1,84 @@
+"""The record: verdicts that are committed, and how a run differs from them."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+from kowalevski_cas.proof.outcome import Outcome, Run
+
+FILE = "record.json"
+
+
+class RecordError(ValueError):
+    """A record that cannot be read; the message says what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """One way in which a run differs from the record."""
+
+    claim: str
+    recorded: str
+    found: str
+
+
+def describe(outcome: Outcome) -> dict[str, object]:
+    """What is recorded of an outcome."""
+    correction = outcome.correction
+    return {
+        "verdict": str(outcome.verdict),
+        "conditions": [condition.tex for condition in outcome.conditions],
+        "correction": None if correction is None else correction.printed,
+        "statement": outcome.digest,
+    }
+
+
+def dump_record(run: Run) -> str:
+    """The record of a run, as JSON."""
+    claims = {outcome.claim: describe(outcome) for outcome in run.outcomes}
+    value = {"derivation": run.derivation, "digest": run.digest, "claims": claims}
+    return json.dumps(value, indent=1, ensure_ascii=False) + "\n"
+
+
+def load_record(folder: Path) -> dict[str, dict[str, object]] | None:
+    """The recorded outcomes by claim; ``None`` if there is no record yet."""
+    path = folder / FILE
+    if not path.exists():
+        return None
+    try:
+        claims = json.loads(path.read_text(encoding="utf-8"))["claims"]
+        if all(isinstance(entry, dict) for entry in claims.values()):
+            return dict(claims)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        raise RecordError(
+            f"{path}: the record cannot be read ({error}); `make record` writes it anew"
+        ) from None
+    raise RecordError(f"{path}: the record cannot be read; `make record` writes it anew")
+
+
+def differences(
+    run: Run, record: dict[str, dict[str, object]], whole: bool = True
+) -> list[Difference]:
+    """Where the outcomes of a run differ from the record; of all claims if the run is whole."""
+    found = {outcome.claim: describe(outcome) for outcome in run.outcomes}
+    result = []
+    for claim, now in found.items():
+        then = record.get(claim)
+        if then is None:
+            result.append(Difference(claim, "not in the record", str(now["verdict"])))
+            continue
+        for key, value in now.items():
+            if then.get(key) != value:
+                result.append(Difference(claim, _shown(key, then.get(key)), _shown(key, value)))
+    if whole:
+        gone = [claim for claim in record if claim not in found]
+        result += [Difference(c, str(record[c].get("verdict")), "not a claim") for c in gone]
+    return result
+
+
+def _shown(key: str, value: object) -> str:
+    if isinstance(value, list):
+        value = ", ".join(map(str, value)) or "none"
+    return str(value) if key == "verdict" else f"{key} {value if value is not None else 'none'}"

@@ -1,0 +1,75 @@
+"""Sums of squares: a polynomial that is nowhere negative, and vanishes only where each square does.
+
+For p the Gram matrix is taken on the monomials whose squares occur in p with
+positive coefficients; it is brought to squares one variable after another (the
+reduction of Lagrange). There are sums of squares that this does not find.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from kowalevski_cas.arithmetic.polynomials import Terms
+
+Monomial = tuple[int, ...]
+Squares = list[tuple[Fraction, Terms]]
+"""Positive factors, and what is squared."""
+
+
+def sum_of_squares(terms: Terms) -> Squares | None:
+    """A polynomial as a sum of squares with positive factors, or ``None``.
+
+    >>> x, y = (1, 0), (0, 1)
+    >>> one = Fraction(1)
+    >>> sum_of_squares({(2, 0): one, (1, 1): 2 * one, (0, 2): one}) == [(1, {x: one, y: one})]
+    True
+    """
+    gram = _gram(terms)
+    return None if gram is None else _reduce(gram)
+
+
+def _gram(terms: Terms) -> dict[Monomial, dict[Monomial, Fraction]] | None:
+    """A symmetric matrix of the polynomial on its half monomials."""
+    halves = [
+        tuple(e // 2 for e in exponents)
+        for exponents, value in terms.items()
+        if value > 0 and not any(e % 2 for e in exponents)
+    ]
+    known = set(halves)
+    gram: dict[Monomial, dict[Monomial, Fraction]] = {m: {} for m in halves}
+    for exponents, value in terms.items():
+        middle = tuple(e // 2 for e in exponents)
+        if middle in known and not any(e % 2 for e in exponents):
+            gram[middle][middle] = value
+            continue
+        pairs = [
+            (m, other)
+            for m in halves
+            if (other := tuple(a - b for a, b in zip(exponents, m, strict=True))) in known
+        ]
+        if not pairs:
+            return None
+        for m, other in pairs:
+            gram[m][other] = value / len(pairs)
+    return gram
+
+
+def _reduce(gram: dict[Monomial, dict[Monomial, Fraction]]) -> Squares | None:
+    squares: Squares = []
+    while gram:
+        m, row = next(iter(gram.items()))
+        factor = row.get(m, Fraction(0))
+        del gram[m]
+        if factor == 0 and not any(row.values()):
+            continue
+        if factor <= 0:
+            return None
+        base = {other: value / factor for other, value in row.items() if value}
+        squares.append((factor, base))
+        for one in gram:
+            for other in gram:
+                change = factor * base.get(one, Fraction(0)) * base.get(other, Fraction(0))
+                if change:
+                    gram[one][other] = gram[one].get(other, Fraction(0)) - change
+            gram[one].pop(m, None)
+    return squares
