@@ -27,6 +27,10 @@ class Section:
         """A formula in running text, as printed."""
         return self._add(Display(id, tex, self.number, inline=True))
 
+    def lemma(self, id: str, tex: str, source: str) -> Display:
+        """A formula that the paper uses and does not print, with its source."""
+        return self._add(Display(id, tex, self.number, source=source))
+
     def claim(self, *claims: Claim) -> None:
         """Statements that the paper makes here."""
         self.claims.extend(claims)

@@ -32,6 +32,8 @@ class Display:
     tex: str
     section: str
     inline: bool = False
+    source: str = ""
+    """Where a formula comes from that the paper itself does not print."""
 
     def __getitem__(self, number: int) -> Printed:
         return Printed(self, number)

@@ -1,16 +1,19 @@
 r"""3. The classical analogue: one field, and the 2nd and 3rd classes of Appelrot."""
 
 from kowalevski_cas.claims import (
+    ConstantRoot,
     Dimension,
     Equivalence,
     FirstIntegral,
     Identity,
     Implication,
+    InvariantRelations,
+    Limit,
 )
 from kowalevski_cas.derivation import Locus, Scene, Section
 
 from .section1 import ALPHA, FRAME, KOWALEVSKI, OMEGA, eq2, eq3, eq4
-from .section2 import eq16, eq17, xi
+from .section2 import CHANGE, F1, F2, N4, c, eq11, eq13, eq16, eq17, tau, unit, xi
 
 section = Section("3", "The classical analogue")
 
@@ -59,6 +62,36 @@ _1 ) + 2\alpha _1 \alpha _2 (2\omega _1 \omega _2  + \alpha _2 )].}
 eq22 = section.display("eq22", r"2\ell^2  - h = \sqrt {k}.")
 
 combined = section.inline("combined-integral", r"(2L^2  - H)^2  - K")
+
+# What the paper uses of Kowalevski's separation of variables, in the complex variables (9).
+
+squares = section.lemma(
+    "appelrot-squares",
+    r"w_1^2+x_1=\frac{x_1}{x_2}\sqrt{k}, \quad w_2^2+x_2=\frac{x_2}{x_1}\sqrt{k}",
+    "equations (20) in the variables (9)",
+)
+
+area_on_set = section.lemma(
+    "appelrot-area",
+    r"\ell=\frac{x_1w_2+x_2w_1}{2x_1x_2}",
+    "the area integral on (18)",
+)
+
+h_on_set = section.lemma("appelrot-energy", r"h=2\ell^2-\sqrt{k}", "equation (22)")
+
+separation = section.lemma(
+    "kowalevski-polynomials",
+    r"""
+R_1=-w_1^4+2hw_1^2+4\ell w_1+1-k, \quad R_2=-w_2^4+2hw_2^2+4\ell w_2+1-k, \quad
+R_{12}=-w_1^2w_2^2+2hw_1w_2+2\ell(w_1+w_2)+1-k""",
+    "S. Kowalevski, Acta Math. 12 (1889), pp. 177–232, in the units of the paper",
+)
+
+separation_variables = section.lemma(
+    "kowalevski-variables",
+    r"[2(w_1-w_2)^2s-R_{12}]^2=R_1R_2",
+    "S. Kowalevski, Acta Math. 12 (1889): $s_1$, $s_2$ less a constant are the roots",
+)
 
 # -- scenes --------------------------------------------------------------------
 
@@ -131,6 +164,61 @@ free_k = Scene(
     loci=(POLES,),
 )
 
+complex_unit_field = Scene(
+    "one unit field, complex",
+    "the same with $i$ and the variables (9)",
+    vectors=FRAME,
+    variables=(*OMEGA, *ALPHA),
+    constants=("k",),
+    field=(eq2[1], eq3[1], eq3[2]),
+    zero=(one_field_only[1],),
+    unit=unit[1],
+    definitions={**CHANGE, **free_k.definitions},
+    roots=free_k.roots,
+    loci=(POLES,),
+)
+
+appelrot = Scene(
+    "Appelrot's motions",
+    "the set (18), (20) by $x_1$, $x_2$ and $\\sqrt{k}$: $w_1$, $w_2$ are square roots on it",
+    variables=("x_1", "x_2", "w_1", "w_2"),
+    constants=("k", "s"),
+    conjugates=(("x_1", "x_2"), ("w_1", "w_2")),
+    roots={r"\sqrt{k}": None, "w_1": squares[1], "w_2": squares[2]},
+    definitions={
+        r"\ell": area_on_set[1],
+        "h": h_on_set[1],
+        "R_1": separation[1],
+        "R_2": separation[2],
+        "R_{12}": separation[3],
+    },
+)
+
+limit_scene = Scene(
+    "the limit",
+    "the Kowalevski case for $\\beta=0$ with the variables (9), $i$ and $\\sqrt{x_1x_2}$",
+    vectors=FRAME,
+    variables=(*OMEGA, *ALPHA),
+    field=(eq2[1], eq3[1], eq3[2]),
+    zero=(one_field_only[1],),
+    unit=unit[1],
+    clock=tau[1],
+    definitions={
+        **KOWALEVSKI,
+        **CHANGE,
+        r"\theta": eq11[1],
+        "Q_1": eq11[2],
+        "c_1": c[1],
+        "c_2": c[2],
+        "U_1": eq13[1],
+        "U_2": eq13[2],
+        "F_1": F1[1],
+        "F_2": F2[1],
+    },
+    roots={r"\sqrt{x_1x_2}": None},
+    loci=(POLES,),
+)
+
 reduced_space = Scene(
     "reduced phase space",
     "the Euler–Poisson variables in the space of all six, $(\\alpha,\\alpha)$ being an integral",
@@ -191,5 +279,51 @@ section.claim(
         "on (18), (19) the classical integrals are dependent: this combination vanishes",
         given=(eq18[1], eq19[1]),
         main=((r"\omega_3",),),
+    ),
+    Implication(
+        "appelrot-squares.1",
+        complex_unit_field,
+        squares[1],
+        "the equations (20) in the complex variables",
+        given=(eq20[1], eq20[2]),
+    ),
+    Implication(
+        "appelrot-squares.2",
+        complex_unit_field,
+        squares[2],
+        "the equations (20) in the complex variables",
+        given=(eq20[1], eq20[2]),
+    ),
+    Implication(
+        "appelrot-area",
+        complex_unit_field,
+        area_on_set[1],
+        "the area integral on (18)",
+        given=(eq18[1],),
+        main=((r"\omega_3",),),
+    ),
+    ConstantRoot(
+        "kowalevski-variable",
+        appelrot,
+        separation_variables[1],
+        "on (18), (19) one of Kowalevski's variables stays constant",
+        unknown="s",
+        basis=("h", r"\sqrt{k}", "1"),
+    ),
+    Limit(
+        "limit",
+        limit_scene,
+        None,
+        r"the limit $\beta\to 0$ commutes with the derivation of the cofactor matrix",
+        general=N4,
+        special=InvariantRelations(
+            "limit/direct",
+            reduced_space,
+            None,
+            "the relations (18), (19) by themselves",
+            relations=(eq18[1], eq19[1]),
+            names=("E_1", "E_2"),
+            main=((r"\omega_3",),),
+        ),
     ),
 )

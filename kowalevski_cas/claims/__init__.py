@@ -3,6 +3,7 @@
 from kowalevski_cas.claims.change import ChangedEquation, InvertibleChange, Unit
 from kowalevski_cas.claims.claim import Claim, Finding, Neighbour
 from kowalevski_cas.claims.coefficient import Coefficient
+from kowalevski_cas.claims.constant_root import ConstantRoot
 from kowalevski_cas.claims.degree import Degree
 from kowalevski_cas.claims.dimension import Dimension, Independence
 from kowalevski_cas.claims.equivalence import Equivalence
@@ -11,6 +12,7 @@ from kowalevski_cas.claims.first_integral import FirstIntegral
 from kowalevski_cas.claims.identity import Identity
 from kowalevski_cas.claims.implication import Implication
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
+from kowalevski_cas.claims.limit import Limit
 from kowalevski_cas.claims.measure import LastMultiplier
 from kowalevski_cas.claims.reality import Reality
 from kowalevski_cas.claims.scaling import Scaling
@@ -19,6 +21,7 @@ __all__ = [
     "ChangedEquation",
     "Claim",
     "Coefficient",
+    "ConstantRoot",
     "Degree",
     "Dimension",
     "Equivalence",
@@ -30,6 +33,7 @@ __all__ = [
     "InvariantRelations",
     "InvertibleChange",
     "LastMultiplier",
+    "Limit",
     "Neighbour",
     "Reality",
     "Scaling",

@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element, Ring
-
-if TYPE_CHECKING:
-    from kowalevski_cas.search.cases import Case, Reduction
-    from kowalevski_cas.search.squares import Squares
+from kowalevski_cas.proof.cases import Case, Reduction, Squares
 
 
 @dataclass(frozen=True)
@@ -85,15 +80,4 @@ def is_sum(ring: Ring, element: Element, squares: Squares) -> bool:
     total = ring.zero
     for factor, base in squares:
         total = total + ring.number(factor) * ring.from_terms({0: base}) ** 2
-    return all(factor > Fraction(0) for factor, _ in squares) and (element - total).is_zero
-
-
-def granted_used(case: Case) -> Iterator[int]:
-    """The indices of what a tree needs to be non-zero."""
-    for reduction in case.reductions:
-        for powers in (reduction.unit, reduction.dropped):
-            yield from (index for index, exponent in enumerate(powers) if exponent)
-        if case.kind == "empty":
-            yield reduction.target
-    for _, child in case.children:
-        yield from granted_used(child)
+    return all(factor > 0 for factor, _ in squares) and (element - total).is_zero

@@ -195,11 +195,16 @@ class AtPoint:
         return self.value(element)
 
     def shown(self) -> Point:
-        """The point, to be printed: the variables that vary, then the roots."""
-        values = {name: show_number(v) for name, v in self.values.items()}
-        roots = zip(self.stage.ring.roots, self.value.roots, strict=True)
-        values |= {n: show_number(v) for n, v in roots if n != "i" and n not in values}
-        return Point(values)
+        """The point, to be printed: the variables and constants, then the roots."""
+        stage, scene = self.stage, self.stage.scene
+        names = [*scene.variables, *scene.constants, *scene.undefined]
+        values = {name: self(scalar(stage.formula(name), stage)) for name in names}
+        values |= {
+            name: self(scalar(stage.formula(name), stage))
+            for name in scene.roots
+            if name not in values
+        }
+        return Point({name: show_number(value) for name, value in values.items()})
 
 
 def counterexample(

@@ -5,64 +5,22 @@ by pseudo-division and factored. One of its factors has to vanish; factors that
 are granted not to vanish are dropped, and a factor that is a sum of squares
 vanishes over the reals only if each square does. Each factor opens a case with
 more known equations, until the equations of a given set follow, or nothing is
-left to follow. The tree is only found here; it is checked where it is used.
+left to follow. The tree is only found here; :mod:`kowalevski_cas.claims.cases` checks it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from flint import fmpq_mpoly
 
 from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
+from kowalevski_cas.proof.cases import Case, Powers, Reduction, Squares
 from kowalevski_cas.search.cofactors import pseudo_divide
-from kowalevski_cas.search.squares import Squares, sum_of_squares
+from kowalevski_cas.search.squares import sum_of_squares
 
 DEPTH = 9
 """How many splits may follow one another."""
-
-Powers = tuple[int, ...]
-"""Exponents of the expressions that are granted not to vanish."""
-
-
-@dataclass(frozen=True)
-class Reduction:
-    """``granted**unit * target = sum quotients * known + content * granted**dropped * factors``.
-
-    ``target`` is an index; ``factors`` come with exponents, and are empty if
-    the content is zero.
-    """
-
-    target: int
-    unit: Powers
-    quotients: tuple[Terms, ...]
-    content: Terms
-    dropped: Powers
-    factors: tuple[tuple[Terms, int], ...]
-
-
-@dataclass(frozen=True)
-class Case:
-    """One case: the reductions that settle it, or the one that splits it.
-
-    ``kind`` is ``split`` (a consequence factors, ``children`` belong to its
-    factors, with the squares of which the factor is the sum), ``set`` (every
-    equation of the set follows), ``empty`` (something granted would vanish), or
-    ``open`` (nothing more follows).
-    """
-
-    kind: str
-    known: tuple[Terms, ...]
-    reductions: tuple[Reduction, ...] = ()
-    children: tuple[tuple[Squares, Case], ...] = ()
-
-    def open_cases(self) -> list[Case]:
-        """The leaves that are not settled."""
-        if self.kind == "open":
-            return [self]
-        return [leaf for _, child in self.children for leaf in child.open_cases()]
-
 
 class Splitter:
     """The search for a tree of cases.
@@ -148,7 +106,7 @@ class Splitter:
         self, factor: Terms, known: tuple[tuple[fmpq_mpoly, int], ...]
     ) -> tuple[Squares, tuple[tuple[fmpq_mpoly, int], ...]] | None:
         """The known equations of the case in which a factor vanishes."""
-        squares = sum_of_squares(factor) or []
+        squares = sum_of_squares(factor) or ()
         for base in [base for _, base in squares] or [factor]:
             polynomial = self.polynomials.from_terms(base)
             variable = self._main(polynomial)

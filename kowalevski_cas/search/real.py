@@ -1,6 +1,6 @@
-"""Exact points of a stage that a real motion can pass through.
+r"""Exact points of a stage that a real motion can pass through.
 
-Variables that are each other's conjugates get values :math:`u\\pm iv`, all
+Variables that are each other's conjugates get values :math:`u\pm iv`, all
 others real ones.
 """
 
@@ -34,7 +34,12 @@ class RealCoordinates:
         pairs = dict(stage.scene.conjugates)
         partners = {b: a for a, b in pairs.items()}
         variables = (*stage.scene.variables, *stage.scene.constants)
-        self.moving = [r for r in ring.roots if r in variables]
+        inner = {bit for r in ring.radicands for mask in r.parts for bit in _bits(mask)}
+        self.moving = [
+            name
+            for bit, name in enumerate(ring.roots)
+            if name in variables or (bit in inner and name != "i")
+        ]
         self.names = [n for n in (*ring.polynomials.generators, *self.moving)]
         self.context = fmpq_mpoly_ctx.get(
             tuple(f"g{k}" for k in range(len(self.names) + 1)), Ordering.lex
@@ -122,6 +127,10 @@ class RealCoordinates:
                 result[a] = (value[a], value[b])
                 result[b] = (value[a], -value[b])
         return result
+
+
+def _bits(mask: int) -> Iterator[int]:
+    return (bit for bit in range(mask.bit_length()) if mask >> bit & 1)
 
 
 def real_points(

@@ -10,10 +10,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.proof.cases import Squares
 
 Monomial = tuple[int, ...]
-Squares = list[tuple[Fraction, Terms]]
-"""Positive factors, and what is squared."""
 
 
 def sum_of_squares(terms: Terms) -> Squares | None:
@@ -21,7 +20,7 @@ def sum_of_squares(terms: Terms) -> Squares | None:
 
     >>> x, y = (1, 0), (0, 1)
     >>> one = Fraction(1)
-    >>> sum_of_squares({(2, 0): one, (1, 1): 2 * one, (0, 2): one}) == [(1, {x: one, y: one})]
+    >>> sum_of_squares({(2, 0): one, (1, 1): 2 * one, (0, 2): one}) == ((1, {x: one, y: one}),)
     True
     """
     gram = _gram(terms)
@@ -55,7 +54,7 @@ def _gram(terms: Terms) -> dict[Monomial, dict[Monomial, Fraction]] | None:
 
 
 def _reduce(gram: dict[Monomial, dict[Monomial, Fraction]]) -> Squares | None:
-    squares: Squares = []
+    squares: list[tuple[Fraction, Terms]] = []
     while gram:
         m, row = next(iter(gram.items()))
         factor = row.get(m, Fraction(0))
@@ -72,4 +71,4 @@ def _reduce(gram: dict[Monomial, dict[Monomial, Fraction]]) -> Squares | None:
                 if change:
                     gram[one][other] = gram[one].get(other, Fraction(0)) - change
             gram[one].pop(m, None)
-    return squares
+    return tuple(squares)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from kowalevski_cas.arithmetic.derivation import Field, along
-from kowalevski_cas.arithmetic.polynomials import Polynomials
+from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.notation import Constant, Formula, Name, Relation, Root
 from kowalevski_cas.notation import read, to_latex
@@ -146,15 +146,25 @@ class Stage:
         raise StageError(f"no expression stands for {name} in its definition", name)
 
     def square(self, name: str, printed: Printed) -> Element:
-        """What the square of a root equals, by a printed equation in which it stands.
+        r"""What the square of a root equals, by a printed equation in which it stands.
 
-        The equation is solved for the square: ``a^2`` in :math:`(\\alpha,\\alpha)=a^2`,
+        The equation is solved for the square: ``a^2`` in :math:`(\alpha,\alpha)=a^2`,
         ``z_1^2`` in :math:`z_1^2+x_1y_2=c_1`. Members with names that the scene does
         not have are passed over.
         """
-        bridge = Ring(self.arithmetic((*self.generators, name)))
-        image = {n: bridge.generator(n) for n in (*self.generators, name)}
-        stage = Stage(self.scene, self.arithmetic, self.texts, bridge, image)
+        at = [self._difference(printed, name, self.ring.number(k)) for k in (0, 1, -1, 2)]
+        factor = at[1] - at[0]
+        even = (at[2] - at[1]).is_zero
+        quadratic = (at[3] - at[0] - factor * self.ring.number(4)).is_zero
+        if factor.is_zero or not even or not quadratic:
+            raise StageError(f"the equation at {printed.place} does not give {name}^2", name)
+        return -at[0] / factor
+
+    def _difference(self, printed: Printed, name: str, value: Element) -> Element:
+        """The first member of an equation less the last one, with a value for one name."""
+        own = {n: v for (n, barred), v in self._values.items() if not barred}
+        image = {n: v for n, v in own.items() if isinstance(v, Element)}
+        stage = Stage(self.scene, self.arithmetic, self.texts, self.ring, {**image, name: value})
         sides = []
         for member in self.relation(printed).members:
             try:
@@ -163,13 +173,7 @@ class Stage:
                 continue
         if len(sides) < 2:
             raise StageError(f"the equation at {printed.place} does not give {name}^2", name)
-        terms = (sides[0] - sides[-1]).terms().get(0, {})
-        leading = [(e, v) for e, v in terms.items() if e[-1]]
-        if len(leading) != 1 or sum(leading[0][0]) != 2 or leading[0][0][-1] != 2:
-            raise StageError(f"the equation at {printed.place} does not give {name}^2", name)
-        ((top, factor),) = leading
-        rest = {e[:-1]: -v / factor for e, v in terms.items() if e != top}
-        return self.ring.from_terms({0: rest})
+        return sides[0] - sides[-1]
 
     def formula(self, tex: str) -> Formula:
         """A formula in the names of the scene."""
@@ -210,6 +214,35 @@ class Stage:
             if base == Name(name) and symbol == exponent:
                 return self.ring.generator(generator)
         raise StageError(f"the power {to_latex(base)}^{exponent} is not declared", exponent)
+
+    def carry(self, element: Element) -> Element:
+        """An element of another scene's ring, its generators taken for the names of this one."""
+        ring = element.ring
+        bases = [self._named(name) for name in ring.polynomials.generators]
+        roots = [self._named(name) for name in ring.roots]
+        total = self.ring.zero
+        for mask, terms in element.terms().items():
+            value = self._substituted(terms, bases)
+            for bit, root in enumerate(roots):
+                if mask >> bit & 1:
+                    value = value * root
+            total = total + value
+        for index, exponent in element.denominator.items():
+            divisor = self._substituted(ring.polynomials.terms(ring.divisors[index]), bases)
+            total = total * divisor**-exponent
+        return total
+
+    def _named(self, name: str) -> Element:
+        return scalar(self.formula(name), self)
+
+    def _substituted(self, terms: Terms, bases: list[Element]) -> Element:
+        total = self.ring.zero
+        for exponents, coefficient in terms.items():
+            product = self.ring.number(coefficient)
+            for base, exponent in zip(bases, exponents, strict=True):
+                product = product * base**exponent if exponent else product
+            total = total + product
+        return total
 
     # -- derivatives ---------------------------------------------------------
 
