@@ -183,7 +183,6 @@ appelrot = Scene(
     "the set (18), (20) by $x_1$, $x_2$ and $\\sqrt{k}$: $w_1$, $w_2$ are square roots on it",
     variables=("x_1", "x_2", "w_1", "w_2"),
     constants=("k", "s"),
-    conjugates=(("x_1", "x_2"), ("w_1", "w_2")),
     roots={r"\sqrt{k}": None, "w_1": squares[1], "w_2": squares[2]},
     definitions={
         r"\ell": area_on_set[1],

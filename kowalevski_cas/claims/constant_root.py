@@ -9,6 +9,7 @@ from itertools import islice, product
 
 from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.numbers import rational, square_root
+from kowalevski_cas.arithmetic.present import fraction_formula
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
@@ -20,8 +21,9 @@ from kowalevski_cas.claims.claim import (
     green,
     refuted,
     show,
-    show_number,
+
 )
+from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.stage.change import solve
@@ -124,7 +126,7 @@ class ConstantRoot(Claim):
         if sample is None or not bench.refute:
             return None
         point, roots, _ = sample
-        numbers = [show_number(stage.ring.number(root)) for root in roots]
+        numbers = [to_latex(fraction_formula(root)) for root in roots]
         words = "the two roots at this point; no combination of the constants gives one of them everywhere"
         return Counterexample(AtPoint(stage, point).shown(), numbers[0], numbers[1], words)
 

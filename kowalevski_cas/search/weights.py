@@ -31,8 +31,3 @@ def weights(polynomials: Sequence[Terms]) -> tuple[int, ...] | None:
     size = gcd(*found) * (1 if found[0] > 0 else -1)
     result = tuple(weight // size for weight in found)
     return result if all(weight > 0 for weight in result) else None
-
-
-def weight(exponents: Sequence[int], of: Sequence[int]) -> Fraction:
-    """The weight of a monomial."""
-    return Fraction(sum(e * w for e, w in zip(exponents, of, strict=True)))
