@@ -75,6 +75,15 @@ class InvertibleChange(Claim):
         ] if bench.explain else []  # fmt: skip
         return green((), steps)
 
+    def establishes(self) -> Iterator[Printed]:
+        change = self.scene.field
+        assert isinstance(change, Change)
+        yield from change.formulas
+
+    def expressions(self) -> Iterator[str]:
+        for pair in self.pairs:
+            yield from pair
+
     def _pairs(self, stage: Stage) -> list[Pair]:
         return [
             (scalar(stage.formula(second), stage), scalar(stage.formula(first), stage, True))
@@ -102,45 +111,32 @@ class Unit(Claim):
 
     def decide(self, bench: Bench) -> Finding:
         """Count the rows that hold with the printed unit and with its neighbours."""
-        assert self.printed is not None
-        own = self.score(bench)
-        best = max(
-            (self.score(bench.with_texts(n.texts)) for n in self.neighbours(bench.texts)), default=0
-        )
-        if own and own >= best:
+        own = self._rows_that_hold(bench)
+        others = [bench.with_texts(n.texts) for n in self.neighbours(bench.texts)]
+        best = max((self._rows_that_hold(other) for other in others), key=len, default=[])
+        if own and len(own) >= len(best):
             return green(())
-        found = None
+        for row in best:
+            finding = self._row(row).decide(bench)
+            if finding.counterexample is not None:
+                words = f"the two sides of {row.place} after the change with this unit"
+                return refuted(replace(finding.counterexample, words=words))
+        return Finding(Verdict.UNDECIDED)
+
+    def _row(self, row: Printed) -> Identity:
+        return Identity(f"{self.id}/{row.place}", self.scene, row, "")
+
+    def _rows_that_hold(self, bench: Bench) -> list[Printed]:
+        stage = bench.stage(self.scene)
+        found = []
         for row in self.rows:
-            claim = Identity(f"{self.id}/{row.place}", self.scene, row, "")
-            finding = self._try(claim, bench)
-            if finding is not None and finding.counterexample is not None:
-                found = replace(
-                    finding.counterexample,
-                    words=f"the two sides of the equation {row.place} under the change with this unit",
-                )
-                break
-        return refuted(found) if found else Finding(Verdict.UNDECIDED)
-
-    def score(self, bench: Bench) -> int:
-        """How many of the rows hold."""
-        findings = (
-            self._try(Identity(f"{self.id}/{row.place}", self.scene, row, ""), bench, False)
-            for row in self.rows
-        )
-        return sum(1 for finding in findings if finding is not None and finding.verdict.green)
-
-    @staticmethod
-    def _try(claim: Identity, bench: Bench, search: bool = True) -> Finding | None:
-        try:
-            stage = bench.stage(claim.scene)
-            assert claim.printed is not None
-            formula = bench.texts.formula(claim.printed)
-            if not search:
-                holds = all(r.is_zero for r in claim.residuals(formula, stage))
-                return Finding(Verdict.PROVED if holds else Verdict.REFUTED)
-            return claim.decide(bench)
-        except (StageError, NotationError):
-            return None
+            try:
+                residuals = self._row(row).residuals(bench.texts.formula(row), stage)
+            except (StageError, NotationError):
+                continue
+            if all(residual.is_zero for residual in residuals):
+                found.append(row)
+        return found
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         """Other numbers on the right side: its sign and its size changed."""

@@ -70,10 +70,13 @@ class Claim(ABC):
         return None
 
     def places(self) -> Iterator[Printed]:
-        """The places of the paper on which the claim rests, its own first."""
+        """The places of the paper that the claim names, its own first; not those of its scene."""
         if self.printed is not None:
             yield self.printed
-        yield from self.scene.places()
+
+    def expressions(self) -> Iterator[str]:
+        """The expressions, in LaTeX, that the claim names besides those at its places."""
+        yield from ()
 
     def scenes(self) -> Iterator[Scene]:
         """The scenes that the claim needs."""

@@ -71,6 +71,9 @@ class ConstantRoot(Claim):
         steps = [Step("The constant root that the program found:", f"{self.unknown} = {shown}")]
         return green(conditions_of([value], stage), steps if bench.explain else ())
 
+    def expressions(self) -> Iterator[str]:
+        yield from self.basis
+
     def _coefficients(self, stage: Stage) -> tuple[Element, Element, Element]:
         """The coefficients of the equation as a polynomial in the unknown."""
         assert self.printed is not None

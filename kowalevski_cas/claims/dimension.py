@@ -180,6 +180,9 @@ class Independence(Set):
 
     functions: tuple[str, ...]
 
+    def expressions(self) -> Iterator[str]:
+        yield from self.functions
+
     def extra(self, stage: Stage) -> list[Element]:
         return [scalar(stage.formula(tex), stage) for tex in self.functions]
 

@@ -101,9 +101,11 @@ class SolvedExponents(Claim):
         derivative = stage.derivative(scalar(expression, stage))
         return along(derivative, {self.variable: stage.ring.one})
 
+    def establishes(self) -> Iterator[Printed]:
+        yield from self.values
+
     def places(self) -> Iterator[Printed]:
         yield from self.values
         yield self.ansatz
-        yield from self.scene.places()
 
 

@@ -113,6 +113,8 @@ class InvariantRelations(Claim):
             )
         ]
 
+    def establishes(self) -> Iterator[Printed]:
+        yield from self.relations
+
     def places(self) -> Iterator[Printed]:
         yield from self.relations
-        yield from super().places()

@@ -49,6 +49,9 @@ class Reality(Claim):
             pairs.append((scalar(formula, stage), -scalar(formula, stage, True)))
         return pairs
 
+    def expressions(self) -> Iterator[str]:
+        yield from (*self.real, *self.imaginary)
+
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         for tex in self.real:
             rest = tuple(t for t in self.real if t != tex)

@@ -20,7 +20,6 @@ from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.stage.field import printed_field
-from kowalevski_cas.texts import Printed
 
 Measure = tuple[tuple[str, ...], int, str]
 """Variables, the power of the unit of time in their unit, and the rest of that unit."""
@@ -75,7 +74,3 @@ class Scaling(Claim):
 
     def scenes(self) -> Iterator[Scene]:
         yield from (self.scene, self.simple)
-
-    def places(self) -> Iterator[Printed]:
-        yield from super().places()
-        yield from self.simple.places()

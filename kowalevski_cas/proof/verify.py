@@ -9,8 +9,10 @@ from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import NotationError, to_latex
+from kowalevski_cas.proof.dependencies import foundations
 from kowalevski_cas.proof.digest import Digester, combined
 from kowalevski_cas.proof.evidence import Evidence, Mended
+from kowalevski_cas.proof.limits import time_limit
 from kowalevski_cas.proof.outcome import Correction, Outcome, Run, Verdict
 from kowalevski_cas.search.corrections import correction
 from kowalevski_cas.stage import Stage, StageError
@@ -26,15 +28,18 @@ def verify(
     explain: bool = False,
     progress: Progress = lambda claim, done, total: None,
     evidence: dict[str, Evidence] | None = None,
+    timeout: float | None = None,
 ) -> Run:
     """Decide the claims of a derivation.
 
     A formula that is refuted and corrected stands corrected for the claims that
     come after it. With ``only``, the claims before a chosen one are decided
     where it rests on them, but not reported. ``evidence`` saves the searches
-    whose results it holds; what is found anew is added to it.
+    whose results it holds; what is found anew is added to it. ``timeout`` is in
+    seconds, for each claim in each arithmetic.
     """
-    session = _Session(derivation, arithmetics, explain, {} if evidence is None else evidence)
+    kept = {} if evidence is None else evidence
+    session = _Session(derivation, arithmetics, explain, kept, timeout)
     chosen = [c for c in derivation.claims if not only or c.id in only]
     needed = session.needed(chosen)
     outcomes = []
@@ -65,10 +70,12 @@ class _Session:
         arithmetics: Sequence[str],
         explain: bool,
         evidence: dict[str, Evidence],
+        timeout: float | None,
     ) -> None:
         self.derivation = derivation
         self.arithmetics = arithmetics
         self.explain = explain
+        self.timeout = timeout
         self.evidence = evidence
         self.texts = derivation.texts()
         self.digester = Digester(self.texts)
@@ -81,7 +88,11 @@ class _Session:
 
     def rests_on(self, claim: Claim) -> tuple[str, ...]:
         """The claims that establish the places on which a claim stands."""
-        ids = dict.fromkeys(self.established.get(place) for place in claim.places())
+        try:
+            places = foundations(claim, self.texts)
+        except NotationError:
+            places = dict.fromkeys(claim.places())
+        ids = dict.fromkeys(self.established.get(place) for place in places)
         return tuple(i for i in ids if i is not None and i != claim.id)
 
     def needed(self, chosen: Sequence[Claim]) -> list[Claim]:
@@ -156,10 +167,13 @@ class _Session:
         explain = self.explain and arithmetic == self.arithmetics[0]
         return Bench(arithmetic, texts, explain, self.shelf, self.stages)
 
-    @staticmethod
-    def _decide(claim: Claim, bench: Bench) -> Finding:
+    def _decide(self, claim: Claim, bench: Bench) -> Finding:
         try:
-            return claim.decide(bench)
+            with time_limit(self.timeout):
+                return claim.decide(bench)
+        except TimeoutError:
+            message = f"not decided within {self.timeout:g} s by {bench.arithmetic}"
+            return Finding(Verdict.TIMEOUT, message=message)
         except (NotationError, StageError) as error:
             return Finding(Verdict.ERROR, message=str(error))
 

@@ -70,6 +70,10 @@ class Splitter:
         quotients = [context.constant(0)] * len(known)
         for _ in range(2):
             for k, (divisor, variable) in enumerate(known):
+                if len(divisor) == 1:
+                    quotient, rest = divmod(rest, divisor)
+                    quotients[k] += quotient
+                    continue
                 factor, (quotient,), rest = pseudo_divide(rest, [divisor], (variable,))
                 if quotient.is_zero():
                     continue

@@ -33,12 +33,11 @@ class RealCoordinates:
         ring = stage.ring
         pairs = dict(stage.scene.conjugates)
         partners = {b: a for a, b in pairs.items()}
-        variables = (*stage.scene.variables, *stage.scene.constants)
         inner = {bit for r in ring.radicands for mask in r.parts for bit in _bits(mask)}
         self.moving = [
             name
             for bit, name in enumerate(ring.roots)
-            if name in variables or (bit in inner and name != "i")
+            if name in stage.scene.variables or (bit in inner and name != "i")
         ]
         self.names = [n for n in (*ring.polynomials.generators, *self.moving)]
         self.context = fmpq_mpoly_ctx.get(

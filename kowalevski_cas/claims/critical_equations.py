@@ -1,0 +1,137 @@
+r"""Critical equations: the derivatives of a function along a level surface."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+from kowalevski_cas.arithmetic.derivation import gradient
+from kowalevski_cas.arithmetic.numbers import rational
+from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.claims.cases import System
+from kowalevski_cas.claims.claim import Claim, equation
+from kowalevski_cas.notation import to_latex
+from kowalevski_cas.stage import Stage, scalar
+from kowalevski_cas.texts import Printed
+
+Weights = tuple[int, ...] | None
+
+
+@dataclass(frozen=True, eq=False)
+class CriticalEquations(Claim):
+    r"""A printed function f, ``equations`` of a set, and a surface ``level`` of the form g = v.
+
+    Weights of the variables are found under which the equations and g are
+    homogeneous, and f is made homogeneous by powers of g/v, which is 1 on the
+    surface. The derivatives :math:`g_i\partial_j-g_j\partial_i`, and
+    :math:`\partial_i` where g is free of the variable, do not see these powers,
+    and span the tangent space: by Euler's relation the gradient of g does not
+    vanish where v is non-zero. With ``zero_level`` f = 0 is one more equation.
+    """
+
+    equations: tuple[Printed, ...]
+    level: Printed
+    main: tuple[tuple[str, ...], ...] = ()
+    zero_level: bool = False
+
+    def function(self, stage: Stage) -> Element:
+        """The printed function."""
+        assert self.printed is not None
+        return scalar(stage.texts.formula(self.printed), stage)
+
+    def goals(self, stage: Stage) -> list[Element]:
+        """The left sides of the equations of the set."""
+        return [equation(printed, stage) for printed in self.equations]
+
+    def surface(self, stage: Stage) -> tuple[Element, Element]:
+        """Both sides of the equation of the surface."""
+        left, right = stage.relation(self.level).members[:2]
+        return scalar(left, stage), scalar(right, stage)
+
+    def homogeneous(self, stage: Stage, weights: Weights) -> Element | None:
+        """The function made homogeneous; ``None`` if that is impossible."""
+        function = self.function(stage)
+        level, value = self.surface(stage)
+        if weights is None or not rational(value) or function.denominator or function.is_zero:
+            return None
+        parts: dict[int, Terms] = {}
+        for exponents, coefficient in function.terms()[0].items():
+            parts.setdefault(_weight(exponents, weights), {})[exponents] = coefficient
+        (unit,) = {_weight(exponents, weights) for exponents in level.terms()[0]}
+        ratio = level * value.inverse()
+        total = stage.ring.zero
+        for weight, part in parts.items():
+            power, rest = divmod(max(parts) - weight, unit)
+            if rest:
+                return None
+            total = total + stage.ring.from_terms({0: part}) * ratio**power
+        return total
+
+    def weights(self, bench: Bench) -> Weights:
+        """The weights of the variables, found on this bench."""
+
+        def search(finder: Bench) -> Weights:
+            from kowalevski_cas.search.weights import weights
+
+            stage = finder.stage(self.scene)
+            elements = [*self.goals(stage), self.surface(stage)[0]]
+            return weights([element.terms().get(0, {}) for element in elements])
+
+        return bench.found(("weights", self.id), search)
+
+    def derivatives(self, stage: Stage, function: Element) -> list[Element]:
+        """The derivatives along a frame of tangent fields, those free of the level first."""
+        names = stage.scene.variables
+        slopes = gradient(self.surface(stage)[0], names)
+        partial = gradient(function, names)
+        on = [k for k, slope in enumerate(slopes) if not slope.is_zero]
+        free = [partial[k] for k in range(len(names)) if k not in on]
+        return free + [
+            slopes[i] * partial[j] - slopes[j] * partial[i] for i, j in combinations(on, 2)
+        ]
+
+    def system(self, stage: Stage, weights: Weights) -> System:
+        """The critical equations and consequences of them, the set, and what is granted."""
+        function = self.homogeneous(stage, weights)
+        assert function is not None
+        critical = self.derivatives(stage, function)
+        goals, level = self.goals(stage), self.surface(stage)[0]
+        names = stage.scene.variables
+        slopes = zip(names, gradient(level, names), strict=True)
+        free = tuple(name for name, slope in slopes if slope.is_zero)
+        fields = [gradient(goal, free) for goal in goals]
+        if len(free) == 3:
+            fields += [_cross(a, b) for a, b in combinations(fields, 2)]
+        targets = [*critical, *(_dot(field, critical) for field in fields)]
+        if self.zero_level:
+            targets.append(function)
+        granted = [scalar(stage.formula(tex), stage) for tex in self.loci(stage)]
+        return System(stage.ring, targets, goals, [*granted, level])
+
+    @staticmethod
+    def loci(stage: Stage) -> list[str]:
+        """What the scene assumes not to vanish on its own account, to be tried once more."""
+        return [to_latex(formula) for formula in stage.landmarks()]
+
+    def places(self) -> Iterator[Printed]:
+        yield from super().places()
+        yield from (*self.equations, self.level)
+
+
+def _weight(exponents: Sequence[int], weights: Sequence[int]) -> int:
+    return sum(e * w for e, w in zip(exponents, weights, strict=True))
+
+
+def _dot(field: Sequence[Element], rates: Sequence[Element]) -> Element:
+    """A combination of the first of the rates."""
+    total = rates[0].ring.zero
+    for component, rate in zip(field, rates[: len(field)], strict=True):
+        total = total + component * rate
+    return total
+
+
+def _cross(a: Sequence[Element], b: Sequence[Element]) -> list[Element]:
+    return [a[i] * b[j] - a[j] * b[i] for i, j in ((1, 2), (2, 0), (0, 1))]

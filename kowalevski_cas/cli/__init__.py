@@ -1,0 +1,69 @@
+"""The command line: one file for each command, imported when it is asked for."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+
+from kowalevski_cas import __version__
+from kowalevski_cas.cli.exits import EXIT_CODES, INTERRUPTED, USAGE, CommandError
+
+COMMANDS = {
+    "verify": "prove or refute the claims of a derivation and compare with its record",
+    "report": "write the report of a derivation as LaTeX and PDF",
+    "record": "write the record of verdicts, and the evidence behind them, anew",
+}
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run a command and return its exit code."""
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(encoding="utf-8")
+    if not arguments or arguments[0] not in COMMANDS:
+        return _overview(arguments)
+    module = import_module(f"{__name__}.{arguments[0]}")
+    parser = argparse.ArgumentParser(
+        prog=f"kowalevski-cas {arguments[0]}",
+        description=module.__doc__,
+        epilog=EXIT_CODES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    module.add_arguments(parser)
+    try:
+        code: int = module.run(parser.parse_args(arguments[1:]))
+        sys.stdout.flush()
+    except CommandError as error:
+        print(f"kowalevski-cas {arguments[0]}: {error}", file=sys.stderr)
+        return error.code
+    except KeyboardInterrupt:
+        print("\ninterrupted: files written earlier are as they were", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # The reader has gone; nothing more can be said, not even at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    return code
+
+
+def _overview(arguments: list[str]) -> int:
+    parser = argparse.ArgumentParser(
+        prog="kowalevski-cas",
+        description="Printed derivations of mathematical mechanics, proved or refuted.",
+        epilog="commands:\n"
+        + "\n".join(f"  {name:14}{words}" for name, words in COMMANDS.items())
+        + "\n\n`kowalevski-cas COMMAND --help` says more.\n\n"
+        + EXIT_CODES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--version", action="version", version=f"kowalevski-cas {__version__}")
+    parser.add_argument("command", choices=list(COMMANDS), metavar="COMMAND", help="see below")
+    if not arguments:
+        parser.print_help()
+        return USAGE
+    parser.parse_args(arguments[:1])
+    return USAGE

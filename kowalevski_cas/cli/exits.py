@@ -1,0 +1,31 @@
+"""Exit codes, and errors that end a command with one of them."""
+
+from __future__ import annotations
+
+AS_RECORDED = 0
+DIFFERENT = 1
+USAGE = 2
+UNDECIDED = 3
+DISAGREEMENT = 4
+REJECTED = 5
+NOTHING = 6
+INTERRUPTED = 130
+
+EXIT_CODES = """exit codes:
+  0   as recorded; nothing is wrong that was not known to be
+  1   a verdict differs from the record, or (audit) a formula is refuted
+  2   wrong usage, or input that cannot be read
+  3   undecided or timed out
+  4   the arithmetics disagree
+  5   a certificate is rejected
+  6   nothing was selected
+  130 interrupted
+"""
+
+
+class CommandError(Exception):
+    """An error that the user can do something about; it ends the command with ``code``."""
+
+    def __init__(self, message: str, code: int = USAGE) -> None:
+        super().__init__(message)
+        self.code = code

@@ -1,0 +1,28 @@
+"""How results are printed: one file for each format."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+
+from kowalevski_cas.proof.outcome import Run
+from kowalevski_cas.proof.record import Difference
+
+FORMATS = ("pretty", "json", "junit", "github")
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """A run, and how it differs from the record (``None`` where there is no record)."""
+
+    folder: Path
+    run: Run
+    differences: list[Difference] | None
+
+
+def load_format(name: str) -> Callable[[Sequence[Result]], str]:
+    """The function that turns results into text in this format."""
+    render: Callable[[Sequence[Result]], str] = import_module(f"{__name__}.{name}").render
+    return render

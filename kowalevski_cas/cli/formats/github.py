@@ -1,0 +1,46 @@
+"""Results as annotations of a GitHub workflow."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.proof.outcome import Verdict
+
+
+def render(results: Sequence[Result]) -> str:
+    """An error for each difference from the record, a notice for each misprint."""
+    lines = []
+    for result in results:
+        for change in result.differences or ():
+            place = locate(result, change.claim)
+            message = f"recorded: {change.recorded}; found: {change.found}"
+            lines.append(annotation("error", place, change.claim, message))
+        for outcome in result.run.outcomes:
+            place = locate(result, outcome.claim)
+            if outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT):
+                lines.append(annotation("error", place, outcome.claim, outcome.message))
+            if outcome.verdict is Verdict.REFUTED:
+                right = outcome.correction.printed if outcome.correction else "unknown"
+                message = f"misprint: {outcome.printed}\ncorrect: {right}"
+                lines.append(annotation("notice", place, outcome.claim, message))
+    return "".join(f"{line}\n" for line in lines)
+
+
+def annotation(level: str, place: tuple[str, int], title: str, message: str) -> str:
+    """One workflow command, escaped as GitHub asks."""
+    file, line = place
+    text = message.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+    title = title.replace("%", "%25").replace(",", "%2C").replace(":", "%3A")
+    return f"::{level} file={file},line={line},title={title}::{text}"
+
+
+def locate(result: Result, claim: str) -> tuple[str, int]:
+    """The file and line of a derivation where a claim is stated."""
+    stem = f'"{claim.rsplit(".", 1)[0]}'
+    for needle in (f'"{claim}"', stem):
+        for path in sorted(result.folder.glob("*.py")):
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                if needle in line:
+                    return str(path), number
+    return str(result.folder), 1

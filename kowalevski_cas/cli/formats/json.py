@@ -1,0 +1,78 @@
+"""Results as JSON."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Sequence
+from typing import Any
+
+from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.proof.outcome import Counterexample, Outcome
+
+
+def render(results: Sequence[Result]) -> str:
+    """All claims, and a summary."""
+    outcomes = [(r.run.derivation, o) for r in results for o in r.run.outcomes]
+    differences = [d for r in results for d in r.differences or ()]
+    counts = Counter(str(o.verdict) for _, o in outcomes)
+    value = {
+        "claims": [_claim(derivation, outcome) for derivation, outcome in outcomes],
+        "summary": {
+            "claims": len(outcomes),
+            **{str(verdict): count for verdict, count in sorted(counts.items())},
+            "differences": [
+                {"id": d.claim, "recorded": d.recorded, "found": d.found} for d in differences
+            ],
+            "seconds": round(sum(sum(o.seconds.values()) for _, o in outcomes), 6),
+            "digests": {r.run.derivation: r.run.digest for r in results},
+            "versions": results[0].run.versions if results else {},
+        },
+    }
+    return json.dumps(value, indent=2, ensure_ascii=False) + "\n"
+
+
+def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
+    correction = outcome.correction
+    return {
+        "id": outcome.claim,
+        "derivation": derivation,
+        "section": outcome.section,
+        "scene": outcome.scene,
+        "printed": outcome.printed,
+        "words": outcome.words,
+        "verdict": str(outcome.verdict),
+        "verdicts": {name: str(verdict) for name, verdict in outcome.verdicts.items()},
+        "conditions": [condition.tex for condition in outcome.conditions],
+        "failures": [
+            {"condition": c.tex, "words": c.words, "counterexample": counterexample(c.witness)}
+            for c in outcome.conditions
+            if c.witness is not None
+        ],
+        "seconds": {name: round(value, 6) for name, value in outcome.seconds.items()},
+        "products": outcome.products,
+        "counterexample": counterexample(outcome.counterexample),
+        "correction": None
+        if correction is None
+        else {
+            "printed": correction.printed,
+            "words": correction.words,
+            "verdict": str(correction.verdict),
+            "conditions": [condition.tex for condition in correction.conditions],
+        },
+        "rests_on": list(outcome.rests_on),
+        "digest": outcome.digest,
+        "message": outcome.message,
+    }
+
+
+def counterexample(found: Counterexample | None) -> dict[str, Any] | None:
+    """A counterexample as JSON."""
+    if found is None:
+        return None
+    return {
+        "point": found.point.values,
+        "left": found.left,
+        "right": found.right,
+        "words": found.words,
+    }

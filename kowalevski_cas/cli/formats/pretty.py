@@ -1,0 +1,101 @@
+"""Results for a reader at a terminal."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from collections.abc import Sequence
+
+from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.cli.plain import plain
+from kowalevski_cas.proof.outcome import Counterexample, Outcome, Run, Verdict
+
+MARKS = {
+    Verdict.PROVED: ("✓", "32"),
+    Verdict.CONDITIONAL: ("◐", "36"),
+    Verdict.REFUTED: ("✗", "31"),
+}
+"""Mark and colour; everything else is a question."""
+
+
+def render(results: Sequence[Result]) -> str:
+    """Each derivation: its claims by section, the errata, and a summary."""
+    colour = sys.stdout.isatty()
+    return "\n".join(_derivation(result, colour) for result in results)
+
+
+def _derivation(result: Result, colour: bool) -> str:
+    run = result.run
+    lines = [f"{run.author}. {run.title}", f"{run.source}"]
+    for number, title in run.sections:
+        outcomes = [o for o in run.outcomes if o.section == number]
+        if outcomes:
+            lines += ["", f"{number}. {title}", *(_line(o, colour) for o in outcomes)]
+    lines += _errata(run)
+    lines += _restrictions(run)
+    lines += ["", _summary(result)]
+    return "\n".join(lines) + "\n"
+
+
+def _line(outcome: Outcome, colour: bool) -> str:
+    mark, code = MARKS.get(outcome.verdict, ("?", "33"))
+    head = f"{mark} {outcome.verdict:<11}"
+    if colour:
+        head = f"\x1b[{code}m{head}\x1b[0m"
+    notes = [f"where {plain(c.tex)} ≠ 0" for c in outcome.conditions]
+    if outcome.verdict is Verdict.REFUTED:
+        notes = ["see the errata"]
+    if outcome.message and not outcome.verdict.green:
+        notes.append(outcome.message)
+    time = f"{1000 * sum(outcome.seconds.values()):8.1f} ms"
+    return f"  {outcome.claim:<20} {head} {time}  {', '.join(notes)}".rstrip()
+
+
+def _errata(run: Run) -> list[str]:
+    wrong = [o for o in run.outcomes if o.verdict is Verdict.REFUTED]
+    if not wrong:
+        return []
+    lines = ["", "Errata"]
+    for outcome in wrong:
+        lines.append(f"  {outcome.claim}  ({outcome.words})" if outcome.words else outcome.claim)
+        lines.append(f"    printed   {plain(outcome.printed)}")
+        correction = outcome.correction
+        if correction is None:
+            lines.append("    correct   no true statement was found one edit away")
+        else:
+            lines.append(f"    correct   {plain(correction.printed)}   ({correction.verdict})")
+        if outcome.counterexample is not None:
+            lines += _evidence(outcome.counterexample, "    ")
+    return lines
+
+
+def _restrictions(run: Run) -> list[str]:
+    """Statements that fail somewhere, with a point where they do."""
+    lines: list[str] = []
+    for outcome in run.outcomes:
+        for condition in outcome.conditions:
+            if condition.witness is not None:
+                lines.append(f"  {outcome.claim}  needs {plain(condition.tex)} ≠ 0: {plain(condition.words)}")
+                lines += _evidence(condition.witness, "    ")
+    return ["", "Conditions that are not stated", *lines] if lines else []
+
+
+def _evidence(found: Counterexample, indent: str) -> list[str]:
+    point = ", ".join(f"{plain(name)} = {plain(v)}" for name, v in found.point.values.items())
+    words = f"  ({plain(found.words)})" if found.words else ""
+    return [f"{indent}values    {plain(found.left)} against {plain(found.right)}{words}", f"{indent}at        {point}"]
+
+
+def _summary(result: Result) -> str:
+    run = result.run
+    counts = Counter(o.verdict for o in run.outcomes)
+    shown = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
+    seconds = sum(sum(o.seconds.values()) for o in run.outcomes)
+    head = f"{len(run.outcomes)} claims: {shown}; {', '.join(run.arithmetics)}; {seconds:.2f} s"
+    if result.differences is None:
+        return f"{head}; there is no record to compare with (`kowalevski-cas record`)"
+    if not result.differences:
+        return f"{head}; as recorded"
+    lines = [f"{head}; DIFFERENT FROM THE RECORD:"]
+    lines += [f"  {d.claim}: recorded {d.recorded}, found {d.found}" for d in result.differences]
+    return "\n".join(lines)

@@ -1,0 +1,49 @@
+"""LaTeX as plain text for a terminal: Greek letters, indices, exponents, roots and fractions."""
+
+from __future__ import annotations
+
+import re
+
+_LETTERS = {
+    "alpha": "α", "beta": "β", "gamma": "γ", "theta": "θ", "omega": "ω", "xi": "ξ", "tau": "τ",
+    "ell": "ℓ", "Psi": "Ψ", "varphi": "φ", "psi": "ψ", "lambda": "λ", "mu": "μ", "sigma": "σ",
+    "times": "×", "cdot": "·", "equiv": "≡", "ne": "≠", "to": "→", "dots": "…", "ldots": "…",
+}  # fmt: skip
+_LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_HIGH = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
+_GROUP = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
+_DROPPED = re.compile(
+    r"\\(?:left|right|displaystyle|textstyle|nolimits|limits|rm|bf|mathrm|mathop|boldsymbol|mathbf"
+    r"|bs|quad|qquad|cr|phantom\s*\{[^{}]*\}|begin\s*\{[^{}]*\}(?:\{[^{}]*\})?|end\s*\{[^{}]*\}"
+    r"|[,;!:]|\\(?:\s*\[[^\]]*\])?)(?![A-Za-z])"
+)
+
+
+def plain(tex: str) -> str:
+    """The formula as one line of text; what has no plain form stays as it is."""
+    text = _DROPPED.sub(" ", tex.replace("$", ""))
+    text = re.sub(r"\s+", " ", text)
+    for _ in range(6):
+        before = text
+        text = re.sub(rf"\\[td]?frac\s*{_GROUP}\s*{_GROUP}", _fraction, text)
+        text = re.sub(rf"\\sqrt\s*{_GROUP}", lambda m: f"√({m[1].strip()})", text)
+        text = re.sub(rf"\\overline\s*{_GROUP}", lambda m: f"conj({m[1].strip()})", text)
+        text = re.sub(rf"\\dot\s*(?:{_GROUP}|(\\?\w+))", lambda m: f"{m[1] or m[2]}˙", text)
+        if text == before:
+            break
+    text = re.sub(r"\\([A-Za-z]+) ?", lambda m: _LETTERS.get(m[1], f"\\{m[1]} "), text)
+    text = re.sub(r" ?_ ?(?:\{(\d+)\}|(\d))", lambda m: (m[1] or m[2]).translate(_LOW), text)
+    text = re.sub(r" ?\^ ?(?:\{([\d+-]+)\}|(\d))", lambda m: (m[1] or m[2]).translate(_HIGH), text)
+    text = re.sub(r"√\(([^\W\d]|\d+)\)", r"√\1", text)
+    text = re.sub(r"(?<![\w(/])(\d+/\d+)(?=[^\W\d]|√)", r"(\1)", text)
+    return re.sub(r"\s+", " ", text.replace("{", "").replace("}", "").replace("~", " ")).strip()
+
+
+def _fraction(match: re.Match[str]) -> str:
+    above, below = (_bracketed(part.strip()) for part in match.groups())
+    return f"{above}/{below}"
+
+
+def _bracketed(text: str) -> str:
+    simple = re.fullmatch(r"-?\d+|\\?[A-Za-z]+(?:_\w)?(?:\^\w)?|√?\([^()]*\)", text)
+    return text if simple else f"({text})"

@@ -1,0 +1,108 @@
+"""What the commands share: derivations by name, a run with its evidence, files written whole."""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from collections.abc import Callable, Sequence
+from difflib import get_close_matches
+from pathlib import Path
+
+from kowalevski_cas.cli.exits import NOTHING, CommandError
+from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.library import LibraryError, available, find, load
+from kowalevski_cas.proof.evidence import Evidence, load_evidence
+from kowalevski_cas.proof.outcome import Run
+from kowalevski_cas.proof.verify import Progress, verify
+
+
+def derivations(names: Sequence[str]) -> list[tuple[Path, Derivation]]:
+    """The named derivations with their folders; all of the library if none is named."""
+    names = names or available()
+    if not names:
+        raise CommandError("the library has no derivations", NOTHING)
+    try:
+        return [(find(name), load(name)) for name in names]
+    except LibraryError as error:
+        raise CommandError(str(error)) from None
+
+
+def run(
+    folder: Path,
+    derivation: Derivation,
+    arithmetics: Sequence[str],
+    only: Sequence[str] = (),
+    explain: bool = False,
+    timeout: float | None = None,
+    evidence: dict[str, Evidence] | None = None,
+) -> Run:
+    """A run of a derivation, with the evidence kept in its folder and progress on a terminal."""
+    ids = [claim.id for claim in derivation.claims]
+    for id in only:
+        if id not in ids:
+            near = get_close_matches(id, ids, 3, 0.4)
+            hint = f"; did you mean {' or '.join(near)}?" if near else ""
+            raise CommandError(f"{derivation.name} has no claim “{id}”{hint}", NOTHING)
+    if evidence is None:
+        evidence = load_evidence(folder)
+    with progress_bar() as progress:
+        return verify(derivation, arithmetics, only, explain, progress, evidence, timeout)
+
+
+class progress_bar:  # noqa: N801 (used like a function)
+    """A progress bar on stderr, if that is a terminal; nothing otherwise."""
+
+    def __enter__(self) -> Progress:
+        """Start the bar and return what moves it."""
+        self._stop: Callable[[], None] = lambda: None
+        if not sys.stderr.isatty():
+            return lambda claim, done, total: None
+        from rich.console import Console
+        from rich.progress import Progress as Bar
+
+        bar = Bar(console=Console(stderr=True), transient=True)
+        task = bar.add_task("deciding")
+        bar.start()
+        self._stop = bar.stop
+        return lambda claim, done, total: bar.update(
+            task, description=claim, completed=done, total=total
+        )
+
+    def __exit__(self, *_: object) -> None:
+        """Take the bar away."""
+        self._stop()
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Write a file so that it appears whole or not at all."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile("w", dir=path.parent, encoding="utf-8", delete=False) as f:
+            temporary = Path(f.name)
+            try:
+                f.write(text)
+                f.close()
+                os.chmod(temporary, 0o644)
+                os.replace(temporary, path)
+            except BaseException:
+                temporary.unlink(missing_ok=True)
+                raise
+    except OSError as error:
+        raise CommandError(f"{path} cannot be written: {error.strerror}") from None
+
+
+def versions() -> dict[str, str]:
+    """The versions of the programs and libraries that take part."""
+    import platform
+    from importlib.metadata import PackageNotFoundError, version
+
+    from kowalevski_cas import __version__
+
+    found = {"kowalevski_cas": __version__, "Python": platform.python_version()}
+    for library in ("python-flint", "symengine", "sympy"):
+        try:
+            found[library] = version(library)
+        except PackageNotFoundError:
+            continue
+    return found

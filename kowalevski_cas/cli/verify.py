@@ -1,0 +1,101 @@
+"""Prove or refute the claims of a derivation, and compare with its record.
+
+Results go to stdout, progress and notes to stderr.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+from kowalevski_cas.arithmetic import EXACT
+from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, DISAGREEMENT, UNDECIDED, USAGE
+from kowalevski_cas.cli.exits import CommandError
+from kowalevski_cas.cli.formats import FORMATS, Result, load_format
+from kowalevski_cas.cli import session
+from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.proof.record import RecordError, differences, load_record
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    parser.add_argument(
+        "derivations",
+        nargs="*",
+        metavar="DERIVATION",
+        help="name in the library, or folder; all of the library if none is named",
+    )
+    parser.add_argument(
+        "--only", action="append", default=[], metavar="ID", help="this claim only (repeatable)"
+    )
+    parser.add_argument(
+        "--arithmetic",
+        choices=(*EXACT, "all"),
+        default="all",
+        help="decide in this arithmetic (all three, one after the other, if not given)",
+    )
+    parser.add_argument("--format", choices=FORMATS, default="pretty", help="how to print results")
+    parser.add_argument(
+        "--report", type=Path, metavar="DIR", help="write the report there as well"
+    )
+    parser.add_argument(
+        "--timeout", type=_positive, default=60.0, metavar="SECONDS", help="for each claim (60)"
+    )
+
+
+def run_derivations(arguments: argparse.Namespace) -> list[Result]:
+    """Run the derivations and compare them with their records."""
+    arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
+    explain = arguments.report is not None
+    results = []
+    for folder, derivation in session.derivations(arguments.derivations):
+        found = session.run(folder, derivation, arithmetics, arguments.only, explain, arguments.timeout)
+        try:
+            record = load_record(folder)
+        except RecordError as error:
+            raise CommandError(str(error)) from None
+        compared = None if record is None else differences(found, record, not arguments.only)
+        results.append(Result(folder, replace(found, versions=session.versions()), compared))
+    return results
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run the command and return its exit code."""
+    results = run_derivations(arguments)
+    print(load_format(arguments.format)(results), end="")
+    sys.stdout.flush()
+    if arguments.report is not None:
+        from kowalevski_cas.cli.report import write
+
+        for result in results:
+            write(result.run, arguments.report)
+    return max((exit_code(result) for result in results), key=_URGENCY.index)
+
+
+def exit_code(result: Result) -> int:
+    """The exit code that a result asks for."""
+    outcomes = result.run.outcomes
+    if any(len(set(o.verdicts.values())) > 1 for o in outcomes):
+        return DISAGREEMENT
+    if any(o.verdict is Verdict.ERROR for o in outcomes):
+        return USAGE
+    if any(o.verdict in (Verdict.UNDECIDED, Verdict.TIMEOUT) for o in outcomes):
+        return UNDECIDED
+    if result.differences is None:
+        return AS_RECORDED if all(o.verdict.green for o in outcomes) else DIFFERENT
+    return DIFFERENT if result.differences else AS_RECORDED
+
+
+_URGENCY = (AS_RECORDED, DIFFERENT, UNDECIDED, USAGE, DISAGREEMENT)
+
+
+def _positive(text: str) -> float:
+    value = float(text)
+    if value <= 0:
+        raise argparse.ArgumentTypeError("a positive number of seconds is expected")
+    return value
+
+
+
