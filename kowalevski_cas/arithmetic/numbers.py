@@ -60,7 +60,7 @@ class Substitution:
             return numbers.generator("i")
         if (root := square_root(value)) is not None:
             return numbers.number(root)
-        name = rf"\\sqrt{{{value}}}"
+        name = rf"\sqrt{{{value}}}"
         return numbers.generator(name) if name in numbers.roots else numbers.adjoin(name, radicand)
 
     def __call__(self, element: Element) -> Element:

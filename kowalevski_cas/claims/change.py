@@ -145,8 +145,3 @@ class Unit(Claim):
             edit = neighbour.edit
             if edit and edit.path[:1] == (1,) and edit.kind in ("sign", "coefficient"):
                 yield neighbour
-
-    def places(self) -> Iterator[Printed]:
-        yield from super().places()
-        yield from self.rows
-

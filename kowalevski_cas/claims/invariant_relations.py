@@ -19,11 +19,14 @@ from kowalevski_cas.claims.claim import (
     show,
 )
 from kowalevski_cas.claims.membership import combination
-from kowalevski_cas.proof.outcome import Condition, Step, Verdict
+from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Printed
 
 Matrix = list[list[Element]]
+
+ORDERS = 3
+"""Up to which order derivatives are looked at for a motion that leaves the set."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,15 +42,7 @@ class InvariantRelations(Claim):
         stage = bench.stage(self.scene)
         matrix = self.matrix(bench)
         if matrix is None:
-            found = counterexample(
-                bench,
-                self.scene,
-                self.id,
-                lambda finder: [(self.rate(finder, k), finder.ring.zero)
-                                for k in range(len(self.relations))],
-                self.functions,
-                "the derivative on the set, and zero",
-            )  # fmt: skip
+            found = self._point_of_failure(bench, "refuted", ())
             return refuted(found) if found else Finding(Verdict.UNDECIDED)
         entries = [entry for row in matrix for entry in row]
         conditions = tuple(
@@ -60,9 +55,12 @@ class InvariantRelations(Claim):
         """The left sides of the equations."""
         return [equation(printed, stage) for printed in self.relations]
 
-    def rate(self, stage: Stage, index: int) -> Element:
-        """The derivative of one of the functions."""
-        return stage.derivative(self.functions(stage)[index])
+    def rate(self, stage: Stage, index: int, order: int = 1) -> Element:
+        """The derivative of one of the functions, of any order."""
+        value = self.functions(stage)[index]
+        for _ in range(order):
+            value = stage.derivative(value)
+        return value
 
     def matrix(self, bench: Bench) -> Matrix | None:
         """The cofactor matrix, checked; ``None`` if there is none."""
@@ -89,18 +87,32 @@ class InvariantRelations(Claim):
             return condition
         if condition in conditions_of(self.functions(stage), stage):
             return Condition(condition.tex, f"the relations have no meaning for {locus.words}")
-        found = counterexample(
-            bench,
-            self.scene,
-            (self.id, locus.words),
-            lambda finder: [(self.rate(finder, k), finder.ring.zero)
-                            for k in range(len(self.relations))],
-            lambda finder: [*finder.equations(locus.equations), *self.functions(finder)],
-            "the derivative on the set, and zero",
-        )  # fmt: skip
+        found = self._point_of_failure(bench, locus.words, locus.equations)
         if found is None:
             return condition
         return Condition(condition.tex, f"it fails for {locus.words}", found)
+
+    def _point_of_failure(
+        self, bench: Bench, key: str, locus: tuple[str, ...]
+    ) -> Counterexample | None:
+        """A point of the set, on a locus, where a derivative of one of the functions is not zero.
+
+        The first derivative may vanish where the motion leaves the set all the
+        same; so derivatives up to :data:`ORDERS` are tried.
+        """
+        for order in range(1, ORDERS + 1):
+            for k, name in enumerate(self.names):
+                found = counterexample(
+                    bench,
+                    self.scene,
+                    (self.id, key, order, k),
+                    lambda stage, k=k, order=order: [(self.rate(stage, k, order), stage.ring.zero)],
+                    lambda stage: [*stage.equations(locus), *self.functions(stage)],
+                    f"the derivative of order {order} of ${name}$ at a point of the set, and zero",
+                )
+                if found is not None:
+                    return found
+        return None
 
     def _steps(self, matrix: Matrix, stage: Stage) -> list[Step]:
         rows = r" \\ ".join(" & ".join(show(entry, stage) for entry in row) for row in matrix)

@@ -81,19 +81,21 @@ class _Session:
         self.digester = Digester(self.texts)
         self.stages: dict[object, Stage] = {}
         self.shelf: dict[str, object] = {}
+        self.order = {claim.id: k for k, claim in enumerate(derivation.claims)}
         self.established: dict[Printed, str] = {}
         for claim in derivation.claims:
             for printed in claim.establishes():
                 self.established.setdefault(printed, claim.id)
 
     def rests_on(self, claim: Claim) -> tuple[str, ...]:
-        """The claims that establish the places on which a claim stands."""
+        """The claims before this one that establish the places on which it stands."""
         try:
             places = foundations(claim, self.texts)
         except NotationError:
             places = dict.fromkeys(claim.places())
         ids = dict.fromkeys(self.established.get(place) for place in places)
-        return tuple(i for i in ids if i is not None and i != claim.id)
+        before = self.order[claim.id]
+        return tuple(i for i in ids if i is not None and self.order[i] < before)
 
     def needed(self, chosen: Sequence[Claim]) -> list[Claim]:
         """The chosen claims and those on which they rest, in the order of the paper."""

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import product
-from math import lcm
+from math import gcd, lcm
 from typing import NamedTuple
 
 from flint import fmpq_mpoly, fmpz_mat
@@ -120,7 +120,8 @@ def _relation(columns: Columns, leading: Exponents | None = None) -> Terms | Non
     for k in range(nullity):
         vector = {key: int(space[j, k]) for j, key in enumerate(keys) if space[j, k] != 0}
         if leading is None:
-            return {key: Fraction(number) for key, number in vector.items()}
+            size = gcd(*vector.values())
+            return {key: Fraction(number // size) for key, number in vector.items()}
         if leading in vector:
             return {key: Fraction(number, vector[leading]) for key, number in vector.items()}
     return None
