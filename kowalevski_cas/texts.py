@@ -17,6 +17,7 @@ from kowalevski_cas.notation import (
     NotationError,
     Statement,
     Vocabulary,
+    read,
     read_display,
 )
 
@@ -64,20 +65,33 @@ class Texts:
         vocabulary: Vocabulary,
         sources: Mapping[str, str] | None = None,
         edits: Mapping[Printed, Edit] | None = None,
-        read: dict[str, tuple[Statement, ...]] | None = None,
+        displays: dict[str, tuple[Statement, ...]] | None = None,
+        expressions: dict[str, Formula] | None = None,
     ) -> None:
         self.vocabulary = vocabulary
         self.sources = dict(sources or {})
         self.edits = dict(edits or {})
-        self._read: dict[str, tuple[Statement, ...]] = read if read is not None else {}
+        self._read: dict[str, tuple[Statement, ...]] = {} if displays is None else displays
+        self._expressions: dict[str, Formula] = {} if expressions is None else expressions
 
     def edited(self, printed: Printed, edit: Edit) -> Texts:
         """The same texts with one statement changed."""
-        return Texts(self.vocabulary, self.sources, {**self.edits, printed: edit}, self._read)
+        return Texts(
+            self.vocabulary, self.sources, {**self.edits, printed: edit}, self._read, self._expressions
+        )
 
     def with_source(self, display: Display, tex: str) -> Texts:
         """The same texts with another source of one display."""
-        return Texts(self.vocabulary, {**self.sources, display.id: tex}, self.edits)
+        kept = {id: statements for id, statements in self._read.items() if id != display.id}
+        return Texts(
+            self.vocabulary, {**self.sources, display.id: tex}, self.edits, kept, self._expressions
+        )
+
+    def expression(self, tex: str) -> Formula:
+        """A formula that no place prints, in the same vocabulary."""
+        if tex not in self._expressions:
+            self._expressions[tex] = read(tex, self.vocabulary)
+        return self._expressions[tex]
 
     def formula(self, printed: Printed) -> Formula:
         """The formula at a place; raises ``NotationError`` if it cannot be read."""

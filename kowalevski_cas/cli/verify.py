@@ -57,7 +57,9 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
         except RecordError as error:
             raise CommandError(str(error)) from None
         compared = None if record is None else differences(found, record, not arguments.only)
-        results.append(Result(folder, replace(found, versions=session.versions()), compared))
+        if explain or arguments.format == "json":
+            found = replace(found, versions=session.versions())
+        results.append(Result(folder, found, compared))
     return results
 
 

@@ -5,46 +5,71 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kowalevski_cas.claims import Claim
-from kowalevski_cas.notation import Formula, Name, Root, read, to_latex
+from kowalevski_cas.notation import Formula, Name, Root, to_latex
 from kowalevski_cas.scene import Change, Scene
 from kowalevski_cas.texts import Printed, Texts
 
 
-def foundations(claim: Claim, texts: Texts) -> dict[Printed, None]:
-    """The places of a claim, and those of its scenes that the names in them lead to.
+class Dependencies:
+    """Foundations of claims under given texts; what one scene leads to is followed once."""
 
-    The field of a scene always takes part, for a derivative may.
-    """
-    found = dict.fromkeys(claim.places())
-    formulas = [texts.formula(place) for place in found]
-    formulas += [read(tex, texts.vocabulary) for tex in claim.expressions()]
-    for scene in claim.scenes():
-        _follow(scene, formulas, texts, found)
-    return found
+    def __init__(self, texts: Texts) -> None:
+        self.texts = texts
+        self._scenes: dict[Scene, _Closure] = {}
+
+    def foundations(self, claim: Claim) -> dict[Printed, None]:
+        """The places of a claim, and those of its scenes that the names in them lead to.
+
+        The field of a scene always takes part, for a derivative may.
+        """
+        found = dict.fromkeys(claim.places())
+        used = {name for place in found for name in names(self.texts.formula(place))}
+        for tex in claim.expressions():
+            used.update(names(self.texts.expression(tex)))
+        for scene in claim.scenes():
+            closure = self._closure(scene)
+            found.update(closure.always)
+            for name in sorted(used):
+                found.update(closure.of(name))
+        return found
+
+    def _closure(self, scene: Scene) -> _Closure:
+        if scene not in self._scenes:
+            self._scenes[scene] = _Closure(scene, self.texts)
+        return self._scenes[scene]
 
 
-def _follow(
-    scene: Scene, formulas: list[Formula], texts: Texts, found: dict[Printed, None]
-) -> None:
-    waiting = list(formulas)
-    for place in _field(scene):
-        found.setdefault(place)
-        waiting.append(texts.formula(place))
-    if isinstance(scene.field, Change):
-        _follow(scene.field.source, [], texts, found)
-    seen: set[str] = set()
-    while waiting:
-        for name in names(waiting.pop()):
-            if name in seen:
-                continue
-            seen.add(name)
-            place = scene.definitions.get(name) or scene.roots.get(name)
-            if name == "i":
-                place = scene.unit
-            waiting += [read(n, texts.vocabulary) for n in scene.vectors.get(name, ())]
-            if place is not None:
-                found.setdefault(place)
-                waiting.append(texts.formula(place))
+class _Closure:
+    """The places of a scene to which names lead, through definitions of definitions."""
+
+    def __init__(self, scene: Scene, texts: Texts) -> None:
+        self.scene = scene
+        self.texts = texts
+        self._known: dict[str, dict[Printed, None]] = {}
+        self.always: dict[Printed, None] = {}
+        for place in _field(scene):
+            self.always.setdefault(place)
+            for name in names(texts.formula(place)):
+                self.always.update(self.of(name))
+        if isinstance(scene.field, Change):
+            self.always.update(_Closure(scene.field.source, texts).always)
+
+    def of(self, name: str) -> dict[Printed, None]:
+        """The places on which the meaning of a name rests."""
+        if name in self._known:
+            return self._known[name]
+        found: dict[Printed, None] = {}
+        self._known[name] = found
+        scene = self.scene
+        place = scene.unit if name == "i" else scene.definitions.get(name)
+        place = place or scene.roots.get(name)
+        for component in scene.vectors.get(name, ()):
+            found.update(self.of(component))
+        if place is not None:
+            found.setdefault(place)
+            for other in names(self.texts.formula(place)):
+                found.update(self.of(other))
+        return found
 
 
 def _field(scene: Scene) -> Iterator[Printed]:

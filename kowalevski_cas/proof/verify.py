@@ -9,7 +9,7 @@ from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import NotationError, to_latex
-from kowalevski_cas.proof.dependencies import foundations
+from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.digest import Digester, combined
 from kowalevski_cas.proof.evidence import Evidence, Mended
 from kowalevski_cas.proof.limits import time_limit
@@ -78,7 +78,8 @@ class _Session:
         self.timeout = timeout
         self.evidence = evidence
         self.texts = derivation.texts()
-        self.digester = Digester(self.texts)
+        self.dependencies = Dependencies(self.texts)
+        self.digester = Digester()
         self.stages: dict[object, Stage] = {}
         self.shelf: dict[str, object] = {}
         self.order = {claim.id: k for k, claim in enumerate(derivation.claims)}
@@ -90,7 +91,7 @@ class _Session:
     def rests_on(self, claim: Claim) -> tuple[str, ...]:
         """The claims before this one that establish the places on which it stands."""
         try:
-            places = foundations(claim, self.texts)
+            places = self.dependencies.foundations(claim)
         except NotationError:
             places = dict.fromkeys(claim.places())
         ids = dict.fromkeys(self.established.get(place) for place in places)
@@ -159,7 +160,7 @@ class _Session:
     def _digest(self, claim: Claim) -> tuple[str, Evidence]:
         """The digest of a claim, and the evidence for it that was kept."""
         try:
-            digest = self.digester.statement(claim)
+            digest = self.digester.statement(claim, self.texts)
         except NotationError:
             return "", Evidence("")
         kept = self.evidence.get(claim.id)
@@ -197,7 +198,6 @@ class _Session:
         verdict = findings[0].verdict if len(verdicts) == 1 else Verdict.ERROR
         if verdict.green:
             self.texts = texts
-            self.digester = Digester(texts)
         return Correction(
             printed=to_latex(texts.formula(place)),
             words=kept.correction.words,

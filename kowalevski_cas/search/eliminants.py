@@ -12,11 +12,11 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import product
 from math import gcd, lcm
-from typing import NamedTuple
 
 from flint import fmpq_mpoly, fmpz_mat
 
 from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.proof.roots import Eliminant
 
 LARGEST = 6
 """The largest degree of an eliminant that is looked for."""
@@ -26,19 +26,6 @@ LARGEST_RELATION = 12
 
 Exponents = tuple[int, ...]
 Columns = list[tuple[Exponents, fmpq_mpoly]]
-
-
-class Eliminant(NamedTuple):
-    """The form s, its equation, and each unknown as ``numerator(s) / denominator``.
-
-    Exponents are those of s, then of the parameters; ``form`` holds the
-    coefficients of the unknowns.
-    """
-
-    form: tuple[int, ...]
-    equation: Terms
-    denominators: tuple[Terms, ...]
-    numerators: tuple[Terms, ...]
 
 
 def eliminant(levels: Sequence[fmpq_mpoly], unknowns: Sequence[fmpq_mpoly]) -> Eliminant | None:
@@ -75,8 +62,9 @@ def _solved(
         left = [((-1, *key[1:]), unknown * column) for key, column in first]
         relation = _relation([*left, *_products(value, levels, degrees, degree, size - 1)])
         if relation is not None:
-            denominator = {(0, *k[1:]): v for k, v in relation.items() if k[0] < 0}
-            return denominator, {k: -v for k, v in relation.items() if k[0] >= 0}
+            sign = 1 if relation[max(k for k in relation if k[0] < 0)] > 0 else -1
+            denominator = {(0, *k[1:]): sign * v for k, v in relation.items() if k[0] < 0}
+            return denominator, {k: -sign * v for k, v in relation.items() if k[0] >= 0}
     return None
 
 

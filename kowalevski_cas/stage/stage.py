@@ -9,7 +9,7 @@ from kowalevski_cas.arithmetic.derivation import Field, along
 from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.notation import Constant, Formula, Name, Relation, Root
-from kowalevski_cas.notation import read, to_latex
+from kowalevski_cas.notation import to_latex
 from kowalevski_cas.scene import Change, Scene
 from kowalevski_cas.stage.change import Carrier
 from kowalevski_cas.stage.evaluate import StageError, Triple, Value, evaluate, scalar
@@ -81,7 +81,7 @@ class Stage:
             self._values["i", False], self._values["i", True] = unit, -unit
         for name, printed in self.scene.roots.items():
             if printed is None:
-                root = read(name, self.texts.vocabulary)
+                root = self.texts.expression(name)
                 if not isinstance(root, Root):
                     raise StageError(f"{name} is not printed as a square root")
                 radicand = scalar(root.argument, self)
@@ -177,7 +177,7 @@ class Stage:
 
     def formula(self, tex: str) -> Formula:
         """A formula in the names of the scene."""
-        return read(tex, self.texts.vocabulary)
+        return self.texts.expression(tex)
 
     def granted(self) -> Iterator[Formula]:
         """What the scene takes for granted not to vanish."""
