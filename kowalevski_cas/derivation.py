@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from kowalevski_cas.claims.claim import Claim
@@ -65,9 +65,12 @@ class Derivation:
                     found[scene.field.source] = None
         return tuple(found)
 
-    def texts(self) -> Texts:
-        """The texts of the derivation, to be read in the words of its scenes."""
-        return Texts(vocabulary(self.scenes()))
+    def texts(self, sources: Mapping[str, str] | None = None) -> Texts:
+        """The texts of the derivation, to be read in the words of its scenes.
+
+        ``sources`` holds displays, by id, whose source is another one.
+        """
+        return Texts(vocabulary(self.scenes()), sources)
 
     def section_of(self, claim: Claim) -> Section:
         """The section in which a claim stands."""

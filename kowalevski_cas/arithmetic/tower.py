@@ -37,6 +37,7 @@ class Ring:
         self.products = 0
         self._divisor_index: dict[frozenset[Any], int] = {}
         self._squares: dict[int, Parts] = {}
+        self._numbers: dict[int | Fraction, Element] = {}
         self.zero = Element(self, {}, {})
         self.one = self.number(1)
 
@@ -47,7 +48,10 @@ class Ring:
 
     def number(self, value: int | Fraction) -> Element:
         """A rational number."""
-        return self.element({0: self.polynomials.constant(Fraction(value))}, {})
+        if value not in self._numbers:
+            constant = self.polynomials.constant(Fraction(value))
+            self._numbers[value] = self.element({0: constant}, {})
+        return self._numbers[value]
 
     def generator(self, name: str) -> Element:
         """The generator or root with this name; raises ``ValueError`` if there is none."""
@@ -191,10 +195,18 @@ class Element:
         return self + (-other)
 
     def __mul__(self, other: Element) -> Element:
-        denominator = dict(self.denominator)
-        for index, exponent in other.denominator.items():
-            denominator[index] = denominator.get(index, 0) + exponent
-        return self.ring.element(self.ring.multiply_parts(self.parts, other.parts), denominator)
+        denominator = self.denominator
+        if other.denominator:
+            denominator = dict(denominator)
+            for index, exponent in other.denominator.items():
+                denominator[index] = denominator.get(index, 0) + exponent
+        ring, left, right = self.ring, self.parts, other.parts
+        if len(left) == len(right) == 1:
+            # One product, which cannot vanish: polynomials have no divisors of zero.
+            ((mask, p),), ((other_mask, q),) = left.items(), right.items()
+            if not mask & other_mask:
+                return Element(ring, {mask | other_mask: ring.multiply(p, q)}, denominator)
+        return ring.element(ring.multiply_parts(left, right), denominator)
 
     def __pow__(self, exponent: int) -> Element:
         if exponent < 0:

@@ -2,43 +2,37 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
-
 from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.numbers import Substitution, rational
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.stage import Stage, StageError
 
 
-@dataclass
 class Rest:
     """The states of a stage in which the ``fixed`` variables and the field vanish.
 
     Every component of the field that is left is linear in some variable with a
     number as coefficient, and is solved for it: an equation for an equation.
-    Raises :class:`StageError` where that is impossible.
+    ``solution`` gives the variables through those that stay ``free``. Raises
+    :class:`StageError` where that is impossible.
     """
 
-    stage: Stage
-    fixed: tuple[str, ...]
-
-    @cached_property
-    def solution(self) -> dict[str, Element]:
-        """The variables through those that stay free."""
-        ring, names = self.stage.ring, self.stage.scene.variables
-        image = {name: ring.generator(name) for name in ring.polynomials.generators}
-        image |= {name: ring.zero for name in self.fixed}
-        rates = [Substitution(ring, image, ring)(rate) for rate in self.stage.field.values()]
-        free = [name for name in names if name not in self.fixed]
+    def __init__(self, stage: Stage, fixed: tuple[str, ...]) -> None:
+        self.stage = stage
+        ring = stage.ring
+        own = {name: ring.generator(name) for name in ring.polynomials.generators}
+        image = own | {name: ring.zero for name in fixed}
+        first = Substitution(ring, image, ring)
+        rates = [first(rate) for rate in stage.field.values()]
+        free = [name for name in stage.scene.variables if name not in fixed]
         while rates := [rate for rate in rates if not rate.is_zero]:
             name, value = self._solved(rates[0], free)
             free.remove(name)
-            step = Substitution(ring, {n: ring.generator(n) for n in image} | {name: value}, ring)
+            step = Substitution(ring, own | {name: value}, ring)
             image = {n: step(old) for n, old in image.items()}
             rates = [step(rate) for rate in rates]
+        self.solution = image
         self.free = tuple(free)
-        return image
 
     def _solved(self, rate: Element, free: list[str]) -> tuple[str, Element]:
         ring = self.stage.ring

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-import tempfile
 from collections.abc import Callable, Sequence
-from difflib import get_close_matches
 from pathlib import Path
 
 from kowalevski_cas.cli.exits import NOTHING, CommandError
@@ -41,6 +39,8 @@ def run(
     ids = [claim.id for claim in derivation.claims]
     for id in only:
         if id not in ids:
+            from difflib import get_close_matches
+
             near = get_close_matches(id, ids, 3, 0.4)
             hint = f"; did you mean {' or '.join(near)}?" if near else ""
             raise CommandError(f"{derivation.name} has no claim “{id}”{hint}", NOTHING)
@@ -76,6 +76,8 @@ class progress_bar:  # noqa: N801 (used like a function)
 
 def write_whole(path: Path, text: str) -> None:
     """Write a file so that it appears whole or not at all."""
+    import tempfile
+
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile("w", dir=path.parent, encoding="utf-8", delete=False) as f:

@@ -49,7 +49,7 @@ class _Closure:
         self.always: dict[Printed, None] = {}
         for place in _field(scene):
             self.always.setdefault(place)
-            for name in names(texts.formula(place)):
+            for name in set(names(texts.formula(place))):
                 self.always.update(self.of(name))
         if isinstance(scene.field, Change):
             self.always.update(_Closure(scene.field.source, texts).always)

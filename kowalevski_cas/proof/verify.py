@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from time import perf_counter
 
 from kowalevski_cas.claims import Claim, Finding
@@ -29,6 +29,7 @@ def verify(
     progress: Progress = lambda claim, done, total: None,
     evidence: dict[str, Evidence] | None = None,
     timeout: float | None = None,
+    sources: Mapping[str, str] | None = None,
 ) -> Run:
     """Decide the claims of a derivation.
 
@@ -36,32 +37,14 @@ def verify(
     come after it. With ``only``, the claims before a chosen one are decided
     where it rests on them, but not reported. ``evidence`` saves the searches
     whose results it holds; what is found anew is added to it. ``timeout`` is in
-    seconds, for each claim in each arithmetic.
+    seconds, for each claim in each arithmetic. ``sources`` holds displays, by id,
+    that are to be read instead of what the derivation prints.
     """
     kept = {} if evidence is None else evidence
-    session = _Session(derivation, arithmetics, explain, kept, timeout)
-    chosen = [c for c in derivation.claims if not only or c.id in only]
-    needed = session.needed(chosen)
-    outcomes = []
-    for done, claim in enumerate(needed):
-        progress(claim.id, done, len(needed))
-        outcome = session.decide(claim)
-        if claim in chosen:
-            outcomes.append(outcome)
-    return Run(
-        derivation=derivation.name,
-        title=derivation.title,
-        author=derivation.author,
-        source=derivation.source,
-        sections=tuple((s.number, s.title) for s in derivation.sections),
-        outcomes=tuple(outcomes),
-        arithmetics=tuple(arithmetics),
-        versions={},
-        digest=combined(f"{o.claim} {o.digest}" for o in outcomes),
-    )
+    return Session(derivation, arithmetics, explain, kept, timeout, sources).run(only, progress)
 
 
-class _Session:
+class Session:
     """The state of a run: the texts as corrected so far, stages, and found evidence."""
 
     def __init__(
@@ -70,14 +53,15 @@ class _Session:
         arithmetics: Sequence[str],
         explain: bool,
         evidence: dict[str, Evidence],
-        timeout: float | None,
+        timeout: float | None = None,
+        sources: Mapping[str, str] | None = None,
     ) -> None:
         self.derivation = derivation
         self.arithmetics = arithmetics
         self.explain = explain
         self.timeout = timeout
         self.evidence = evidence
-        self.texts = derivation.texts()
+        self.texts = derivation.texts(sources)
         self.dependencies = Dependencies(self.texts)
         self.digester = Digester()
         self.stages: dict[object, Stage] = {}
@@ -87,6 +71,29 @@ class _Session:
         for claim in derivation.claims:
             for printed in claim.establishes():
                 self.established.setdefault(printed, claim.id)
+
+    def run(self, only: Sequence[str] = (), progress: Progress = lambda *_: None) -> Run:
+        """Decide the chosen claims, and before them those on which they rest."""
+        derivation = self.derivation
+        chosen = [c for c in derivation.claims if not only or c.id in only]
+        needed = self.needed(chosen)
+        outcomes = []
+        for done, claim in enumerate(needed):
+            progress(claim.id, done, len(needed))
+            outcome = self.decide(claim)
+            if claim in chosen:
+                outcomes.append(outcome)
+        return Run(
+            derivation=derivation.name,
+            title=derivation.title,
+            author=derivation.author,
+            source=derivation.source,
+            sections=tuple((s.number, s.title) for s in derivation.sections),
+            outcomes=tuple(outcomes),
+            arithmetics=tuple(self.arithmetics),
+            versions={},
+            digest=combined(f"{o.claim} {o.digest}" for o in outcomes),
+        )
 
     def rests_on(self, claim: Claim) -> tuple[str, ...]:
         """The claims before this one that establish the places on which it stands."""
