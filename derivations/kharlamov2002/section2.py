@@ -5,6 +5,7 @@ from kowalevski_cas.claims import (
     Coefficient,
     Degree,
     Dimension,
+    Equilibria,
     Equivalence,
     FirstIntegral,
     Identity,
@@ -274,6 +275,18 @@ real_variables = Scene(
     ),
 )
 
+at_rest = Scene(
+    "constants of the fields",
+    "the Kowalevski case with $a$, $b$, $c$ as numbers, for fields that are not parallel",
+    vectors=FRAME,
+    variables=(*OMEGA, *ALPHA, *BETA),
+    constants=("a", "b", "c"),
+    field=(eq2[1], eq3[1], eq3[2]),
+    definitions=KOWALEVSKI,
+    nonzero=("a^2 b^2-c^2",),
+    loci=(Locus("$a=b$, $c=0$", ("a^2-b^2=0", "c=0"), "(a^2-b^2)^2+4c^2"),),
+)
+
 # -- claims --------------------------------------------------------------------
 
 N4 = InvariantRelations(
@@ -410,6 +423,15 @@ section.claim(
         levels=(eq4[1], eq4[2], eq4[3]),
         equations=(eq15[1], eq15[2]),
         functions=("H", "K"),
+    ),
+    Equilibria(
+        "equilibria",
+        at_rest,
+        None,
+        "the body has exactly four equilibria",
+        fixed=OMEGA,
+        levels=(eq4[1], eq4[2], eq4[3]),
+        count=4,
     ),
     LastMultiplier(
         "last-multiplier",

@@ -2,6 +2,7 @@ r"""3. The classical analogue: one field, and the 2nd and 3rd classes of Appelro
 
 from kowalevski_cas.claims import (
     ConstantRoot,
+    CriticalSet,
     Dimension,
     Equivalence,
     FirstIntegral,
@@ -261,6 +262,15 @@ section.claim(
         "it follows from (18) and (20)",
         given=(eq18[1], eq20[1], eq20[2]),
         main=((r"\omega_3", r"\omega_1", r"\omega_2"),),
+    ),
+    CriticalSet(
+        "critical-set",
+        reduced_space,
+        combined[1],
+        "(18), (19) is exactly the set of its critical points on the reduced phase space",
+        equations=(eq18[1], eq19[1]),
+        level=norm[1],
+        main=((r"\omega_3",),),
     ),
     Dimension(
         "appelrot-dimension",

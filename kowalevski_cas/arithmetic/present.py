@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import lcm
 
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
@@ -23,19 +24,92 @@ from kowalevski_cas.notation import (
 
 
 def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
-    """The formula of an element, numerator over denominator, in the names of its ring."""
+    """The formula of an element, numerator over denominator, in the names of its ring.
+
+    Divisors that divide the numerator are cancelled, a root above the line
+    with its square below it goes below, and coefficients become integers.
+    """
     ring = element.ring
-    base = [name_formula(name, vocabulary) for name in ring.polynomials.generators]
-    roots = [name_formula(name, vocabulary) for name in ring.roots]
+    width = len(ring.polynomials.generators)
+    names = [name_formula(name, vocabulary) for name in ring.names]
     terms: Terms = {}
     for mask, part in element.terms().items():
-        extra = tuple(mask >> bit & 1 for bit in range(len(roots)))
+        extra = tuple(mask >> bit & 1 for bit in range(len(ring.roots)))
         terms |= {exponents + extra: value for exponents, value in part.items()}
-    below: list[Formula] = []
+    below: dict[int, int] = {}
+    divisors: dict[int, Terms] = {}
     for index, exponent in element.denominator.items():
-        divisor = polynomial_formula(ring.polynomials.terms(ring.divisors[index]), base)
-        below.append(_power(divisor, exponent))
-    return _over(polynomial_formula(terms, [*base, *roots]), below)
+        divisors[index] = {
+            exponents + (0,) * len(ring.roots): value
+            for exponents, value in ring.polynomials.terms(ring.divisors[index]).items()
+        }
+        for _ in range(exponent):
+            quotient = divided(terms, divisors[index])
+            if quotient is None:
+                below[index] = below.get(index, 0) + 1
+            else:
+                terms = quotient
+    shown = []
+    for bit, radicand in enumerate(ring.radicands):
+        inner = _generators_of(radicand, divisors)
+        if inner is None or any(not below.get(index) for index in inner):
+            continue
+        if terms and all(exponents[width + bit] for exponents in terms):
+            terms = {_lowered(exponents, width + bit): v for exponents, v in terms.items()}
+            for index in inner:
+                below[index] -= 1
+            shown.append(names[width + bit])
+    factor = lcm(*(value.denominator for value in terms.values()))
+    top = polynomial_formula({e: v * factor for e, v in terms.items()}, names)
+    bottom = [Number(factor)] if factor > 1 else []
+    bottom += [
+        _power(polynomial_formula(divisors[index], names), exponent)
+        for index, exponent in below.items()
+        if exponent
+    ]
+    return _over(top, [*bottom, *shown])
+
+
+def divided(terms: Terms, divisor: Terms) -> Terms | None:
+    """The quotient of two polynomials in neutral form, if the division leaves nothing."""
+    lead = max(divisor)
+    rest, quotient = dict(terms), Terms()
+    while rest:
+        top = max(rest)
+        shift = tuple(a - b for a, b in zip(top, lead, strict=True))
+        if min(shift) < 0:
+            return None
+        factor = rest[top] / divisor[lead]
+        quotient[shift] = factor
+        for exponents, value in divisor.items():
+            key = tuple(a + b for a, b in zip(exponents, shift, strict=True))
+            left = rest.get(key, Fraction(0)) - factor * value
+            if left:
+                rest[key] = left
+            else:
+                rest.pop(key, None)
+    return quotient
+
+
+def _generators_of(radicand: Element, divisors: dict[int, Terms]) -> list[int] | None:
+    """The divisors whose product a radicand is, if it is a product of different generators."""
+    parts = radicand.terms()
+    if parts.keys() != {0} or len(parts[0]) != 1:
+        return None
+    ((exponents, value),) = parts[0].items()
+    if value != 1 or max(exponents) > 1 or not any(exponents):
+        return None
+    singles = {
+        next(iter(terms)).index(1): index
+        for index, terms in divisors.items()
+        if len(terms) == 1 and sum(next(iter(terms))) == 1
+    }
+    places = [place for place, exponent in enumerate(exponents) if exponent]
+    return [singles[p] for p in places] if all(p in singles for p in places) else None
+
+
+def _lowered(exponents: tuple[int, ...], place: int) -> tuple[int, ...]:
+    return (*exponents[:place], exponents[place] - 1, *exponents[place + 1 :])
 
 
 def polynomial_formula(terms: Terms, names: Sequence[Formula]) -> Formula:

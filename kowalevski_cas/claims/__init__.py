@@ -4,8 +4,10 @@ from kowalevski_cas.claims.change import ChangedEquation, InvertibleChange, Unit
 from kowalevski_cas.claims.claim import Claim, Finding, Neighbour
 from kowalevski_cas.claims.coefficient import Coefficient
 from kowalevski_cas.claims.constant_root import ConstantRoot
+from kowalevski_cas.claims.critical_set import CriticalSet
 from kowalevski_cas.claims.degree import Degree
 from kowalevski_cas.claims.dimension import Dimension, Independence
+from kowalevski_cas.claims.equilibria import Equilibria
 from kowalevski_cas.claims.equivalence import Equivalence
 from kowalevski_cas.claims.exponents import SolvedExponents
 from kowalevski_cas.claims.first_integral import FirstIntegral
@@ -22,8 +24,10 @@ __all__ = [
     "Claim",
     "Coefficient",
     "ConstantRoot",
+    "CriticalSet",
     "Degree",
     "Dimension",
+    "Equilibria",
     "Equivalence",
     "Finding",
     "FirstIntegral",

@@ -69,10 +69,10 @@ class InvertibleChange(Claim):
                 bench, self.old, self.id, self._pairs, words="the variable, and the conjugate of its partner"
             )
             return refuted(found) if found else Finding(Verdict.UNDECIDED)
-        steps = [
-            Step("The inverse, as solved for:" if k == 0 else "", f"{name} = {show(value, stage)}")
-            for k, (name, value) in enumerate(inverse.items())
-        ] if bench.explain else []  # fmt: skip
+        steps = []
+        if bench.explain:
+            shown = [f"{name} = {show(value, stage)}" for name, value in inverse.items()]
+            steps.append(Step("The inverse, as solved for:", r",\quad ".join(shown)))
         return green((), steps)
 
     def establishes(self) -> Iterator[Printed]:

@@ -148,7 +148,7 @@ def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition,
                 (f"{first}{second}" if tex == first else tex): None
                 for tex in shown
             }
-    return tuple(Condition(tex, f"${tex}\\ne 0$: it is divided by") for tex in shown)
+    return tuple(Condition(tex, "the formulas divide by it") for tex in shown)
 
 
 def locus_of(condition: Condition, stage: Stage) -> Locus | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import combinations_with_replacement
 
 from kowalevski_cas.arithmetic.polynomials import Terms
@@ -21,10 +22,11 @@ from kowalevski_cas.claims.claim import (
 from kowalevski_cas.claims.critical_equations import CriticalEquations, Weights
 from kowalevski_cas.claims.membership import combination, combination_steps
 from kowalevski_cas.claims.witness import witness
+from kowalevski_cas.notation import edits
 from kowalevski_cas.proof.cases import Case
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, scalar
-from kowalevski_cas.texts import Texts
+from kowalevski_cas.texts import Printed, Texts
 
 MOVING = "a derivative of the function along the surface at this point of the set, and zero"
 CRITICAL = (
@@ -93,12 +95,12 @@ class CriticalSet(CriticalEquations):
 
             stage = finder.stage(self.scene)
             system = self.system(stage, weights)
-            zero = stage.ring.polynomials.zero
+            polynomials = stage.ring.polynomials
             targets, goals, granted = (
-                [element.parts.get(0, zero) for element in elements]
+                [element.parts.get(0, polynomials.zero) for element in elements]
                 for elements in (system.targets, system.goals, system.granted)
             )
-            return Splitter(stage.ring.polynomials, targets, goals, granted).case()
+            return Splitter(polynomials, targets, goals, granted).case()
 
         level = "zero level" if self.zero_level else "any level"
         return Case.read(bench.found(("cases", self.id, level), search))
@@ -120,10 +122,13 @@ class CriticalSet(CriticalEquations):
 
     def _where_it_fails(self, bench: Bench, tex: str) -> Condition:
         """A condition with a point of its locus that lies on the set and is not critical."""
-        condition = Condition(tex, f"${tex}\\ne 0$: it is divided by")
+        condition = Condition(tex, "the formulas divide by it")
         locus = locus_of(condition, bench.stage(self.scene))
         if locus is None:
             return condition
+
+        def goal(stage: Stage, k: int) -> Element:
+            return self.goals(stage)[k]
 
         def there(stage: Stage) -> list[Element]:
             return stage.equations(locus.equations)
@@ -137,7 +142,7 @@ class CriticalSet(CriticalEquations):
             for k in range(len(self.equations))
             if combination(
                 bench, self.scene, (self.id, locus.words, k),
-                lambda stage, k=k: self.goals(stage)[k], there,
+                partial(goal, k=k), there,
             )
         }  # fmt: skip
         key = (self.id, locus.words)
@@ -203,7 +208,14 @@ class CriticalSet(CriticalEquations):
         if not self.zero_level:
             words = "only the critical points where the function vanishes"
             yield Neighbour(words, replace(self, zero_level=True), texts)
-        yield from super().neighbours(texts)
+        assert self.printed is not None
+        for edit in edits(texts.statement(self.printed), texts.vocabulary):
+            edited = texts.edited(self.printed, edit)
+            yield Neighbour(edit.words, self, edited, self.printed, edit)
+
+    def establishes(self) -> Iterator[Printed]:
+        """Nothing: the function is what it is, whatever its critical points are."""
+        yield from ()
 
 
 def _shown(terms: Terms, stage: Stage) -> str:

@@ -129,9 +129,8 @@ class Dimension(Set):
         if number - value != self.dimension:
             return refuted(witness)
         steps = [Step(
-            f"At the point below {full} differentials are independent in the space of dimension "
-            f"{number}, so that the set is a manifold of dimension {number - value} near it.",
-            _values(at),
+            f"At {_values(at)}, {full} differentials are independent in the space of dimension "
+            f"{number}, so that the set is a manifold of dimension {number - value} near this point",
         )] if bench.explain else []  # fmt: skip
         conditions = [*conditions_of(self.constraints(stage), stage)]
         for locus in self.scene.loci:
@@ -198,7 +197,7 @@ class Independence(Set):
             words = "the rank of the differentials, and the rank for independence"
             return refuted(Counterexample(at.shown(), str(value), str(full), words))
         steps = [Step(
-            f"At the point below all {full} differentials are independent.", _values(at)
+            f"At {_values(at)}, all {full} differentials are independent",
         )] if bench.explain else []  # fmt: skip
         return green(conditions_of(self.constraints(stage), stage), steps)
 
@@ -214,6 +213,7 @@ def _rank(stage: Stage, functions: list[Element], at: AtPoint) -> int:
 
 
 def _values(at: AtPoint) -> str:
-    return ",\\ ".join(f"{name} = {value}" for name, value in at.shown().values.items())
+    """A point, as words for the report."""
+    return ", ".join(f"${name} = {value}$" for name, value in at.shown().values.items())
 
 

@@ -40,7 +40,8 @@ class System:
         """The homomorphism that gives values to the parameters, and to the form."""
         ring = values[0].ring
         names = self.ring.polynomials.generators
-        return Substitution(self.ring, dict(zip(names, (form or ring.zero, *values), strict=True)), ring)
+        images = dict(zip(names, (form or ring.zero, *values), strict=True))
+        return Substitution(self.ring, images, ring)
 
     def holds(self, roots: Roots) -> bool:
         r"""Whether a certificate is right.

@@ -122,10 +122,10 @@ def _factors_of(node: Formula) -> tuple[Formula, ...]:
 def _signs(place: _Place) -> Iterator[Misprint]:
     node = place.node
     if isinstance(node, Negative):
-        yield Misprint("sign", place.path, node.argument, f"sign of {to_latex(node.argument)}")
+        yield Misprint("sign", place.path, node.argument, f"sign of ${to_latex(node.argument)}$")
     elif _term(place) and not isinstance(place.parent, Negative):
         if isinstance(place.parent, Sum) or not isinstance(node, Sum):
-            yield Misprint("sign", place.path, Negative(node), f"sign of {to_latex(node)}")
+            yield Misprint("sign", place.path, Negative(node), f"sign of ${to_latex(node)}$")
 
 
 def _names(
@@ -138,7 +138,7 @@ def _names(
     same = [n for n in names if n != node.name and (letter_and_index(n)[0] == letter)]
     others = same if kind == "index" else [n for n in names if n != node.name and n not in same]
     for other in sorted(others, key=lambda name: -closeness(node.name, name)):
-        yield Misprint(kind, place.path, Name(other), f"{other} for {node.name}")
+        yield Misprint(kind, place.path, Name(other), f"${other}$ for ${node.name}$")
 
 
 def _exponents(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
@@ -148,15 +148,15 @@ def _exponents(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
         lowest = 2 if isinstance(place.parent, Power) else isinstance(place.parent, Quotient)
         if node.value > lowest:
             lower = Number(node.value - 1)
-            yield Misprint("exponent", place.path, lower, f"{lower.value} for {words}")
+            yield Misprint("exponent", place.path, lower, f"${lower.value}$ for ${words}$")
         higher = Number(node.value + 1)
-        yield Misprint("exponent", place.path, higher, f"{higher.value} for {words}")
+        yield Misprint("exponent", place.path, higher, f"${higher.value}$ for ${words}$")
     elif isinstance(node, Power) and node.exponent == TWO:
-        yield Misprint("exponent", place.path, node.base, f"{to_latex(node.base)} for {words}")
+        yield Misprint("exponent", place.path, node.base, f"${to_latex(node.base)}$ for ${words}$")
     elif isinstance(node, Name) and not isinstance(place.parent, Power):
         if rank(node, vocabulary) == SCALAR:
             square = Power(node, TWO)
-            yield Misprint("exponent", place.path, square, f"{to_latex(square)} for {words}")
+            yield Misprint("exponent", place.path, square, f"${to_latex(square)}$ for ${words}$")
 
 
 def _coefficients(place: _Place) -> Iterator[Misprint]:
@@ -172,13 +172,13 @@ def _coefficients(place: _Place) -> Iterator[Misprint]:
         for other in dict.fromkeys(others):
             # A factor of one is a factor that is not written.
             if other != node and not (other == ONE and isinstance(place.parent, Product)):
-                words = f"{to_latex(other)} for {value}"
+                words = f"${to_latex(other)}$ for ${value}$"
                 yield Misprint("coefficient", place.path, other, words)
     elif _term(place) and not isinstance(node, Sum | Number):
         factors = _factors_of(node)
         if not isinstance(factors[0], Number):
             for number in (TWO, HALF):
-                words = f"{to_latex(number)} before {to_latex(node)}"
+                words = f"${to_latex(number)}$ before ${to_latex(node)}$"
                 yield Misprint("coefficient", place.path, product((number, *factors)), words)
 
 
@@ -188,7 +188,7 @@ def _factors(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
         factors = place.node.factors
         for index, factor in enumerate(factors):
             rest = product(factors[:index] + factors[index + 1 :])
-            words = f"{to_latex(place.node)} without {to_latex(factor)}"
+            words = f"${to_latex(place.node)}$ without ${to_latex(factor)}$"
             if rank(rest, vocabulary) == whole:
                 yield Misprint("factor", place.path, rest, words)
 
@@ -203,7 +203,7 @@ def _missing(place: _Place, names: list[str], vocabulary: Vocabulary) -> Iterato
     if rank(node, vocabulary) != SCALAR:
         return
     for name in names:
-        words = f"{name} inserted at {to_latex(node)}"
+        words = f"${name}$ inserted at ${to_latex(node)}$"
         factors = _factors_of(node)
         behind = all(isinstance(factor, Name | Number | Power) for factor in factors)
         first = 0 if behind or not isinstance(factors[0], Number) else 1
@@ -222,17 +222,17 @@ def _moves(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
             rest = product(below[:index] + below[index + 1 :])
             up = product((*above, factor))
             moved = up if rest == ONE else Quotient(up, rest)
-            words = f"{to_latex(factor)} above the line"
+            words = f"${to_latex(factor)}$ above the line"
             yield Misprint("power", place.path, moved, words)
         for index, factor in enumerate(above):
             if factor != ONE and rank(factor, vocabulary) == SCALAR:
                 rest = product(above[:index] + above[index + 1 :])
                 moved = Quotient(rest, product((*below, factor)))
-                words = f"{to_latex(factor)} below the line"
+                words = f"${to_latex(factor)}$ below the line"
                 yield Misprint("power", place.path, moved, words)
     elif isinstance(node, Product) and not isinstance(place.parent, Quotient):
         for index, factor in enumerate(node.factors):
             if not isinstance(factor, Number | Quotient) and rank(factor, vocabulary) == SCALAR:
                 moved = Quotient(ONE, factor)
-                words = f"{to_latex(factor)} below the line"
+                words = f"${to_latex(factor)}$ below the line"
                 yield Misprint("power", (*place.path, index), moved, words)

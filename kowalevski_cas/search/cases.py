@@ -14,7 +14,7 @@ from collections.abc import Sequence
 
 from flint import fmpq_mpoly
 
-from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
+from kowalevski_cas.arithmetic.polynomials import Polynomial, Polynomials, Terms
 from kowalevski_cas.proof.cases import Case, Powers, Reduction, Squares
 from kowalevski_cas.search.cofactors import pseudo_divide
 from kowalevski_cas.search.squares import sum_of_squares
@@ -31,9 +31,9 @@ class Splitter:
     def __init__(
         self,
         polynomials: Polynomials,
-        targets: Sequence[fmpq_mpoly],
-        goals: Sequence[fmpq_mpoly],
-        granted: Sequence[fmpq_mpoly],
+        targets: Sequence[Polynomial],
+        goals: Sequence[Polynomial],
+        granted: Sequence[Polynomial],
     ) -> None:
         self.polynomials = polynomials
         self.targets = targets
@@ -83,9 +83,8 @@ class Splitter:
         powers, left = self._without_granted(unit)
         if not left.is_constant():
             return None
-        if left != 1:
-            quotients = [q / left for q in quotients]
-            rest = rest / left
+        quotients = [q / left for q in quotients]
+        rest = rest / left
         found = tuple(self.polynomials.terms(q) for q in quotients)
         if rest.is_zero():
             return Reduction(index, powers, found, {}, (0,) * len(self.granted), ())

@@ -13,7 +13,7 @@ from fractions import Fraction
 from itertools import product
 from math import gcd, lcm
 
-from flint import fmpq_mpoly, fmpz_mat
+from flint import fmpq, fmpq_mpoly, fmpz_mat
 
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.proof.roots import Eliminant
@@ -36,7 +36,8 @@ def eliminant(levels: Sequence[fmpq_mpoly], unknowns: Sequence[fmpq_mpoly]) -> E
     forms = sorted(product((0, 1), repeat=len(unknowns)), key=sum)[1:]
     for degree in range(1, LARGEST + 1):
         for form in forms:
-            value = sum(u for u, c in zip(unknowns, form, strict=True) if c)
+            chosen = [u for u, c in zip(unknowns, form, strict=True) if c]
+            value = sum(chosen, levels[0].context().constant(0))
             columns = list(_products(value, levels, degrees, degree, degree))
             equation = _relation(columns, (degree, *(0 for _ in levels)))
             if equation is None:
@@ -100,9 +101,9 @@ def _relation(columns: Columns, leading: Exponents | None = None) -> Terms | Non
     monomials = sorted({monomial for entry in entries for monomial in entry})
     rows = []
     for monomial in monomials:
-        row = [entry.get(monomial, 0) for entry in entries]
-        size = lcm(*(int(value.q) for value in row if value != 0))
-        rows.append([int(value * size) if value != 0 else 0 for value in row])
+        row = [entry.get(monomial, fmpq(0)) for entry in entries]
+        size = lcm(*(int(value.q) for value in row))
+        rows.append([int(value * size) for value in row])
     space, nullity = fmpz_mat(rows).nullspace()
     keys = [key for key, _ in columns]
     for k in range(nullity):

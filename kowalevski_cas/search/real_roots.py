@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 def real_roots(system: System) -> Roots | None:
     """An eliminant of the system with its certificate, or ``None``."""
-    levels = [level.parts.get(0) for level in system.levels]
-    if None in levels:
+    if any(level.is_zero for level in system.levels):
         return None
+    levels = [level.parts[0] for level in system.levels]
     found = eliminant(levels, [unknown.parts[0] for unknown in system.unknowns])
     if found is None:
         return None

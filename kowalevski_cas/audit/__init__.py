@@ -1,0 +1,1 @@
+"""A paper's TeX source in, a verdict for each formula out."""

@@ -1,0 +1,141 @@
+r"""The formulas of a source: displays with their labels and rows, and inline formulas.
+
+Numbered rows of ``eqnarray``, ``align`` and their like are formulas of their own.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+DISPLAYS = (
+    "equation displaymath eqnarray align alignat flalign gather multline dmath math subequations"
+).split()
+ROWS = frozenset({"eqnarray", "align", "alignat", "flalign", "gather"})
+"""Environments in which every row has a number of its own."""
+
+LONGEST = 50_000
+"""Characters in one formula."""
+
+_MARK = re.compile(
+    r"\\\\(?:\s*\*?\s*\[[^\]\n]{0,20}\])?"  # the end of a row: no bracket of a display
+    r"|\\begin\s*\{\s*(?P<begin>[A-Za-z]+)(?P<star>\*?)\s*\}"
+    r"|\\end\s*\{\s*(?P<end>[A-Za-z]+)\*?\s*\}"
+    r"|(?P<open>\\[\[(])|(?P<close>\\[\])])"
+    r"|\\."
+    r"|(?P<dollar>\$\$?)"
+    r"|(?P<paragraph>\n[ \t\r]*\n\s*)",
+    re.DOTALL,
+)
+_LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
+_UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
+_ROW = re.compile(r"\\begin(?![A-Za-z])|\\end(?![A-Za-z])|\\\\\s*\*?(?:\s*\[[^\]\n]{0,20}\])?|\\.|[{}]", re.DOTALL)
+_COLUMNS = re.compile(r"\s*\{\s*\d+\s*\}")
+
+
+@dataclass(frozen=True, slots=True)
+class Typed:
+    """A formula as the author typed it, with its interval in the text."""
+
+    tex: str
+    start: int
+    end: int
+    kind: str
+    """The environment, or the mark that opens the formula."""
+    labels: tuple[str, ...] = ()
+    inline: bool = False
+    trouble: str = ""
+    """Why this is no whole formula, if it is none."""
+
+
+def find_formulas(text: str, start: int = 0) -> Iterator[Typed]:
+    """All formulas of a text from an offset on, in their order."""
+    at = start
+    while (match := _MARK.search(text, at)) is not None:
+        at = match.end()
+        begun = match["begin"]
+        if begun in DISPLAYS and begun != "subequations":
+            inside = at
+            if begun == "alignat" and (columns := _COLUMNS.match(text, at)) is not None:
+                inside = columns.end()
+            closing = _closing(text, inside, "end", begun)
+            numbered = not match["star"]
+            if closing is None:
+                yield _broken(text, match.start(), inside, begun)
+                continue
+            yield from _rows(text, inside, closing[0], begun + match["star"], numbered)
+            at = closing[1]
+        elif match["dollar"] or match["open"]:
+            mark = match["dollar"] or match["open"]
+            partner = {"\\[": "\\]", "\\(": "\\)"}.get(mark, mark)
+            inline = mark in ("$", "\\(")
+            kind = "close" if match["open"] else "dollar"
+            closing = _closing(text, at, kind, partner)
+            if closing is None:
+                yield _broken(text, match.start(), at, mark, inline)
+                continue
+            first, last = closing
+            yield Typed(text[at:first], at, first, mark, _labels(text[at:first]), inline)
+            at = last
+
+
+def _closing(text: str, at: int, group: str, partner: str) -> tuple[int, int] | None:
+    """The interval of the mark that closes a formula, before the paragraph ends."""
+    depth = 0
+    for match in _MARK.finditer(text, at, min(len(text), at + LONGEST)):
+        if match["paragraph"] and group != "end":
+            return None
+        if group == "end" and match["begin"] == partner:
+            depth += 1
+        found = match[group]
+        if found == partner or (found == "$$" and partner == "$"):
+            if depth == 0:
+                # Two dollars in a row close one inline formula and open the next.
+                short = found != partner
+                return match.start(), match.start() + 1 if short else match.end()
+            depth -= 1
+    return None
+
+
+def _broken(text: str, start: int, inside: int, kind: str, inline: bool = False) -> Typed:
+    head = text[inside : inside + 60].partition("\n\n")[0]
+    return Typed(head, start, inside + len(head), kind, (), inline, f"{kind} is never closed")
+
+
+def _labels(tex: str) -> tuple[str, ...]:
+    return tuple(label.strip() for label in _LABEL.findall(tex))
+
+
+def _rows(text: str, start: int, end: int, kind: str, numbered: bool) -> Iterator[Typed]:
+    """The formulas of an environment: one, or one for each number."""
+    tex = text[start:end]
+    if kind.rstrip("*") not in ROWS:
+        yield Typed(tex, start, end, kind, _labels(tex))
+        return
+    if not numbered and kind != "gather*":
+        yield Typed(tex, start, end, kind, _labels(tex))
+        return
+    first = 0
+    for last, following in _row_ends(tex):
+        row = tex[first:last]
+        if _UNNUMBERED.search(row) and following < len(tex):
+            continue
+        whole = tex[first:last]
+        if whole.strip(" \t\r\n&"):
+            yield Typed(whole, start + first, start + last, kind, _labels(whole))
+        first = following
+
+
+def _row_ends(tex: str) -> Iterator[tuple[int, int]]:
+    """The interval of each break between rows outside braces and inner environments."""
+    depth = 0
+    for match in _ROW.finditer(tex):
+        mark = match[0]
+        if mark in ("{", r"\begin"):
+            depth += 1
+        elif mark in ("}", r"\end"):
+            depth -= 1
+        elif mark.startswith("\\\\") and depth == 0:
+            yield match.span()
+    yield len(tex), len(tex)

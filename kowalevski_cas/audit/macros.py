@@ -1,0 +1,243 @@
+r"""The author's own macros: found, and written out within limits.
+
+``\newcommand``, ``\renewcommand``, ``\providecommand``, ``\DeclareMathOperator`` and plain
+``\def`` are understood. What is written out remembers from where in the file it came.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from dataclasses import dataclass, field
+
+from kowalevski_cas.audit.source import Source, SourceError
+
+DEEPEST = 30
+"""Macros within macros."""
+MOST = 20_000
+"""Macros written out in one file."""
+LONGEST = 8_000_000
+"""Characters that all macros of a file may write out."""
+FAILURES = 20
+"""Definitions that are not understood, after which no more are looked for."""
+
+_DEFINING = re.compile(
+    r"\\(?:(?P<new>newcommand|renewcommand|providecommand|DeclareRobustCommand)"
+    r"|(?P<operator>DeclareMathOperator)|(?P<def>def))(?![A-Za-z])\*?\s*"
+)
+_NAME = re.compile(r"\s*(?:\{\s*(\\(?:[A-Za-z@]+|.))\s*\}|(\\(?:[A-Za-z@]+|.)))\s*", re.DOTALL)
+_COUNT = re.compile(r"\[\s*([0-9])\s*\]\s*")
+_PARAMETERS = re.compile(r"((?:#[1-9])*)\s*(?=\{)")
+_MACRO = re.compile(r"\\(?:[A-Za-z@]+|.)", re.DOTALL)
+_BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
+_SPACE = re.compile(r"\s*")
+_TOKEN = re.compile(r"\\(?:[A-Za-z]+|.)|.", re.DOTALL)
+_SLOT = re.compile(r"#([1-9])")
+
+
+@dataclass(frozen=True, slots=True)
+class Macro:
+    """A macro: how many arguments it takes, the default of the first, and what it stands for."""
+
+    name: str
+    arguments: int
+    default: str | None
+    body: str
+
+
+@dataclass(slots=True)
+class Expanded:
+    """A text with macros written out, and where each part of it stands in the file."""
+
+    text: str
+    notes: list[tuple[int, str]]
+    """Offsets in the file, and what is to be said about the place."""
+    _starts: list[int] = field(default_factory=list)
+    _pieces: list[tuple[int, int, bool]] = field(default_factory=list)
+
+    def origin(self, start: int, end: int) -> tuple[int, int]:
+        """The interval of the file that printed an interval of the text."""
+        first = self._at(start)
+        last = self._at(max(start, end - 1))
+        return first[0], last[1]
+
+    def literal(self, start: int, end: int) -> bool:
+        """Whether the interval is typed in the file as it stands in the text."""
+        index = bisect_right(self._starts, start) - 1
+        following = self._starts[index + 1] if index + 1 < len(self._starts) else len(self.text)
+        return self._pieces[index][2] and end <= following
+
+    def _at(self, offset: int) -> tuple[int, int]:
+        index = bisect_right(self._starts, offset) - 1
+        start, end, literal = self._pieces[index]
+        if literal:
+            place = start + offset - self._starts[index]
+            return place, place + 1
+        return start, end
+
+
+def expand(source: Source) -> Expanded:
+    """The visible text of a source with the author's macros written out."""
+    text, macros, notes = _definitions(source.visible)
+    writer = _Writer(text, macros, source)
+    writer.run()
+    return Expanded("".join(writer.out), notes + writer.notes, writer.starts, writer.pieces)
+
+
+def _definitions(text: str) -> tuple[str, dict[str, Macro], list[tuple[int, str]]]:
+    """The text with definitions blanked, the macros, and what was not understood."""
+    macros: dict[str, Macro] = {}
+    notes: list[tuple[int, str]] = []
+    pieces, at = [], 0
+    position = 0
+    while (match := _DEFINING.search(text, position)) is not None:
+        parsed = _definition(text, match)
+        position = match.end()
+        if parsed is None:
+            notes.append((match.start(), f"this {match[0].strip()} is not understood"))
+            if len(notes) == FAILURES:
+                break
+            continue
+        macro, position = parsed
+        macros[macro.name] = macro
+        pieces.append(text[at : match.start()])
+        pieces.append(re.sub(r"[^\r\n]", " ", text[match.start() : position]))
+        at = position
+    pieces.append(text[at:])
+    return "".join(pieces), macros, notes
+
+
+def _definition(text: str, match: re.Match[str]) -> tuple[Macro, int] | None:
+    named = _NAME.match(text, match.end())
+    if named is None:
+        return None
+    name, at = named[1] or named[2], named.end()
+    count, default = 0, None
+    if match["def"]:
+        parameters = _PARAMETERS.match(text, at)
+        if parameters is None:
+            return None
+        count, at = len(parameters[1]) // 2, parameters.end()
+    elif match["new"] and (arguments := _COUNT.match(text, at)) is not None:
+        count, at = int(arguments[1]), arguments.end()
+        if text[at : at + 1] == "[":
+            closing = text.find("]", at)
+            if closing < 0:
+                return None
+            default = text[at + 1 : closing]
+            at = _skip(text, closing + 1)
+    group = _group(text, at)
+    if group is None:
+        return None
+    body, at = group
+    if match["operator"]:
+        body = rf"\operatorname{{{body}}}"
+    return Macro(name, count, default, body), at
+
+
+class _Writer:
+    """The state of writing out: what is written, and from where it came."""
+
+    def __init__(self, text: str, macros: dict[str, Macro], source: Source) -> None:
+        self.text = text
+        self.macros = macros
+        self.source = source
+        self.out: list[str] = []
+        self.starts: list[int] = []
+        self.pieces: list[tuple[int, int, bool]] = []
+        self.notes: list[tuple[int, str]] = []
+        self.size = 0
+        self.produced = 0
+        self.count = 0
+
+    def run(self) -> None:
+        at = 0
+        for match in _MACRO.finditer(self.text):
+            macro = self.macros.get(match[0])
+            if macro is None or match.start() < at:
+                continue
+            self.add(self.text[at : match.start()], at, match.start(), True)
+            try:
+                body, at = self.call(self.text, macro, match.end(), 1)
+            except RecursionError as error:
+                self.notes.append((match.start(), str(error)))
+                self.add(match[0], match.start(), match.end(), True)
+                at = match.end()
+                continue
+            self.add(_apart(body, self.text, at), match.start(), at, False)
+        self.add(self.text[at:], at, len(self.text), True)
+
+    def add(self, text: str, start: int, end: int, literal: bool) -> None:
+        if text:
+            self.starts.append(self.size)
+            self.pieces.append((start, end, literal))
+            self.out.append(text)
+            self.size += len(text)
+
+    def call(self, text: str, macro: Macro, at: int, depth: int) -> tuple[str, int]:
+        """What a macro stands for here, and the offset behind its arguments."""
+        self.count += 1
+        if depth > DEEPEST:
+            raise RecursionError(f"the macro {macro.name} expands into itself; it is left alone")
+        if self.count > MOST:
+            raise SourceError(f"{self.source.path}: more than {MOST:,} macros to write out")
+        arguments, required = [], macro.arguments
+        if macro.default is not None and required:
+            required -= 1
+            opening = _skip(text, at)
+            closing = text.find("]", opening) if text[opening : opening + 1] == "[" else -1
+            arguments.append(text[opening + 1 : closing] if closing >= 0 else macro.default)
+            at = closing + 1 if closing >= 0 else at
+        for _ in range(required):
+            at = _skip(text, at)
+            group = _group(text, at)
+            if group is None and (token := _TOKEN.match(text, at)) is not None:
+                group = token[0], token.end()
+            argument, at = group or ("", at)
+            arguments.append(argument)
+        body = _SLOT.sub(
+            lambda slot: arguments[int(slot[1]) - 1] if int(slot[1]) <= len(arguments) else "",
+            macro.body,
+        )
+        return self.written(body, depth), at
+
+    def written(self, body: str, depth: int) -> str:
+        """A body with the macros in it written out."""
+        pieces, at = [], 0
+        for match in _MACRO.finditer(body):
+            macro = self.macros.get(match[0])
+            if macro is None or match.start() < at:
+                continue
+            pieces.append(body[at : match.start()])
+            inner, at = self.call(body, macro, match.end(), depth + 1)
+            pieces.append(_apart(inner, body, at))
+        pieces.append(body[at:])
+        result = "".join(pieces)
+        self.produced += len(result)
+        if self.produced > LONGEST:
+            raise SourceError(f"{self.source.path}: its macros write out too much text")
+        return result
+
+
+def _apart(body: str, text: str, at: int) -> str:
+    """The body, kept apart from a letter that follows it."""
+    gap = re.search(r"\\[A-Za-z]+$", body) and text[at : at + 1].isalpha()
+    return body + " " if gap else body
+
+
+def _skip(text: str, at: int) -> int:
+    match = _SPACE.match(text, at)
+    assert match is not None
+    return match.end()
+
+
+def _group(text: str, at: int) -> tuple[str, int] | None:
+    """The content of the group in braces that begins here, and the offset behind it."""
+    if text[at : at + 1] != "{":
+        return None
+    depth = 0
+    for brace in _BRACE.finditer(text, at, at + 100_000):
+        depth += {"{": 1, "}": -1}.get(brace[0], 0)
+        if depth == 0:
+            return text[at + 1 : brace.start()], brace.end()
+    return None

@@ -1,0 +1,131 @@
+r"""States of rest for given values of integrals: the system for them, and exact ones."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from kowalevski_cas.arithmetic.numbers import number_ring
+from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.arithmetic.present import formula_of
+from kowalevski_cas.arithmetic.tower import Element, Ring
+from kowalevski_cas.claims.claim import Claim, show_number
+from kowalevski_cas.claims.real_roots import System
+from kowalevski_cas.claims.rest import Rest
+from kowalevski_cas.notation import Formula, Vocabulary, to_latex
+from kowalevski_cas.proof.outcome import Counterexample, Point
+from kowalevski_cas.stage import Stage, scalar
+from kowalevski_cas.texts import Printed
+
+Values = tuple[Fraction, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class StatesOfRest(Claim):
+    """What a claim about states of rest stands on.
+
+    ``fixed`` are the variables that vanish at rest; ``levels`` are printed
+    integrals with their values, which are the parameters; ``count`` is the number
+    of states that is claimed.
+    """
+
+    fixed: tuple[str, ...]
+    levels: tuple[Printed, ...]
+    count: int
+
+    def sides(self, stage: Stage, side: int) -> list[Formula]:
+        """The left sides of the levels, the integrals (0), or the right ones, their values (1)."""
+        return [stage.relation(printed).members[side] for printed in self.levels]
+
+    def system(self, rest: Rest) -> System | None:
+        """The system for the states of rest; ``None`` if there is a parameter on its left side."""
+        stage, ring = rest.stage, rest.stage.ring
+        everywhere = [scalar(formula, stage) for formula in self.sides(stage, 0)]
+        constants = [ring.polynomials.generators.index(c) for c in stage.scene.constants]
+        for element in (*everywhere, *stage.field.values()):
+            if element.denominator or element.parts.keys() - {0}:
+                return None
+            if any(exponents[k] for exponents in element.terms().get(0, {}) for k in constants):
+                return None
+        own = {name: ring.generator(name) for name in rest.free}
+        at_rest = rest.at(ring, own)
+        return System([at_rest(level) for level in everywhere], list(own.values()), everywhere)
+
+    def on_constants(self, stage: Stage) -> Stage:
+        """The scene in a ring of its constants and the form s."""
+        ring = Ring(stage.arithmetic(("s", *stage.scene.constants)))
+        image = {name: ring.generator(name) for name in stage.scene.constants}
+        return Stage(stage.scene, stage.arithmetic, stage.texts, ring, image)
+
+    def shown(self, stage: Stage, system: System, terms: Terms) -> Element:
+        """A polynomial in the form and the parameters, with the printed values of the levels."""
+        inner = self.on_constants(stage)
+        values = [scalar(formula, inner) for formula in self.sides(stage, 1)]
+        return system.into(values, inner.ring.generator("s"))(system.element(terms))
+
+    def exhibit(
+        self,
+        rest: Rest,
+        system: System,
+        points: Sequence[Values],
+        words: str,
+        zero: Sequence[Terms],
+        nonzero: Sequence[Terms],
+    ) -> Counterexample | None:
+        """Distinct states of rest with the same values of the levels, if that is what they are."""
+        stage = rest.stage
+        numbers = number_ring(stage.arithmetic)
+        shown: dict[str, str] = {}
+        if len(set(points)) != len(points):
+            return None
+        first: list[Element] = []
+        for k, point in enumerate(points, 1):
+            values = {n: numbers.number(x) for n, x in zip(rest.free, point, strict=True)}
+            at = rest.at(numbers, values)
+            levels = [at(level) for level in system.everywhere]
+            first = first or levels
+            if any(not at(rate).is_zero for rate in stage.field.values()):
+                return None
+            if any(not (a - b).is_zero for a, b in zip(first, levels, strict=True)):
+                return None
+            for name, components in stage.scene.vectors.items():
+                if set(components) - set(self.fixed):
+                    row = ",".join(show_number(at(stage.ring.generator(c))) for c in components)
+                    shown[f"{name}^{{({k})}}"] = f"({row})"
+        into = system.into(first)
+        if any(not into(system.element(terms)).is_zero for terms in zero):
+            return None
+        if any(into(system.element(terms)).is_zero for terms in nonzero):
+            return None
+        names = (to_latex(formula) for formula in self.sides(stage, 1))
+        heads = {n: show_number(value) for n, value in zip(names, first, strict=True)}
+        return Counterexample(Point(heads | shown), str(len(points)), str(self.count), words)
+
+    def places(self) -> Iterator[Printed]:
+        yield from super().places()
+        yield from self.levels
+
+
+def in_unknowns(system: System) -> list[Terms]:
+    """The levels as polynomials in the unknowns only."""
+    places = [next(iter(u.terms()[0])).index(1) for u in system.unknowns]
+    return [
+        {tuple(e[k] for k in places): value for e, value in level.terms()[0].items()}
+        for level in system.levels
+    ]
+
+
+def proportional(first: Element, second: Element) -> bool:
+    """Whether two polynomials differ by a number."""
+    a, b = first.terms().get(0, {}), second.terms().get(0, {})
+    if not a or not b or max(a) != max(b):
+        return False
+    ratio = first.ring.number(a[max(a)] / b[max(b)])
+    return (first - ratio * second).is_zero
+
+
+def latex(element: Element) -> str:
+    """An element in the names of its ring."""
+    names = frozenset(element.ring.polynomials.generators)
+    return to_latex(formula_of(element, Vocabulary(scalars=names)))
