@@ -2,7 +2,7 @@ r"""Critical equations: the derivatives of a function along a level surface."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -10,18 +10,16 @@ from kowalevski_cas.arithmetic.derivation import gradient
 from kowalevski_cas.arithmetic.numbers import rational
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.cases import System
-from kowalevski_cas.claims.claim import Claim, equation
-from kowalevski_cas.notation import to_latex
-from kowalevski_cas.stage import Stage, scalar
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.notation import Relation, to_latex
+from kowalevski_cas.stage import Stage, StageError, scalar
+from kowalevski_cas.texts import Printed, Texts
 
 Weights = tuple[int, ...] | None
 
 
-@dataclass(frozen=True, eq=False)
-class CriticalEquations(Claim):
+@dataclass(frozen=True)
+class CriticalEquations:
     r"""A printed function f, ``equations`` of a set, and a surface ``level`` of the form g = v.
 
     Weights of the variables are found under which the equations and g are
@@ -32,23 +30,37 @@ class CriticalEquations(Claim):
     vanish where v is non-zero. With ``zero_level`` f = 0 is one more equation.
     """
 
+    texts: Texts
+    printed: Printed
     equations: tuple[Printed, ...]
     level: Printed
-    main: tuple[tuple[str, ...], ...] = ()
-    zero_level: bool = False
+    zero_level: bool
 
     def function(self, stage: Stage) -> Element:
         """The printed function."""
-        assert self.printed is not None
-        return scalar(stage.texts.formula(self.printed), stage)
+        return scalar(self.texts.formula(self.printed), stage)
 
     def goals(self, stage: Stage) -> list[Element]:
-        """The left sides of the equations of the set."""
-        return [equation(printed, stage) for printed in self.equations]
+        """The left minus the right sides of the equations of the set."""
+        return [_difference(self._sides(printed, stage)) for printed in self.equations]
 
     def surface(self, stage: Stage) -> tuple[Element, Element]:
         """Both sides of the equation of the surface."""
-        left, right = stage.relation(self.level).members[:2]
+        return self._sides(self.level, stage)
+
+    def beside(self, stage: Stage) -> Element:
+        """What vanishes on the surface."""
+        return _difference(self.surface(stage))
+
+    def rates(self, stage: Stage) -> list[Element]:
+        """The derivatives of the function as it is printed."""
+        return self.derivatives(stage, self.function(stage))
+
+    def _sides(self, printed: Printed, stage: Stage) -> tuple[Element, Element]:
+        formula = self.texts.formula(printed)
+        if not isinstance(formula, Relation):
+            raise StageError(f"an equation is expected at {printed.place}")
+        left, right = formula.members[:2]
         return scalar(left, stage), scalar(right, stage)
 
     def homogeneous(self, stage: Stage, weights: Weights) -> Element | None:
@@ -70,17 +82,12 @@ class CriticalEquations(Claim):
             total = total + stage.ring.from_terms({0: part}) * ratio**power
         return total
 
-    def weights(self, bench: Bench) -> Weights:
-        """The weights of the variables, found on this bench."""
+    def weights(self, stage: Stage) -> Weights:
+        """The weights of the variables; this searches, with FLINT."""
+        from kowalevski_cas.search.weights import weights
 
-        def search(finder: Bench) -> Weights:
-            from kowalevski_cas.search.weights import weights
-
-            stage = finder.stage(self.scene)
-            elements = [*self.goals(stage), self.surface(stage)[0]]
-            return weights([element.terms().get(0, {}) for element in elements])
-
-        return bench.found(("weights", self.id), search)
+        elements = [*self.goals(stage), self.surface(stage)[0]]
+        return weights([element.terms().get(0, {}) for element in elements])
 
     def derivatives(self, stage: Stage, function: Element) -> list[Element]:
         """The derivatives along a frame of tangent fields, those free of the level first."""
@@ -113,12 +120,12 @@ class CriticalEquations(Claim):
 
     @staticmethod
     def loci(stage: Stage) -> list[str]:
-        """What the scene assumes not to vanish on its own account, to be tried once more."""
+        """What is assumed not to vanish; where it does, the statement is tried once more."""
         return [to_latex(formula) for formula in stage.landmarks()]
 
-    def places(self) -> Iterator[Printed]:
-        yield from super().places()
-        yield from (*self.equations, self.level)
+
+def _difference(sides: tuple[Element, Element]) -> Element:
+    return sides[0] - sides[1]
 
 
 def _weight(exponents: Sequence[int], weights: Sequence[int]) -> int:

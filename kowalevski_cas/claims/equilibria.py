@@ -44,7 +44,7 @@ class Equilibria(StatesOfRest):
         """Solve the system by one root, and show that all roots are real and distinct."""
         stage = bench.stage(self.scene)
         rest = Rest(stage, self.fixed)
-        system = self.system(rest)
+        system = self.system(rest, bench.texts)
         if system is None:
             return Finding(Verdict.UNDECIDED, message="the parameters are not independent")
         found = bench.found(("roots", self.id), self._roots)
@@ -67,7 +67,7 @@ class Equilibria(StatesOfRest):
     def _roots(self, finder: Bench) -> Roots | None:
         from kowalevski_cas.search.real_roots import real_roots
 
-        system = self.system(Rest(finder.stage(self.scene), self.fixed))
+        system = self.system(Rest(finder.stage(self.scene), self.fixed), finder.texts)
         return None if system is None else real_roots(system)
 
     # -- conditions --------------------------------------------------------------

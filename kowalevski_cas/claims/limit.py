@@ -74,8 +74,8 @@ class Limit(Claim):
         entries = [e for m in (transition, limit, rows) for row in m for e in row]
         steps = [
             Step("The specialised functions through those of the special system:", _shown(transition, stage)),
-            Step("The specialised cofactor matrix, by the time $t$:", _shown(limit, stage)),
-            Step("The matrix found directly:", _shown(rows, stage)),
+            Step("The cofactor matrix found directly, with which the specialised one agrees:",
+                 _shown(rows, stage)),
         ] if bench.explain else ()  # fmt: skip
         return green(conditions_of(entries, stage), steps)
 

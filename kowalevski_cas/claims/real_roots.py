@@ -11,6 +11,7 @@ from kowalevski_cas.arithmetic.numbers import Substitution
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.cases import is_sum
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.proof.roots import Eliminant, Roots
 
 
@@ -19,12 +20,13 @@ class System:
     r"""The system :math:`P_j(x) = p_j` in one arithmetic.
 
     ``levels`` are the :math:`P_j` in the ``unknowns`` x; ``everywhere`` are the
-    same integrals before anything was solved for.
+    same integrals before anything was solved for, ``values`` the :math:`p_j` as printed.
     """
 
     levels: Sequence[Element]
     unknowns: Sequence[Element]
     everywhere: Sequence[Element]
+    values: Sequence[Formula]
 
     @cached_property
     def ring(self) -> Ring:

@@ -13,10 +13,10 @@ from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.claim import Claim, show_number
 from kowalevski_cas.claims.real_roots import System
 from kowalevski_cas.claims.rest import Rest
-from kowalevski_cas.notation import Formula, Vocabulary, to_latex
+from kowalevski_cas.notation import Formula, Relation, Vocabulary, to_latex
 from kowalevski_cas.proof.outcome import Counterexample, Point
 from kowalevski_cas.stage import Stage, scalar
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.texts import Printed, Texts
 
 Values = tuple[Fraction, ...]
 
@@ -34,14 +34,15 @@ class StatesOfRest(Claim):
     levels: tuple[Printed, ...]
     count: int
 
-    def sides(self, stage: Stage, side: int) -> list[Formula]:
+    def sides(self, texts: Texts, side: int) -> list[Formula]:
         """The left sides of the levels, the integrals (0), or the right ones, their values (1)."""
-        return [stage.relation(printed).members[side] for printed in self.levels]
+        relations = [texts.formula(printed) for printed in self.levels]
+        return [relation.members[side] for relation in relations if isinstance(relation, Relation)]
 
-    def system(self, rest: Rest) -> System | None:
+    def system(self, rest: Rest, texts: Texts) -> System | None:
         """The system for the states of rest; ``None`` if there is a parameter on its left side."""
         stage, ring = rest.stage, rest.stage.ring
-        everywhere = [scalar(formula, stage) for formula in self.sides(stage, 0)]
+        everywhere = [scalar(formula, stage) for formula in self.sides(texts, 0)]
         constants = [ring.polynomials.generators.index(c) for c in stage.scene.constants]
         for element in (*everywhere, *stage.field.values()):
             if element.denominator or element.parts.keys() - {0}:
@@ -50,7 +51,8 @@ class StatesOfRest(Claim):
                 return None
         own = {name: ring.generator(name) for name in rest.free}
         at_rest = rest.at(ring, own)
-        return System([at_rest(level) for level in everywhere], list(own.values()), everywhere)
+        levels = [at_rest(level) for level in everywhere]
+        return System(levels, list(own.values()), everywhere, self.sides(texts, 1))
 
     def on_constants(self, stage: Stage) -> Stage:
         """The scene in a ring of its constants and the form s."""
@@ -61,7 +63,7 @@ class StatesOfRest(Claim):
     def shown(self, stage: Stage, system: System, terms: Terms) -> Element:
         """A polynomial in the form and the parameters, with the printed values of the levels."""
         inner = self.on_constants(stage)
-        values = [scalar(formula, inner) for formula in self.sides(stage, 1)]
+        values = [scalar(formula, inner) for formula in system.values]
         return system.into(values, inner.ring.generator("s"))(system.element(terms))
 
     def exhibit(
@@ -98,7 +100,7 @@ class StatesOfRest(Claim):
             return None
         if any(into(system.element(terms)).is_zero for terms in nonzero):
             return None
-        names = (to_latex(formula) for formula in self.sides(stage, 1))
+        names = (to_latex(formula) for formula in system.values)
         heads = {n: show_number(value) for n, value in zip(names, first, strict=True)}
         return Counterexample(Point(heads | shown), str(len(points)), str(self.count), words)
 

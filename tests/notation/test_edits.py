@@ -67,7 +67,7 @@ def test_the_index_that_a_complex_frequency_should_have_is_found():
     [statement] = read_display(r"x'_1 = -x_1 w_1", paper.WORDS)
     found = {edit.words: edit.tex for edit in edits(statement, paper.WORDS)}
     assert found[r"$\omega_3$ for $w_1$"] == r"x'_1 = -x_1 \omega_3"
-    assert found["w_3 for w_1"] == "x'_1 = -x_1 w_3"
+    assert found["$w_3$ for $w_1$"] == "x'_1 = -x_1 w_3"
 
 
 def test_kinds_come_in_the_order_of_plausibility():

@@ -1,0 +1,93 @@
+"""What each place of a paper is for a derivation: claim, definition, vector field, condition."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, fields
+
+from kowalevski_cas.claims import Claim
+from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.notation import Formula, Name, Relation
+from kowalevski_cas.scene import Change, Scene
+from kowalevski_cas.texts import Printed
+
+OWN = ("printed", "relations", "values")
+"""The parts of a claim that print what is claimed; the others are what it refers to."""
+
+ORDER = ("unit", "vector field", "change of variables", "time", "definition", "condition", "claim")
+
+
+@dataclass(slots=True)
+class Role:
+    """The roles of one place, and the claims that are about it."""
+
+    roles: set[str] = field(default_factory=set)
+    defines: set[str] = field(default_factory=set)
+    claims: dict[str, None] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """The role by which the place is called: what others rest on comes first."""
+        return next((role for role in ORDER if role in self.roles), "none")
+
+
+class Roles:
+    """The roles of all places, by their public names."""
+
+    def __init__(self, derivation: Derivation) -> None:
+        self.places: dict[str, Role] = {}
+        for scene in derivation.scenes():
+            for printed, role in _of_scene(scene):
+                self.at(printed.place).roles.add(role)
+            for name, printed in scene.definitions.items():
+                self.at(printed.place).defines.add(name)
+        for claim in derivation.claims:
+            for part in fields(claim):
+                own = part.name in OWN
+                for printed in _printed(getattr(claim, part.name)):
+                    role = self.at(printed.place)
+                    role.roles.add("claim" if own else "condition")
+                    if own:
+                        role.claims[claim.id] = None
+
+    def at(self, place: str) -> Role:
+        """The role of a place, none if the derivation does not use it."""
+        return self.places.setdefault(place, Role())
+
+
+def undefined(role: Role, formula: Formula) -> list[str]:
+    """The names that a place should define, and does not print as a member of its equation."""
+    members = formula.members if isinstance(formula, Relation) else ()
+    printed = {member.name for member in members if isinstance(member, Name)}
+    return sorted(role.defines - printed)
+
+
+def places_of(claim: Claim) -> Iterator[Printed]:
+    """Every place on which the verdict of a claim can depend."""
+    yield from claim.places()
+    for scene in claim.scenes():
+        yield from scene.places()
+
+
+def _of_scene(scene: Scene) -> Iterator[tuple[Printed, str]]:
+    if scene.unit is not None:
+        yield scene.unit, "unit"
+    if scene.clock is not None:
+        yield scene.clock, "time"
+    yield from ((printed, "definition") for printed in scene.definitions.values())
+    yield from ((p, "condition") for p in scene.roots.values() if p is not None)
+    yield from ((printed, "condition") for printed in scene.zero)
+    if isinstance(scene.field, Change):
+        yield from ((printed, "change of variables") for printed in scene.field.formulas)
+        yield scene.field.time, "time"
+    else:
+        yield from ((printed, "vector field") for printed in scene.field)
+
+
+def _printed(value: object) -> Iterator[Printed]:
+    """The places in a part of a claim; other claims and scenes speak for themselves."""
+    if isinstance(value, Printed):
+        yield value
+    elif isinstance(value, tuple | list):
+        for item in value:
+            yield from _printed(item)

@@ -1,0 +1,69 @@
+"""Formulas as sequences of tokens: what is equal but for spaces, and how far apart two are."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from functools import lru_cache
+
+from kowalevski_cas.notation import NotationError
+from kowalevski_cas.notation.lexer import Token, scan
+
+BREAKS = frozenset({"row", "cell", "gap", "comma", "stop"})
+"""What may stand at either end of a formula and says nothing about it."""
+
+_ROUGHLY = re.compile(r"\\(?:[A-Za-z]+|.)|\d+|\S", re.DOTALL)
+_LONGEST = 400
+"""Tokens that are compared one by one."""
+
+
+@lru_cache(maxsize=4096)
+def scanned(tex: str) -> tuple[Token, ...]:
+    """The tokens of a formula without the breaks around it; none if it cannot be scanned."""
+    try:
+        tokens = scan(tex)
+    except NotationError:
+        return ()
+    while tokens and tokens[-1].kind in BREAKS:
+        tokens.pop()
+    while tokens and tokens[0].kind in BREAKS:
+        tokens.pop(0)
+    return tuple(tokens)
+
+
+@lru_cache(maxsize=4096)
+def words(tex: str) -> tuple[str, ...]:
+    """What the tokens of a formula print, whatever it is."""
+    tokens = scanned(tex)
+    if not tokens:
+        return tuple(match[0] for match in _ROUGHLY.finditer(tex[:5000]))
+    return tuple(token.text if token.kind != "row" else "\\\\" for token in tokens)
+
+
+@lru_cache(maxsize=16384)
+def likeness(one: str, other: str) -> float:
+    """From 1 for the same tokens down to 0 for nothing in common."""
+    first, second = words(one), words(other)
+    if first == second:
+        return 1.0
+    longest = max(len(first), len(second))
+    if sum((Counter(first) & Counter(second)).values()) * 2 < longest:
+        return 0.0
+    return 1 - distance(first[:_LONGEST], second[:_LONGEST]) / longest
+
+
+def distance(first: Sequence[str], second: Sequence[str]) -> int:
+    """The least number of tokens to insert, to leave out or to change."""
+    start = 0
+    while start < min(len(first), len(second)) and first[start] == second[start]:
+        start += 1
+    first, second = first[start:], second[start:]
+    while first and second and first[-1] == second[-1]:
+        first, second = first[:-1], second[:-1]
+    row = list(range(len(second) + 1))
+    for count, one in enumerate(first, 1):
+        above, row = row, [count]
+        for k, other in enumerate(second):
+            row.append(min(above[k + 1] + 1, row[k] + 1, above[k] + (one != other)))
+    return row[-1]
