@@ -81,4 +81,5 @@ class Derivation:
         for section in self.sections:
             yield from section.displays
 
+
 __all__ = ["Change", "Derivation", "Locus", "Scene", "Section"]

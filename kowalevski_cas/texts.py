@@ -77,7 +77,11 @@ class Texts:
     def edited(self, printed: Printed, edit: Edit) -> Texts:
         """The same texts with one statement changed."""
         return Texts(
-            self.vocabulary, self.sources, {**self.edits, printed: edit}, self._read, self._expressions
+            self.vocabulary,
+            self.sources,
+            {**self.edits, printed: edit},
+            self._read,
+            self._expressions,
         )
 
     def with_source(self, display: Display, tex: str) -> Texts:

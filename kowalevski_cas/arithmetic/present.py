@@ -10,13 +10,11 @@ from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.notation import (
     Formula,
-    Name,
     Negative,
     Number,
     Power,
     Product,
     Quotient,
-    Root,
     Sum,
     Vocabulary,
     read,
@@ -61,7 +59,7 @@ def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
             shown.append(names[width + bit])
     factor = lcm(*(value.denominator for value in terms.values()))
     top = polynomial_formula({e: v * factor for e, v in terms.items()}, names)
-    bottom = [Number(factor)] if factor > 1 else []
+    bottom: list[Formula] = [Number(factor)] if factor > 1 else []
     bottom += [
         _power(polynomial_formula(divisors[index], names), exponent)
         for index, exponent in below.items()
@@ -121,7 +119,7 @@ def polynomial_formula(terms: Terms, names: Sequence[Formula]) -> Formula:
 
 
 def name_formula(name: str, vocabulary: Vocabulary) -> Formula:
-    """The formula of a generator: a name, a root, or a symbolic power; a ring of numbers has none."""
+    """The formula of a generator: a name, a root, or a power; a ring of numbers has none."""
     return read(name, vocabulary) if name else Number(1)
 
 

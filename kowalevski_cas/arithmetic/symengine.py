@@ -36,7 +36,7 @@ class Arithmetic(Polynomials):
         return polynomial.diff(self.symbols[index])
 
     def is_zero(self, polynomial: Expr) -> bool:
-        return symengine.expand(polynomial) == 0
+        return bool(symengine.expand(polynomial) == 0)
 
     def terms(self, polynomial: Expr) -> Terms:
         expanded = symengine.expand(polynomial)

@@ -33,7 +33,7 @@ class Arithmetic(Polynomials):
         return polynomial.diff(index)
 
     def is_zero(self, polynomial: PolyElement) -> bool:
-        return polynomial == 0
+        return bool(polynomial == 0)
 
     def terms(self, polynomial: PolyElement) -> Terms:
         return {

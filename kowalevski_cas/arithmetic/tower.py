@@ -103,9 +103,7 @@ class Ring:
             bit = mask.bit_length() - 1
             rest = mask ^ (1 << bit)
             parts = self.radicands[bit].parts
-            self._squares[mask] = (
-                self.multiply_parts(parts, self._square(rest)) if rest else parts
-            )
+            self._squares[mask] = self.multiply_parts(parts, self._square(rest)) if rest else parts
         return self._squares[mask]
 
     def divisor(self, polynomial: Polynomial) -> int:

@@ -12,8 +12,10 @@ from dataclasses import dataclass, field
 
 from kowalevski_cas.audit.roles import places_of
 from kowalevski_cas.claims import Claim
+from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import Formula, NotationError
+from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.evidence import Evidence
 from kowalevski_cas.proof.outcome import Correction, Outcome
 from kowalevski_cas.proof.verify import Session
@@ -27,39 +29,48 @@ Key = tuple[object, ...]
 class Memory:
     """What runs of one derivation share: stages, and outcomes by the texts they rest on."""
 
+    derivation: Derivation
     arithmetics: Sequence[str] = ("flint",)
     evidence: dict[str, Evidence] = field(default_factory=dict)
     timeout: float | None = None
     stages: dict[object, Stage] = field(default_factory=dict)
     outcomes: dict[Key, Decided] = field(default_factory=dict)
-    bases: dict[Derivation, Base] = field(default_factory=dict)
+    kept: Base | None = None
+    rests: dict[Claim, frozenset[Printed]] = field(default_factory=dict)
 
-    def base(self, derivation: Derivation) -> Base:
+    def places(self, claim: Claim) -> frozenset[Printed]:
+        """Every place on which the verdict of a claim can depend."""
+        if claim not in self.rests:
+            self.rests[claim] = frozenset(places_of(claim))
+        return self.rests[claim]
+
+    @property
+    def base(self) -> Base:
         """The derivation as it stands, decided once."""
-        if derivation not in self.bases:
-            session = AuditSession(derivation, self)
-            outcomes = session.run().outcomes
-            self.bases[derivation] = Base(
-                session.texts, {outcome.claim: outcome for outcome in outcomes}
-            )
-        return self.bases[derivation]
+        if self.kept is None:
+            session = AuditSession(self)
+            own = session.texts
+            outcomes = {outcome.claim: outcome for outcome in session.run().outcomes}
+            self.kept = Base(own, session.texts, outcomes)
+        return self.kept
 
 
 @dataclass(frozen=True, slots=True)
 class Base:
-    """The texts of a derivation with all corrections, and the outcomes on the way to them."""
+    """The texts of a derivation, those with all corrections, and the outcomes in between."""
 
+    own: Texts
     texts: Texts
     outcomes: Mapping[str, Outcome]
 
-    def tex(self, display: Display) -> str:
+    def corrected(self, display: Display) -> str:
         """The corrected source of a display."""
         return self.texts.sources.get(display.id, display.tex)
 
 
 @dataclass(frozen=True, slots=True)
 class Decided:
-    """An outcome, the correction that became part of the texts, and the causes."""
+    """An outcome, the corrections that became part of the texts, and the causes."""
 
     outcome: Outcome
     corrected: tuple[tuple[Display, str], ...]
@@ -70,27 +81,32 @@ class AuditSession(Session):
     """A run over the displays in ``sources``, which differ from those of the derivation."""
 
     def __init__(
-        self,
-        derivation: Derivation,
-        memory: Memory,
-        base: Base | None = None,
-        sources: Mapping[str, str] | None = None,
+        self, memory: Memory, base: Base | None = None, sources: Mapping[Display, str] | None = None
     ) -> None:
+        derivation = memory.derivation
         super().__init__(
-            derivation, memory.arithmetics, False, dict(memory.evidence), memory.timeout, sources
+            derivation, memory.arithmetics, False, dict(memory.evidence), memory.timeout
         )
         self.memory = memory
         self.stages = memory.stages
         self.base = base
-        self.displays = {display.id: display for display in derivation.displays()}
-        self.changed = _changed(self.texts, base, self.displays, sources or {})
         self.causes: dict[str, tuple[Printed, ...]] = {}
+        self.changed: frozenset[Printed] = frozenset()
+        if base is not None:
+            self.texts = base.own
+            for display, tex in (sources or {}).items():
+                self.texts = self.texts.with_source(display, tex)
+            self.dependencies = Dependencies(self.texts)
+            self.changed = _changed(self.texts, base.own, sources or {})
+
+    def needed(self, chosen: Sequence[Claim]) -> list[Claim]:
+        """All claims: an audit leaves none out."""
+        return list(chosen)
 
     def decide(self, claim: Claim) -> Outcome:
         """The outcome for a claim, from memory if the texts it rests on were met before."""
-        places = dict.fromkeys(places_of(claim))
-        here = self.changed.intersection(places)
-        key = (claim, self.texts.changes(places), frozenset(here))
+        places = self.memory.places(claim)
+        key = (claim, self.texts.changes(places), self.changed & places)
         known = self.memory.outcomes.get(key)
         if known is None:
             known = self._decided(claim)
@@ -102,79 +118,81 @@ class AuditSession(Session):
         return known.outcome
 
     def _decided(self, claim: Claim) -> Decided:
-        before = self.texts
+        before = self.texts.sources
         outcome = super().decide(claim)
-        after = self.texts.sources
         corrected = tuple(
-            (self.displays[id], tex) for id, tex in after.items() if before.sources.get(id) != tex
+            (place.display, self.texts.sources[place.display.id])
+            for place in claim.establishes()
+            if self.texts.sources.get(place.display.id) != before.get(place.display.id)
         )
-        causes = self.causes.get(claim.id)
-        if causes is None:
-            own = () if outcome.verdict.green else self._own(claim)
-            causes = own or (() if outcome.verdict.green else self._to_blame(claim))
+        causes = self.causes.get(claim.id, ())
+        if not causes and not outcome.verdict.green:
+            causes = self._own(claim) or self._to_blame(claim)
         return Decided(outcome, corrected, causes)
 
     def _own(self, claim: Claim) -> tuple[Printed, ...]:
+        """The changed places among those that the claim establishes."""
         return tuple(printed for printed in claim.establishes() if printed in self.changed)
 
     def _correct(self, claim: Claim, kept: Evidence) -> Correction | None:
         """The nearest true statement, unless a changed definition is what makes it false."""
         if self.changed and not self._own(claim):
-            causes = self._to_blame(claim)
-            if causes:
-                self.causes[claim.id] = causes
+            self.causes[claim.id] = self._to_blame(claim)
+            if self.causes[claim.id]:
                 return None
         return super()._correct(claim, kept)
 
     def _to_blame(self, claim: Claim) -> tuple[Printed, ...]:
         """The changed places without whose changes the claim would come out as in the base."""
-        if self.base is None:
-            return ()
         own = set(claim.establishes())
-        suspects = [p for p in dict.fromkeys(places_of(claim)) if p in self.changed - own]
-        if not suspects:
+        suspects = [p for p in self.memory.places(claim) if p in self.changed and p not in own]
+        if not suspects or self.base is None:
             return ()
-        texts = self._with_base(self.texts, (p.display for p in own - self.changed))
-        if self._holds(claim, texts):
+        texts = self._with_base(self.texts, [p.display for p in own if p not in self.changed])
+        if self._as_in_base(claim, texts):
             return ()
         displays = list(dict.fromkeys(printed.display for printed in suspects))
-        guilty = [d for d in displays if self._holds(claim, self._with_base(texts, (d,)))]
-        if not guilty and self._holds(claim, self._with_base(texts, displays)):
+        guilty = [d for d in displays if self._as_in_base(claim, self._with_base(texts, [d]))]
+        if not guilty and self._as_in_base(claim, self._with_base(texts, displays)):
             guilty = displays
-        return tuple(printed for printed in suspects if printed.display in guilty)
+        return tuple(sorted((p for p in suspects if p.display in guilty), key=lambda p: p.place))
 
     def _with_base(self, texts: Texts, displays: Iterable[Display]) -> Texts:
-        """Texts with some displays as they are in the base."""
+        """Texts with some displays as they are, corrected, in the base."""
         assert self.base is not None
         for display in displays:
-            tex = self.base.tex(display)
+            tex = self.base.corrected(display)
             if texts.sources.get(display.id, display.tex) != tex:
                 texts = texts.with_source(display, tex)
         return texts
 
-    def _holds(self, claim: Claim, texts: Texts) -> bool:
-        """Whether the claim is true on these texts, as it is in the base."""
-        from kowalevski_cas.claims.bench import Bench
+    def _as_in_base(self, claim: Claim, texts: Texts) -> bool:
+        """Whether the claim, corrected where the base corrects it, has the verdict of the base."""
+        assert self.base is not None
+        expected = self.base.outcomes[claim.id]
+        corrected = expected.correction is not None and expected.correction.verdict.green
+        green = corrected or expected.verdict.green
+        bench = Bench(self.arithmetics[0], texts, False, {}, self.stages, refute=not green)
+        verdict = self._decide(claim, bench).verdict
+        return verdict.green if green else verdict is expected.verdict
 
-        bench = Bench(self.arithmetics[0], texts, False, {}, self.stages, refute=False)
-        return self._decide(claim, bench).verdict.green
 
-
-def _changed(
-    texts: Texts, base: Base | None, displays: Mapping[str, Display], sources: Mapping[str, str]
-) -> frozenset[Printed]:
-    """The statements in the sources that are not those of the derivation."""
+def _changed(texts: Texts, own: Texts, sources: Iterable[Display]) -> frozenset[Printed]:
+    """The statements of the sources that are not those of the derivation."""
     changed: set[Printed] = set()
-    if base is None:
-        return frozenset()
-    own = Texts(texts.vocabulary, read=OWN_READ.setdefault(texts.vocabulary, {}))
-    for id in sources:
-        display = displays[id]
-        new, old = statements(texts, display), statements(own, display)
+    for display in sources:
+        new, old = formulas(texts, display), formulas(own, display)
         for number in range(1, max(len(new), len(old)) + 1):
             if new[number - 1 : number] != old[number - 1 : number]:
                 changed.add(display[number])
     return frozenset(changed)
 
 
-OWN_READ: dict[object, dict[str, object]] = {}
+def formulas(texts: Texts, display: Display) -> tuple[Formula, ...]:
+    """The statements of a display as they are read; none if it cannot be read."""
+    found: list[Formula] = []
+    try:
+        while True:
+            found.append(texts.statement(display[len(found) + 1]).formula)
+    except NotationError:
+        return tuple(found)

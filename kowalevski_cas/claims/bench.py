@@ -66,9 +66,7 @@ class Bench:
         if self.arithmetic == "flint":
             return self
         if self._finder is None:
-            self._finder = Bench(
-                "flint", self.texts, False, self._shelf, self._stages, self.refute
-            )
+            self._finder = Bench("flint", self.texts, False, self._shelf, self._stages, self.refute)
         return self._finder
 
     def found(self, key: Key, search: Callable[[Bench], Found]) -> Found:

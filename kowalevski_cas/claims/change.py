@@ -66,7 +66,11 @@ class InvertibleChange(Claim):
         old = bench.stage(self.old)
         if not all((left - right).is_zero for left, right in self._pairs(old)):
             found = counterexample(
-                bench, self.old, self.id, self._pairs, words="the variable, and the conjugate of its partner"
+                bench,
+                self.old,
+                self.id,
+                self._pairs,
+                words="the variable, and its partner conjugated",
             )
             return refuted(found) if found else Finding(Verdict.UNDECIDED)
         steps = []

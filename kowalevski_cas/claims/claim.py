@@ -118,6 +118,11 @@ def equation(printed: Printed, stage: Stage) -> Element:
     return scalar(left, stage) - scalar(right, stage)
 
 
+def equations(places: Sequence[Printed], stage: Stage) -> list[Element]:
+    """The left sides minus the right sides of printed equations."""
+    return [equation(printed, stage) for printed in places]
+
+
 def show(element: Element, stage: Stage) -> str:
     """An element in the names of its stage, as LaTeX."""
     return to_latex(formula_of(element, stage.texts.vocabulary))
@@ -144,10 +149,7 @@ def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition,
     for first, second in stage.scene.conjugates:
         if first in shown and second in shown:
             del shown[second]
-            shown = {
-                (f"{first}{second}" if tex == first else tex): None
-                for tex in shown
-            }
+            shown = {(f"{first}{second}" if tex == first else tex): None for tex in shown}
     return tuple(Condition(tex, "the formulas divide by it") for tex in shown)
 
 
@@ -267,6 +269,7 @@ __all__ = [
     "counterexample",
     "differences",
     "equation",
+    "equations",
     "green",
     "locus_of",
     "members",

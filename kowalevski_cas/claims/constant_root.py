@@ -21,7 +21,6 @@ from kowalevski_cas.claims.claim import (
     green,
     refuted,
     show,
-
 )
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
@@ -130,7 +129,9 @@ class ConstantRoot(Claim):
             return None
         point, roots, _ = sample
         numbers = [to_latex(fraction_formula(root)) for root in roots]
-        words = "the two roots at this point; no combination of the constants gives one of them everywhere"
+        words = (
+            "the two roots at this point; no combination of the constants is one of them throughout"
+        )
         return Counterexample(AtPoint(stage, point).shown(), numbers[0], numbers[1], words)
 
 

@@ -35,6 +35,7 @@ class CriticalEquations:
     equations: tuple[Printed, ...]
     level: Printed
     zero_level: bool
+    weights: Weights = None
 
     def function(self, stage: Stage) -> Element:
         """The printed function."""
@@ -63,10 +64,11 @@ class CriticalEquations:
         left, right = formula.members[:2]
         return scalar(left, stage), scalar(right, stage)
 
-    def homogeneous(self, stage: Stage, weights: Weights) -> Element | None:
+    def homogeneous(self, stage: Stage) -> Element | None:
         """The function made homogeneous; ``None`` if that is impossible."""
         function = self.function(stage)
         level, value = self.surface(stage)
+        weights = self.weights
         if weights is None or not rational(value) or function.denominator or function.is_zero:
             return None
         parts: dict[int, Terms] = {}
@@ -82,7 +84,7 @@ class CriticalEquations:
             total = total + stage.ring.from_terms({0: part}) * ratio**power
         return total
 
-    def weights(self, stage: Stage) -> Weights:
+    def found_weights(self, stage: Stage) -> Weights:
         """The weights of the variables; this searches, with FLINT."""
         from kowalevski_cas.search.weights import weights
 
@@ -100,9 +102,9 @@ class CriticalEquations:
             slopes[i] * partial[j] - slopes[j] * partial[i] for i, j in combinations(on, 2)
         ]
 
-    def system(self, stage: Stage, weights: Weights) -> System:
+    def system(self, stage: Stage) -> System:
         """The critical equations and consequences of them, the set, and what is granted."""
-        function = self.homogeneous(stage, weights)
+        function = self.homogeneous(stage)
         assert function is not None
         critical = self.derivatives(stage, function)
         goals, level = self.goals(stage), self.surface(stage)[0]

@@ -11,6 +11,7 @@ from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
+    Claim,
     Finding,
     Neighbour,
     conditions_of,
@@ -36,8 +37,12 @@ CRITICAL = (
 
 
 @dataclass(frozen=True, eq=False)
-class CriticalSet(CriticalEquations):
+class CriticalSet(Claim):
     r"""``equations`` define exactly the critical points of the printed function on a surface.
+
+    ``level`` is the printed equation of the surface; with ``zero_level`` only the
+    critical points at which the function vanishes are meant. ``main`` are sets of
+    variables in which the division is tried.
 
     *Forward*: the function, made homogeneous, is a combination of products of two
     of the equations, so that its differential vanishes with them.
@@ -53,48 +58,66 @@ class CriticalSet(CriticalEquations):
     each square.
     """
 
+    equations: tuple[Printed, ...]
+    level: Printed
+    main: tuple[tuple[str, ...], ...] = ()
+    zero_level: bool = False
+
     def decide(self, bench: Bench) -> Finding:
         """Divide the function by products of the equations, then split into cases."""
         stage = bench.stage(self.scene)
-        weights = self.weights(bench)
-        row = self._forward(bench, weights)
+        problem = self._problem(bench)
+        row = self._forward(bench, problem)
         if row is None:
-            moving = self._moving_point(bench)
+            moving = self._moving_point(bench, problem)
             return refuted(moving) if moving else Finding(Verdict.UNDECIDED)
-        case = self._cases(bench, weights)
-        if not self.system(stage, weights).holds(case):
+        case = self._cases(bench, problem)
+        if not problem.system(stage).holds(case):
             return Finding(Verdict.UNDECIDED, message="a split into cases does not hold")
         steps = self._steps(row, case, stage) if bench.explain else []
         if any(one.kind == "open" for one in case.nodes()):
-            off = self._point_off_the_set(bench, case, weights)
+            off = self._point_off_the_set(bench, problem, case)
             if off is None:
                 return Finding(Verdict.UNDECIDED, message="a case is left open")
             return replace(refuted(off, steps), message=self._on_zero_level(bench))
         conditions = dict.fromkeys(c.tex for c in conditions_of(row, stage))
         needed = set(case.granted())
-        conditions |= {tex: None for k, tex in enumerate(self.loci(stage)) if k in needed}
-        return green(tuple(self._where_it_fails(bench, tex) for tex in conditions), steps)
+        conditions |= {tex: None for k, tex in enumerate(problem.loci(stage)) if k in needed}
+        shown = tuple(self._where_it_fails(bench, problem, tex) for tex in conditions)
+        return green(shown, steps)
+
+    def _problem(self, bench: Bench) -> CriticalEquations:
+        """The equations as the texts of the bench print them, with weights that were found."""
+        assert self.printed is not None
+        problem = CriticalEquations(
+            bench.texts, self.printed, self.equations, self.level, self.zero_level
+        )
+
+        def search(finder: Bench) -> Weights:
+            return problem.found_weights(finder.stage(self.scene))
+
+        return replace(problem, weights=bench.found(("weights", self.id), search))
 
     # -- both directions -------------------------------------------------------
 
-    def _forward(self, bench: Bench, weights: Weights) -> list[Element] | None:
-        if self.homogeneous(bench.stage(self.scene), weights) is None:
+    def _forward(self, bench: Bench, problem: CriticalEquations) -> list[Element] | None:
+        if problem.homogeneous(bench.stage(self.scene)) is None:
             return None
 
         def target(stage: Stage) -> Element:
-            return self.homogeneous(stage, weights) or stage.ring.zero
+            return problem.homogeneous(stage) or stage.ring.zero
 
         def products(stage: Stage) -> list[Element]:
-            return [a * b for a, b in combinations_with_replacement(self.goals(stage), 2)]
+            return [a * b for a, b in combinations_with_replacement(problem.goals(stage), 2)]
 
         return combination(bench, self.scene, (self.id, "forward"), target, products, self.main)
 
-    def _cases(self, bench: Bench, weights: Weights) -> Case:
+    def _cases(self, bench: Bench, problem: CriticalEquations) -> Case:
         def search(finder: Bench) -> Case:
             from kowalevski_cas.search.cases import Splitter
 
             stage = finder.stage(self.scene)
-            system = self.system(stage, weights)
+            system = problem.system(stage)
             polynomials = stage.ring.polynomials
             targets, goals, granted = (
                 [element.parts.get(0, polynomials.zero) for element in elements]
@@ -107,20 +130,24 @@ class CriticalSet(CriticalEquations):
 
     # -- points where it fails -------------------------------------------------
 
-    def _moving_point(self, bench: Bench) -> Counterexample | None:
+    def _moving_point(
+        self, bench: Bench, problem: CriticalEquations
+    ) -> Counterexample | None:
         """A point of the set, off the loci, that is not critical."""
 
         def off(stage: Stage) -> list[Element]:
-            return [scalar(stage.formula(tex), stage) for tex in self.loci(stage)]
+            return [scalar(stage.formula(tex), stage) for tex in problem.loci(stage)]
 
         def on(stage: Stage) -> list[Element]:
-            return [*self.goals(stage), self._beside(stage)]
+            return [*problem.goals(stage), problem.beside(stage)]
 
         return witness(
-            bench, self.scene, (self.id, "moving"), on, self._rates, lambda index: MOVING, off
+            bench, self.scene, (self.id, "moving"), on, problem.rates, lambda index: MOVING, off
         )
 
-    def _where_it_fails(self, bench: Bench, tex: str) -> Condition:
+    def _where_it_fails(
+        self, bench: Bench, problem: CriticalEquations, tex: str
+    ) -> Condition:
         """A condition with a point of its locus that lies on the set and is not critical."""
         condition = Condition(tex, "the formulas divide by it")
         locus = locus_of(condition, bench.stage(self.scene))
@@ -128,14 +155,14 @@ class CriticalSet(CriticalEquations):
             return condition
 
         def goal(stage: Stage, k: int) -> Element:
-            return self.goals(stage)[k]
+            return problem.goals(stage)[k]
 
         def there(stage: Stage) -> list[Element]:
             return stage.equations(locus.equations)
 
         def on(stage: Stage) -> list[Element]:
-            left = (g for k, g in enumerate(self.goals(stage)) if k not in implied)
-            return [*there(stage), self._beside(stage), *left]
+            left = (g for k, g in enumerate(problem.goals(stage)) if k not in implied)
+            return [*there(stage), problem.beside(stage), *left]
 
         implied = {
             k
@@ -146,11 +173,11 @@ class CriticalSet(CriticalEquations):
             )
         }  # fmt: skip
         key = (self.id, locus.words)
-        found = witness(bench, self.scene, key, on, self._rates, lambda index: MOVING)
+        found = witness(bench, self.scene, key, on, problem.rates, lambda index: MOVING)
         return Condition(tex, f"it fails for {locus.words}", found) if found else condition
 
     def _point_off_the_set(
-        self, bench: Bench, case: Case, weights: Weights
+        self, bench: Bench, problem: CriticalEquations, case: Case
     ) -> Counterexample | None:
         """A critical point where an equation of the set fails, in one of the open cases."""
         cases = [one for one in case.nodes() if one.kind == "open"]
@@ -158,24 +185,17 @@ class CriticalSet(CriticalEquations):
 
             def known(stage: Stage, one: Case = one) -> list[Element]:
                 given = [stage.ring.from_terms({0: terms}) for terms in one.known]
-                return [*given, self._beside(stage)]
+                return [*given, problem.beside(stage)]
 
             found = witness(
-                bench, self.scene, (self.id, "critical", k), known, self.goals,
+                bench, self.scene, (self.id, "critical", k), known, problem.goals,
                 lambda index: CRITICAL.format(self.equations[index].place),
-                lambda stage: self.system(stage, weights).granted,
-                lambda stage: self.system(stage, weights).targets,
+                lambda stage: problem.system(stage).granted,
+                lambda stage: problem.system(stage).targets,
             )  # fmt: skip
             if found is not None:
                 return found
         return None
-
-    def _rates(self, stage: Stage) -> list[Element]:
-        return self.derivatives(stage, self.function(stage))
-
-    def _beside(self, stage: Stage) -> Element:
-        level, value = self.surface(stage)
-        return level - value
 
     def _on_zero_level(self, bench: Bench) -> str:
         """The nearest true statement, if it is the one on the zero level."""
@@ -212,6 +232,10 @@ class CriticalSet(CriticalEquations):
         for edit in edits(texts.statement(self.printed), texts.vocabulary):
             edited = texts.edited(self.printed, edit)
             yield Neighbour(edit.words, self, edited, self.printed, edit)
+
+    def places(self) -> Iterator[Printed]:
+        yield from super().places()
+        yield from (*self.equations, self.level)
 
     def establishes(self) -> Iterator[Printed]:
         """Nothing: the function is what it is, whatever its critical points are."""

@@ -124,13 +124,13 @@ class Dimension(Set):
         value, at = found
         full = len(self.levels) + len(self.equations)
         if value < full:
-            return Finding(Verdict.UNDECIDED, message="the equations are dependent at the points tried")
+            return Finding(Verdict.UNDECIDED, message="dependent equations at the points tried")
         witness = self._witness(at, number - value, number)
         if number - value != self.dimension:
             return refuted(witness)
         steps = [Step(
             f"At {_values(at)}, {full} differentials are independent in the space of dimension "
-            f"{number}, so that the set is a manifold of dimension {number - value} near this point",
+            f"{number}, so that the set near it is a manifold of dimension {number - value}",
         )] if bench.explain else []  # fmt: skip
         conditions = [*conditions_of(self.constraints(stage), stage)]
         for locus in self.scene.loci:
@@ -139,9 +139,7 @@ class Dimension(Set):
 
     def _on_locus(self, bench: Bench, locus: Locus) -> list[Condition]:
         """A condition, if on the locus some equations say nothing and the dimension is another."""
-        rest = [
-            k for k in range(len(self.equations)) if not self._is_empty(bench, locus, k)
-        ]
+        rest = [k for k in range(len(self.equations)) if not self._is_empty(bench, locus, k)]
         if len(rest) == len(self.equations):
             return []
         found = self.rank_at_a_point(bench, locus.words, locus, rest)
@@ -215,5 +213,3 @@ def _rank(stage: Stage, functions: list[Element], at: AtPoint) -> int:
 def _values(at: AtPoint) -> str:
     """A point, as words for the report."""
     return ", ".join(f"${name} = {value}$" for name, value in at.shown().values.items())
-
-

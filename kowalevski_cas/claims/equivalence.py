@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
@@ -13,6 +14,7 @@ from kowalevski_cas.claims.claim import (
     conditions_of,
     counterexample,
     equation,
+    equations,
     green,
     refuted,
     show,
@@ -50,8 +52,8 @@ class Equivalence(Claim):
                 bench,
                 self.scene,
                 (self.id, top.place),
-                lambda finder, top=top: equation(top, finder),
-                lambda finder, bottom=bottom: [equation(bottom, finder)],
+                partial(equation, top),
+                partial(equations, [bottom]),
             )
             if found and not found[0].is_zero:
                 return found[0] if top is self._printed else found[0].inverse()
@@ -72,9 +74,9 @@ class Equivalence(Claim):
                 bench,
                 self.scene,
                 (self.id, holds.place),
-                lambda finder, fails=fails: [(equation(fails, finder), finder.ring.zero)],
-                lambda finder, holds=holds: [equation(holds, finder)],
-                f"the left side of one equation where the other one ({holds.place}) holds, and zero",
+                partial(_against_zero, fails),
+                partial(equations, [holds]),
+                f"the left side of one equation where the other one ({holds.place}) holds; zero",
             )
             if found is not None:
                 return refuted(found)
@@ -83,3 +85,7 @@ class Equivalence(Claim):
     def places(self) -> Iterator[Printed]:
         yield from super().places()
         yield self.to
+
+
+def _against_zero(printed: Printed, stage: Stage) -> list[tuple[Element, Element]]:
+    return [(equation(printed, stage), stage.ring.zero)]

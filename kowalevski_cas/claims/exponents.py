@@ -10,7 +10,7 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, green, refuted, show
 from kowalevski_cas.notation import Name
-from kowalevski_cas.proof.outcome import Counterexample, Point, Step, Verdict
+from kowalevski_cas.proof.outcome import Counterexample, Point, Step
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.change import solve
 from kowalevski_cas.texts import Printed
@@ -21,11 +21,10 @@ LARGEST = 4
 
 @dataclass(frozen=True, eq=False)
 class SolvedExponents(Claim):
-    r"""The coefficient of ``variable`` in the derivative of an ansatz vanishes for the printed
-    exponents and for no others.
+    r"""A coefficient vanishes for the printed exponents and for no others.
 
-    The coefficient is :math:`c_1\theta^m + c_2\theta^n`. If
-    :math:`c_1/c_2=\kappa\theta^k` with :math:`\kappa` free of the variables, it
+    The coefficient of ``variable`` in the derivative of the ansatz is
+    :math:`c_1\theta^m + c_2\theta^n`. If :math:`c_1/c_2=\kappa\theta^k` with :math:`\kappa` free of the variables, it
     vanishes identically exactly if :math:`m+k-n=0` and :math:`\kappa+1=0`, two
     equations for the exponents, which are solved.
     """
@@ -40,8 +39,12 @@ class SolvedExponents(Claim):
         solution = self.solution(stage)
         steps: list[Step] = []
         if bench.explain:
-            steps.append(Step("The coefficient, as generated:", show(self._coefficient(stage), stage)))
-            shown = ",\\ ".join(f"{name} = {show(value, stage)}" for name, value in solution.items())
+            steps.append(
+                Step("The coefficient, as generated:", show(self._coefficient(stage), stage))
+            )
+            shown = ",\\ ".join(
+                f"{name} = {show(value, stage)}" for name, value in solution.items()
+            )
             steps.append(Step("Solved for the exponents, without substituting any:", shown))
         for printed in self.values:
             relation = stage.relation(printed)
@@ -107,5 +110,3 @@ class SolvedExponents(Claim):
     def places(self) -> Iterator[Printed]:
         yield from self.values
         yield self.ansatz
-
-

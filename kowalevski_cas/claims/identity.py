@@ -51,9 +51,7 @@ class Identity(Claim):
         if not isinstance(formula, Relation):
             raise StageError(f"an equation is expected instead of {to_latex(formula)}")
         values = [components(evaluate(member, stage)) for member in members(formula)]
-        pairs = [
-            pair for left, right in pairwise(values) for pair in zip(left, right, strict=True)
-        ]
+        pairs = [pair for left, right in pairwise(values) for pair in zip(left, right, strict=True)]
         if isinstance(formula.members[-1], Constant):
             pairs += [(stage.derivative(value), stage.ring.zero) for value in values[0]]
         return pairs
@@ -69,7 +67,9 @@ class Identity(Claim):
             return ()
         shown = [show(value, stage) for value in components(evaluate(left, stage))]
         return [
-            Step("The derivative along the vector field, as generated:", f"{to_latex(left)} = {tex}")
+            Step(
+                "The derivative along the vector field, as generated:", f"{to_latex(left)} = {tex}"
+            )
             for tex in shown
         ]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
@@ -12,7 +13,7 @@ from kowalevski_cas.claims.claim import (
     Finding,
     conditions_of,
     counterexample,
-    equation,
+    equations,
     green,
     locus_of,
     refuted,
@@ -47,7 +48,7 @@ class Implication(Claim):
                 bench,
                 self.scene,
                 (self.id, k),
-                lambda finder, k=k: self._targets(finder)[k],
+                partial(self._target, index=k),
                 self.generators,
                 self.main,
             )
@@ -69,7 +70,7 @@ class Implication(Claim):
 
     def generators(self, stage: Stage) -> list[Element]:
         """The left minus the right sides of the given equations."""
-        return [equation(printed, stage) for printed in self.given]
+        return equations(self.given, stage)
 
     def value(self, stage: Stage, formula: Formula | None = None) -> Element:
         """What has to vanish."""
@@ -85,12 +86,13 @@ class Implication(Claim):
         if self.root is None:
             return [value]
         bit = stage.ring.roots.index(self.root)
-        others = [value, *(equation(printed, stage) for printed in self.together)]
+        others = [value, *equations(self.together, stage)]
         return [value * other.conjugate_root(bit) for other in others]
 
-    def _on_locus(
-        self, bench: Bench, condition: Condition
-    ) -> tuple[list[Condition], list[Step]]:
+    def _target(self, stage: Stage, index: int) -> Element:
+        return self._targets(stage)[index]
+
+    def _on_locus(self, bench: Bench, condition: Condition) -> tuple[list[Condition], list[Step]]:
         """Whether the statement holds on the locus that a condition leaves out, after all."""
         locus = locus_of(condition, bench.stage(self.scene))
         if locus is None or self.root is not None:

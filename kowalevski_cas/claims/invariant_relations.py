@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
@@ -12,7 +13,7 @@ from kowalevski_cas.claims.claim import (
     Finding,
     conditions_of,
     counterexample,
-    equation,
+    equations,
     green,
     locus_of,
     refuted,
@@ -53,7 +54,7 @@ class InvariantRelations(Claim):
 
     def functions(self, stage: Stage) -> list[Element]:
         """The left sides of the equations."""
-        return [equation(printed, stage) for printed in self.relations]
+        return equations(self.relations, stage)
 
     def rate(self, stage: Stage, index: int, order: int = 1) -> Element:
         """The derivative of one of the functions, of any order."""
@@ -70,7 +71,7 @@ class InvariantRelations(Claim):
                 bench,
                 self.scene,
                 (self.id, k),
-                lambda finder, k=k: self.rate(finder, k),
+                partial(self.rate, index=k),
                 self.functions,
                 self.main,
             )
@@ -100,13 +101,17 @@ class InvariantRelations(Claim):
         The first derivative may vanish where the motion leaves the set all the
         same; so derivatives up to :data:`ORDERS` are tried.
         """
+
+        def rates(stage: Stage, index: int, order: int) -> list[tuple[Element, Element]]:
+            return [(self.rate(stage, index, order), stage.ring.zero)]
+
         for order in range(1, ORDERS + 1):
             for k, name in enumerate(self.names):
                 found = counterexample(
                     bench,
                     self.scene,
                     (self.id, key, order, k),
-                    lambda stage, k=k, order=order: [(self.rate(stage, k, order), stage.ring.zero)],
+                    partial(rates, index=k, order=order),
                     lambda stage: [*stage.equations(locus), *self.functions(stage)],
                     f"the derivative of order {order} of ${name}$ at a point of the set, and zero",
                 )
@@ -120,8 +125,7 @@ class InvariantRelations(Claim):
         return [
             Step(
                 "The cofactor matrix that the program found:",
-                rf"\begin{{pmatrix}} {column} \end{{pmatrix}}' = "
-                rf"\begin{{pmatrix}} {rows} \end{{pmatrix}} \begin{{pmatrix}} {column} \end{{pmatrix}}",
+                rf"{_matrix(column)}' = {_matrix(rows)} {_matrix(column)}",
             )
         ]
 
@@ -130,3 +134,7 @@ class InvariantRelations(Claim):
 
     def places(self) -> Iterator[Printed]:
         yield from self.relations
+
+
+def _matrix(rows: str) -> str:
+    return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
@@ -73,7 +74,8 @@ class Limit(Claim):
             return Finding(Verdict.UNDECIDED, message="the two matrices could not be compared")
         entries = [e for m in (transition, limit, rows) for row in m for e in row]
         steps = [
-            Step("The specialised functions through those of the special system:", _shown(transition, stage)),
+            Step("The specialised functions through those of the special system:",
+                 _shown(transition, stage)),
             Step("The cofactor matrix found directly, with which the specialised one agrees:",
                  _shown(rows, stage)),
         ] if bench.explain else ()  # fmt: skip
@@ -87,13 +89,16 @@ class Limit(Claim):
                 bench,
                 self.scene,
                 (self.id, "transition", k),
-                lambda stage, k=k: self.general.functions(stage)[k],
+                partial(self._general, index=k),
                 self.special.functions,
             )
             if row is None:
                 return None
             rows.append(row)
         return rows
+
+    def _general(self, stage: Stage, index: int) -> Element:
+        return self.general.functions(stage)[index]
 
     def _vanishes(self, bench: Bench, place: tuple[int, int], entry: Element) -> bool:
         """Whether an entry is a combination of the special functions."""

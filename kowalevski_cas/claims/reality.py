@@ -35,7 +35,11 @@ class Reality(Claim):
         if all((left - right).is_zero for left, right in pairs):
             return green(conditions_of([x for pair in pairs for x in pair], stage))
         found = counterexample(
-            bench, self.scene, self.id, self._pairs, words="the expression, and what it has to equal"
+            bench,
+            self.scene,
+            self.id,
+            self._pairs,
+            words="the expression, and what it should equal",
         )
         return refuted(found) if found else Finding(Verdict.UNDECIDED)
 

@@ -33,7 +33,7 @@ class Scaling(Claim):
     measures: tuple[Measure, ...]
 
     def decide(self, bench: Bench) -> Finding:
-        """Scale the field of the scene and compare it with the simple one, component by component."""
+        """Scale the field of the scene and compare it with the simple one."""
         stage = bench.stage(self.scene)
         assert self.printed is not None
         formula = bench.texts.formula(self.printed)

@@ -22,7 +22,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="name in the library, or folder; all of the library if none is named",
     )
     parser.add_argument(
-        "--output", type=Path, default=Path("reports"), metavar="DIR", help="where to write (reports)"
+        "--output",
+        type=Path,
+        default=Path("reports"),
+        metavar="DIR",
+        help="where to write (reports)",
     )
 
 

@@ -50,7 +50,7 @@ def run(
         return verify(derivation, arithmetics, only, explain, progress, evidence, timeout)
 
 
-class progress_bar:  # noqa: N801 (used like a function)
+class progress_bar:
     """A progress bar on stderr, if that is a terminal; nothing otherwise."""
 
     def __enter__(self) -> Progress:

@@ -11,10 +11,16 @@ from dataclasses import replace
 from pathlib import Path
 
 from kowalevski_cas.arithmetic import EXACT
-from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, DISAGREEMENT, UNDECIDED, USAGE
-from kowalevski_cas.cli.exits import CommandError
-from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.cli import session
+from kowalevski_cas.cli.exits import (
+    AS_RECORDED,
+    DIFFERENT,
+    DISAGREEMENT,
+    UNDECIDED,
+    USAGE,
+    CommandError,
+)
+from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.proof.record import RecordError, differences, load_record
 
@@ -37,9 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="decide in this arithmetic (all three, one after the other, if not given)",
     )
     parser.add_argument("--format", choices=FORMATS, default="pretty", help="how to print results")
-    parser.add_argument(
-        "--report", type=Path, metavar="DIR", help="write the report there as well"
-    )
+    parser.add_argument("--report", type=Path, metavar="DIR", help="write the report there as well")
     parser.add_argument(
         "--timeout", type=_positive, default=60.0, metavar="SECONDS", help="for each claim (60)"
     )
@@ -51,7 +55,9 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
     explain = arguments.report is not None
     results = []
     for folder, derivation in session.derivations(arguments.derivations):
-        found = session.run(folder, derivation, arithmetics, arguments.only, explain, arguments.timeout)
+        found = session.run(
+            folder, derivation, arithmetics, arguments.only, explain, arguments.timeout
+        )
         try:
             record = load_record(folder)
         except RecordError as error:
@@ -98,6 +104,3 @@ def _positive(text: str) -> float:
     if value <= 0:
         raise argparse.ArgumentTypeError("a positive number of seconds is expected")
     return value
-
-
-

@@ -60,5 +60,3 @@ def _passes(claim: Claim, neighbour: Neighbour, stage: ResidueStage) -> bool | N
     except (StageError, ZeroDivisionError):
         return False
     return None if residuals is None else all(residual.is_zero for residual in residuals)
-
-

@@ -165,9 +165,7 @@ def _distinct(polynomials: list[fmpq_mpoly]) -> list[fmpq_mpoly]:
     return list({str(p / p.leading_coefficient()): p for p in polynomials}.values())
 
 
-def _is_square(
-    radicand: fmpq_mpoly, assignment: Assignment, coordinates: RealCoordinates
-) -> bool:
+def _is_square(radicand: fmpq_mpoly, assignment: Assignment, coordinates: RealCoordinates) -> bool:
     parts = coordinates.split(radicand)
     value = sum((constant(part, assignment) for part in parts), Fraction(0))
     return square_root(value) is not None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.notation import (
@@ -202,7 +202,7 @@ def _cross_product(formula: CrossProduct, stage: Stage, conjugated: bool) -> Val
     return Triple((a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1))
 
 
-_RULES: dict[type[Formula], Callable[[Formula, Stage, bool], Value]] = {
+_RULES: dict[type[Formula], Callable[[Any, Stage, bool], Value]] = {
     Number: lambda f, stage, _: stage.ring.number(f.value),
     Name: lambda f, stage, conjugated: stage.value(f.name, conjugated),
     Sum: _sum,
@@ -219,4 +219,4 @@ _RULES: dict[type[Formula], Callable[[Formula, Stage, bool], Value]] = {
     Diagonal: lambda f, s, c: Triple(scalar(entry, s, c) for entry in f.entries),
     ScalarProduct: _scalar_product,
     CrossProduct: _cross_product,
-}  # type: ignore[dict-item]
+}

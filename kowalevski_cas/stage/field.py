@@ -66,7 +66,7 @@ def _with_ones(left: Formula, ones: Formula) -> Formula:
 
 
 def time_scale(printed: Printed, stage: Stage, conjugated: bool = False) -> Element:
-    r"""The factor :math:`\kappa` of a printed change of the independent variable, :math:`\tau=\kappa t`."""
+    r"""The factor :math:`\kappa` of a printed change of time, :math:`\tau=\kappa t`."""
     right = stage.relation(printed).members[1]
     if not isinstance(right, Product) or right.factors[-1] != Name("t"):
         raise StageError(f"the equation at {printed.place} is no multiple of t")

@@ -8,6 +8,7 @@ decided exactly.
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
@@ -107,9 +108,9 @@ class ResidueStage(Stage):
         key = (name, conjugated)
         if key not in self._jets:
             exact = self.exact.value(name, conjugated)
-            self._jets[key] = (
-                Triple(self.jet(e) for e in exact) if isinstance(exact, Triple) else self.jet(exact)
-            )  # type: ignore[misc, assignment]
+            # Jets stand for elements here: evaluation asks the same of both.
+            jets: Any = self.jet(exact) if isinstance(exact, Element) else map(self.jet, exact)
+            self._jets[key] = jets if isinstance(exact, Element) else Triple(jets)
         return self._jets[key]
 
     def derivative(self, element: Element) -> Element:
@@ -132,13 +133,7 @@ class ResidueStage(Stage):
         return self.jet(self.exact.time_factor(mark, conjugated))  # type: ignore[return-value]
 
     def _residue(self, element: Element) -> int:
-        total = 0
-        for mask, terms in element.terms().items():
-            value = _evaluate(terms, self._generators)
-            for bit, root in enumerate(self._point_roots):
-                if mask >> bit & 1:
-                    value = value * root % PRIME
-            total += value
+        total = _numerator(element, self._generators, self._point_roots)
         ring = element.ring
         for index, exponent in element.denominator.items():
             divisor = _evaluate(ring.polynomials.terms(ring.divisors[index]), self._generators)
@@ -157,19 +152,23 @@ def _point(exact: Stage, seed: int) -> tuple[list[int], list[int]]:
             generators.append(state % PRIME)
         roots: list[int] = []
         for radicand in ring.radicands:
-            total = 0
-            for mask, terms in radicand.terms().items():
-                value = _evaluate(terms, generators)
-                for bit, root in enumerate(roots):
-                    if mask >> bit & 1:
-                        value = value * root % PRIME
-                total += value
-            root = _square_root(total % PRIME)
-            if root is None:
+            found = _square_root(_numerator(radicand, generators, roots))
+            if found is None:
                 break
-            roots.append(root)
+            roots.append(found)
         else:
             return generators, roots
+
+
+def _numerator(element: Element, generators: list[int], roots: list[int]) -> int:
+    total = 0
+    for mask, terms in element.terms().items():
+        value = _evaluate(terms, generators)
+        for bit, root in enumerate(roots):
+            if mask >> bit & 1:
+                value = value * root % PRIME
+        total += value
+    return total % PRIME
 
 
 def _square_root(square: int) -> int | None:

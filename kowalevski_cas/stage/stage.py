@@ -8,8 +8,7 @@ from fractions import Fraction
 from kowalevski_cas.arithmetic.derivation import Field, along
 from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
 from kowalevski_cas.arithmetic.tower import Element, Ring
-from kowalevski_cas.notation import Constant, Formula, Name, Relation, Root
-from kowalevski_cas.notation import to_latex
+from kowalevski_cas.notation import Constant, Formula, Name, Relation, Root, to_latex
 from kowalevski_cas.scene import Change, Scene
 from kowalevski_cas.stage.change import Carrier
 from kowalevski_cas.stage.evaluate import StageError, Triple, Value, evaluate, scalar
@@ -43,7 +42,7 @@ class Stage:
         self.powers = {(b, e): f"{b}^{{{e}}}" for b, e in scene.powers}
         names = (*scene.variables, *scene.constants, *scene.undefined, *self.powers.values())
         self.generators = tuple(name for name in names if name not in squared)
-        self.ring = ring or Ring(arithmetic(self.generators))
+        self.ring: Ring = ring or Ring(arithmetic(self.generators))
         self.half = self.ring.number(Fraction(1, 2))
         self._values: dict[tuple[str, bool], Value] = {}
         self._roots: list[tuple[Element, Element]] = []

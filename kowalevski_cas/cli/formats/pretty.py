@@ -75,7 +75,9 @@ def _restrictions(run: Run) -> list[str]:
     for outcome in run.outcomes:
         for condition in outcome.conditions:
             if condition.witness is not None:
-                lines.append(f"  {outcome.claim}  needs {plain(condition.tex)} ≠ 0: {plain(condition.words)}")
+                lines.append(
+                    f"  {outcome.claim}  needs {plain(condition.tex)} ≠ 0: {plain(condition.words)}"
+                )
                 lines += _evidence(condition.witness, "    ")
     return ["", "Conditions that are not stated", *lines] if lines else []
 
@@ -83,7 +85,10 @@ def _restrictions(run: Run) -> list[str]:
 def _evidence(found: Counterexample, indent: str) -> list[str]:
     point = ", ".join(f"{plain(name)} = {plain(v)}" for name, v in found.point.values.items())
     words = f"  ({plain(found.words)})" if found.words else ""
-    return [f"{indent}values    {plain(found.left)} against {plain(found.right)}{words}", f"{indent}at        {point}"]
+    return [
+        f"{indent}values    {plain(found.left)} against {plain(found.right)}{words}",
+        f"{indent}at        {point}",
+    ]
 
 
 def _summary(result: Result) -> str:
