@@ -2,9 +2,10 @@ r"""Critical equations: the derivatives of a function along a level surface."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from fractions import Fraction
+from itertools import combinations, permutations
 
 from kowalevski_cas.arithmetic.derivation import gradient
 from kowalevski_cas.arithmetic.numbers import rational
@@ -15,6 +16,7 @@ from kowalevski_cas.notation import Relation, to_latex
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.texts import Printed, Texts
 
+PYTHAGOREAN = Fraction(3, 5)
 Weights = tuple[int, ...] | None
 
 
@@ -52,6 +54,15 @@ class CriticalEquations:
     def beside(self, stage: Stage) -> Element:
         """What vanishes on the surface."""
         return _difference(self.surface(stage))
+
+    def sections(self, stage: Stage) -> Iterator[list[Element]]:
+        """Planes that a quadric meets in rational points: a coordinate 0, another one 3/5."""
+        names = stage.scene.variables
+        slopes = zip(names, gradient(self.surface(stage)[0], names), strict=True)
+        for first, second in permutations([n for n, slope in slopes if not slope.is_zero], 2):
+            shifted = stage.ring.generator(second) - stage.ring.number(PYTHAGOREAN)
+            yield [stage.ring.generator(first), shifted]
+        yield []
 
     def rates(self, stage: Stage) -> list[Element]:
         """The derivatives of the function as it is printed."""

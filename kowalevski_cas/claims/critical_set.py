@@ -142,8 +142,9 @@ class CriticalSet(Claim):
             return [*problem.goals(stage), problem.beside(stage)]
 
         return witness(
-            bench, self.scene, (self.id, "moving"), on, problem.rates, lambda index: MOVING, off
-        )
+            bench, self.scene, (self.id, "moving"), on, problem.rates, lambda index: MOVING, off,
+            sections=problem.sections,
+        )  # fmt: skip
 
     def _where_it_fails(
         self, bench: Bench, problem: CriticalEquations, tex: str

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from itertools import islice
 
@@ -29,11 +29,13 @@ def witness(
     words: Callable[[int], str],
     nonzero: Elements = lambda stage: (),
     also: Elements = lambda stage: (),
+    sections: Callable[[Stage], Iterable[Sequence[Element]]] = lambda stage: ((),),
 ) -> Counterexample | None:
     """A point where ``zero`` and ``also`` vanish, ``nonzero`` does not, and not all ``values`` do.
 
     ``zero`` is solved for by the search, with FLINT; everything is checked in the
-    arithmetic of the bench. ``words`` says what the value with an index is.
+    arithmetic of the bench. The ``sections`` are more equations, in turn, to make the
+    search easier. ``words`` says what the value with an index is.
     """
     if not bench.refute:
         return None
@@ -53,8 +55,12 @@ def witness(
         from kowalevski_cas.search.real import real_points
 
         stage = finder.stage(scene)
-        points = islice(real_points(stage, zero(stage), nonzero(stage)), TRIES)
-        return next((point for point in points if failing(stage, point)), None)
+        for section in sections(stage):
+            points = real_points(stage, [*zero(stage), *section], nonzero(stage))
+            for point in islice(points, TRIES):
+                if failing(stage, point):
+                    return point
+        return None
 
     point = bench.found(("witness", key), search)
     found = failing(bench.stage(scene), point) if point is not None else None

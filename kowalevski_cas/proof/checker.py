@@ -221,16 +221,17 @@ class Element:
         return change
 
     def rate(self, name: str, rates: dict[str, Element]) -> Element:
-        """The derivative of a generator."""
+        """The derivative of a generator; a plain one that is not named is constant."""
         ring, own = self.ring, self.ring.generator(name)
         if name not in rates:
             rates[name] = ring.number(0)
             if name in ring.inverses:
                 rates[name] = -own * own * ring.inverses[name].along(rates)
-            for half, base, exponent in ring.follow(name):
+            if name in ring.powers:
+                base, exponent = ring.powers[name]
                 change = base.along(rates)
                 if not change.vanishes():
-                    rates[name] = half * exponent * own * change * base.inverse()
+                    rates[name] = exponent * own * change * base.inverse()
         return rates[name]
 
     def image(self, images: Mapping[str, Element], ring: Ring) -> Element:
@@ -247,6 +248,92 @@ class Element:
             value = value + term
         return value
 
-    def preserves(self, images: dict[str, Element], ring: Ring) -> dict[str, Element]:
-        """placeholder"""
-        return images
+
+class Space:
+    """Generators with relations, definitions, a conjugation, and a vector field."""
+
+    def __init__(self, data: Any, spaces: list[Space]) -> None:
+        steps, powers = data.get("steps", []), data.get("powers", [])
+        for step in steps:
+            need(len(step) > 2 and step[0] in ("let", "root") and is_name(step[1]), "a step is odd")
+        self.variables, self.nonzero = data["variables"], data.get("nonzero", [])
+        plain = [*self.variables, *data.get("constants", []), *(n for n, _, _ in powers)]
+        divided = [f"1/{k}" for k in range(len(self.nonzero))]
+        ring = self.ring = Ring([*plain, *(s[1] for s in steps if s[0] == "root"), *divided])
+        self.env: dict[str, Value] = {name: ring.generator(name) for name in plain}
+        self.lets: dict[str, Any] = {}
+        self.powers = {(base, exponent): name for name, base, exponent in powers}
+        self.rates: dict[str, Element] | None = None
+        self.bar: dict[str, Element] | None = None
+        for name, tree in zip(divided, self.nonzero, strict=True):
+            self.assume(name, self.scalar(tree))
+        self.used: set[str] = set()
+        for step in steps:
+            self.step(*step)
+        for (base, exponent), name in self.powers.items():
+            ring.powers[name] = (self.scalar(base), self.scalar(exponent))
+        if "field" in data:
+            self.field(data["field"])
+        if "change" in data:
+            need("field" not in data, "there are two fields")
+            self.change(spaces, **{f"of_{key}": item for key, item in data["change"].items()})
+        if "conjugates" in data:
+            self.conjugation(data["conjugates"])
+
+    def assume(self, name: str, divisor: Element) -> None:
+        """Take a polynomial as non-zero, in the form in which division meets it."""
+        ring, terms = self.ring, divisor.terms
+        need(terms.keys() - {0} and divisor.q == 1, "a number is assumed to be non-zero")
+        content = gcd(*terms.values()) * (1 if terms[max(terms)] > 0 else -1)
+        need(content == 1, f"{divisor} has a factor that is a number")
+        known = [u.terms for u in ring.inverses.values()]
+        need(terms not in known, f"{divisor} is assumed to be non-zero twice")
+        ring.inverses[name] = divisor
+        for unit, s in zip(ring.unit.values(), ring.at.values(), strict=True):
+            if terms == {unit: 1}:
+                ring.single.append((s, ring.at[name], unit + ring.unit[name]))
+
+    def step(self, kind: str, name: str, tree: Any, *sides: Any) -> None:
+        """A definition; or a root, perhaps with the printed equation that it obeys."""
+        need(name not in self.env, f"{name} is defined twice")
+        if kind == "let":
+            need(not sides, "a definition has one side")
+            self.env[name], self.lets[name] = self.value(tree), tree
+            return
+        need(len(sides) in (0, 2), "an equation has two sides")
+        square = self.scalar(tree)
+        need(square.terms, f"the square of {name} is zero")
+        self.ring.roots[name], self.env[name] = square, self.ring.generator(name)
+        self.ring.powers[name] = (square, Element(self.ring, {0: 1}, 2))
+        if sides:
+            need(self.equal(*sides), f"the equation for the square of {name} does not hold")
+
+    # -- the field and the conjugation ---------------------------------------
+
+    def field(self, equations: list[Any]) -> None:
+        """Components from equations of motion: a factor times derivatives, and a right side."""
+        rates: dict[str, Element] = {}
+        for names, factor, right in equations:
+            below, above = parts(self.value(factor)), parts(self.value(right))
+            need(len(names) == len(below) == len(above), "an equation of motion has a gap")
+            for name, divisor, rate in zip(names, below, above, strict=True):
+                need(name in self.env and name not in rates, f"{name} moves twice, or is not there")
+                rates[name] = rate * divisor.inverse()
+        self.move(rates)
+
+    def change(self, spaces: list[Space], of_from: int, of_formulas: list[Any], of_time: Any) -> None:
+        """The field of an earlier space, through a change of variables and its inverse."""
+        need(0 <= of_from < len(spaces) and spaces[of_from].rates, "there is no field to change")
+        old = spaces[of_from]
+        new = {name: old.scalar(tree) for name, tree in of_formulas}
+        need(len(new) == len(of_formulas), "a variable is changed twice")
+        images = self.homomorphism({n: self.scalar(n) for n in (*old.plain(),)}, old)
+        for name, element in new.items():
+            back = element.image(images, self.ring)
+            need((back - self.scalar(name)).vanishes(), f"the change is not inverted for {name}")
+        per_time = old.scalar(of_time).image(images, self.ring).inverse()
+        self.old = {n: images[n] for n in old.variables}
+        self.move({
+            name: element.along(old.rates or {}).image(images, self.ring) * per_time
+            for name, element in new.items()
+        })

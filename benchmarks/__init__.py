@@ -1,0 +1,1 @@
+"""Measurements of speed: medians and ratios, never a pass or a fail."""
