@@ -47,6 +47,7 @@ class Substitution:
     def __init__(self, ring: Ring, values: Mapping[str, Element], numbers: Ring) -> None:
         self.numbers = numbers
         self.values = [values[name] for name in ring.polynomials.generators]
+        self._powers: dict[tuple[int, int], Element] = {}
         self.roots: list[Element] = []
         for name, radicand in zip(ring.roots, ring.radicands, strict=True):
             self.roots.append(values[name] if name in values else self._root(self(radicand)))
@@ -83,11 +84,17 @@ class Substitution:
         total = self.numbers.zero
         for exponents, coefficient in terms.items():
             product = self.numbers.number(coefficient)
-            for value, exponent in zip(self.values, exponents, strict=True):
+            for index, exponent in enumerate(exponents):
                 if exponent:
-                    product = product * value**exponent
+                    product = product * self._power(index, exponent)
             total = total + product
         return total
+
+    def _power(self, index: int, exponent: int) -> Element:
+        key = (index, exponent)
+        if key not in self._powers:
+            self._powers[key] = self.values[index] ** exponent
+        return self._powers[key]
 
 
 def rank(matrix: list[list[Element]]) -> int:

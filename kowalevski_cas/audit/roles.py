@@ -14,7 +14,7 @@ from kowalevski_cas.texts import Printed
 OWN = ("printed", "relations", "values")
 """The parts of a claim that print what is claimed; the others are what it refers to."""
 
-ORDER = ("unit", "vector field", "change of variables", "time", "definition", "condition", "claim")
+ORDER = ("unit", "vector field", "definition", "claim", "condition")
 
 
 @dataclass(slots=True)
@@ -73,13 +73,13 @@ def _of_scene(scene: Scene) -> Iterator[tuple[Printed, str]]:
     if scene.unit is not None:
         yield scene.unit, "unit"
     if scene.clock is not None:
-        yield scene.clock, "time"
+        yield scene.clock, "definition"
     yield from ((printed, "definition") for printed in scene.definitions.values())
     yield from ((p, "condition") for p in scene.roots.values() if p is not None)
     yield from ((printed, "condition") for printed in scene.zero)
     if isinstance(scene.field, Change):
-        yield from ((printed, "change of variables") for printed in scene.field.formulas)
-        yield scene.field.time, "time"
+        yield from ((printed, "definition") for printed in scene.field.formulas)
+        yield scene.field.time, "definition"
     else:
         yield from ((printed, "vector field") for printed in scene.field)
 

@@ -10,14 +10,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from kowalevski_cas.audit.reach import Reach
 from kowalevski_cas.audit.roles import places_of
-from kowalevski_cas.claims import Claim
+from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.evidence import Evidence
-from kowalevski_cas.proof.outcome import Correction, Outcome
+from kowalevski_cas.proof.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.proof.verify import Session
 from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Display, Printed, Texts
@@ -97,6 +98,8 @@ class AuditSession(Session):
             for display, tex in (sources or {}).items():
                 self.texts = self.texts.with_source(display, tex)
             self.dependencies = Dependencies(self.texts)
+        self.reach = Reach(self.texts)
+        if base is not None:
             self.changed = _changed(self.texts, base.own, sources or {})
 
     def needed(self, chosen: Sequence[Claim]) -> list[Claim]:
@@ -105,17 +108,31 @@ class AuditSession(Session):
 
     def decide(self, claim: Claim) -> Outcome:
         """The outcome for a claim, from memory if the texts it rests on were met before."""
-        places = self.memory.places(claim)
-        key = (claim, self.texts.changes(places), self.changed & places)
-        known = self.memory.outcomes.get(key)
+        key, finer = self._keys(claim)
+        known = self.memory.outcomes.get(key) or self.memory.outcomes.get(finer)
         if known is None:
             known = self._decided(claim)
-            self.memory.outcomes[key] = known
+            self.memory.outcomes[finer] = known
+        self.memory.outcomes[key] = known
         for display, tex in known.corrected:
             if self.texts.sources.get(display.id) != tex:
                 self.texts = self.texts.with_source(display, tex)
         self.causes[claim.id] = known.causes
         return known.outcome
+
+    def _keys(self, claim: Claim) -> tuple[Key, Key]:
+        """The texts on which a claim can rest, and those that names lead to."""
+        places = self.memory.places(claim)
+        key = (claim, self.texts.changes(places), self.changed & places)
+        if key in self.memory.outcomes:
+            return key, key
+        if self.reach.texts is not self.texts:
+            self.reach = Reach(self.texts)
+        try:
+            places = self.reach.places(claim)
+        except NotationError:
+            return key, key
+        return key, (claim, "reach", self.texts.changes(places), self.changed & places)
 
     def _decided(self, claim: Claim) -> Decided:
         before = self.texts.sources
@@ -140,7 +157,10 @@ class AuditSession(Session):
             self.causes[claim.id] = self._to_blame(claim)
             if self.causes[claim.id]:
                 return None
-        return super()._correct(claim, kept)
+        try:
+            return super()._correct(claim, kept)
+        except (ArithmeticError, AssertionError, LookupError, TypeError, ValueError):
+            return None
 
     def _to_blame(self, claim: Claim) -> tuple[Printed, ...]:
         """The changed places without whose changes the claim would come out as in the base."""
@@ -148,23 +168,32 @@ class AuditSession(Session):
         suspects = [p for p in self.memory.places(claim) if p in self.changed and p not in own]
         if not suspects or self.base is None:
             return ()
-        texts = self._with_base(self.texts, [p.display for p in own if p not in self.changed])
+        changed = {printed.display for printed in self.changed}
+        texts = self.base.texts
+        for display in changed:
+            texts = texts.with_source(display, self.texts.sources[display.id])
         if self._as_in_base(claim, texts):
             return ()
         displays = list(dict.fromkeys(printed.display for printed in suspects))
-        guilty = [d for d in displays if self._as_in_base(claim, self._with_base(texts, [d]))]
-        if not guilty and self._as_in_base(claim, self._with_base(texts, displays)):
+        guilty = [d for d in displays if self._as_in_base(claim, self._mended(texts, [d]))]
+        if not guilty and self._as_in_base(claim, self._mended(texts, displays)):
             guilty = displays
         return tuple(sorted((p for p in suspects if p.display in guilty), key=lambda p: p.place))
 
-    def _with_base(self, texts: Texts, displays: Iterable[Display]) -> Texts:
+    def _mended(self, texts: Texts, displays: Iterable[Display]) -> Texts:
         """Texts with some displays as they are, corrected, in the base."""
         assert self.base is not None
         for display in displays:
-            tex = self.base.corrected(display)
-            if texts.sources.get(display.id, display.tex) != tex:
-                texts = texts.with_source(display, tex)
+            texts = texts.with_source(display, self.base.corrected(display))
         return texts
+
+    def _decide(self, claim: Claim, bench: Bench) -> Finding:
+        """The finding; what an author types must not end the audit of everything else."""
+        try:
+            return super()._decide(claim, bench)
+        except (ArithmeticError, AssertionError, LookupError, TypeError, ValueError) as error:
+            message = f"it cannot be decided as it is typed ({type(error).__name__}: {error})"
+            return Finding(Verdict.ERROR, message=message)
 
     def _as_in_base(self, claim: Claim, texts: Texts) -> bool:
         """Whether the claim, corrected where the base corrects it, has the verdict of the base."""

@@ -250,90 +250,230 @@ class Element:
 
 
 class Space:
-    """Generators with relations, definitions, a conjugation, and a vector field."""
+    """Generators with relations, definitions, a vector field, and a conjugation."""
 
-    def __init__(self, data: Any, spaces: list[Space]) -> None:
+    def __init__(self, data: dict[str, Any], spaces: list[Space]) -> None:
         steps, powers = data.get("steps", []), data.get("powers", [])
         for step in steps:
-            need(len(step) > 2 and step[0] in ("let", "root") and is_name(step[1]), "a step is odd")
+            need(len(step) > 2 and step[0] in STEPS and fits(step[1], str), "a step is odd")
         self.variables, self.nonzero = data["variables"], data.get("nonzero", [])
         plain = [*self.variables, *data.get("constants", []), *(n for n, _, _ in powers)]
         divided = [f"1/{k}" for k in range(len(self.nonzero))]
         ring = self.ring = Ring([*plain, *(s[1] for s in steps if s[0] == "root"), *divided])
         self.env: dict[str, Value] = {name: ring.generator(name) for name in plain}
-        self.lets: dict[str, Any] = {}
         self.powers = {(base, exponent): name for name, base, exponent in powers}
         self.rates: dict[str, Element] | None = None
         self.bar: dict[str, Element] | None = None
-        for name, tree in zip(divided, self.nonzero, strict=True):
-            self.assume(name, self.scalar(tree))
+        self.real: list[Element] = []
         self.used: set[str] = set()
+        for name, tree in zip(divided, self.nonzero, strict=True):
+            ring.assume(name, self.scalar(tree))
+        self.used.clear()
         for step in steps:
             self.step(*step)
         for (base, exponent), name in self.powers.items():
             ring.powers[name] = (self.scalar(base), self.scalar(exponent))
+        need(not {"field", "change"} <= data.keys(), "there are two fields")
         if "field" in data:
-            self.field(data["field"])
+            self.move(self.printed(data["field"]))
         if "change" in data:
-            need("field" not in data, "there are two fields")
-            self.change(spaces, **{f"of_{key}": item for key, item in data["change"].items()})
+            self.move(self.changed(spaces, **data["change"]))
         if "conjugates" in data:
             self.conjugation(data["conjugates"])
 
-    def assume(self, name: str, divisor: Element) -> None:
-        """Take a polynomial as non-zero, in the form in which division meets it."""
-        ring, terms = self.ring, divisor.terms
-        need(terms.keys() - {0} and divisor.q == 1, "a number is assumed to be non-zero")
-        content = gcd(*terms.values()) * (1 if terms[max(terms)] > 0 else -1)
-        need(content == 1, f"{divisor} has a factor that is a number")
-        known = [u.terms for u in ring.inverses.values()]
-        need(terms not in known, f"{divisor} is assumed to be non-zero twice")
-        ring.inverses[name] = divisor
-        for unit, s in zip(ring.unit.values(), ring.at.values(), strict=True):
-            if terms == {unit: 1}:
-                ring.single.append((s, ring.at[name], unit + ring.unit[name]))
-
     def step(self, kind: str, name: str, tree: Any, *sides: Any) -> None:
         """A definition; or a root, perhaps with the printed equation that it obeys."""
-        need(name not in self.env, f"{name} is defined twice")
+        need(name not in self.env and len(sides) in STEPS[kind], f"the step for {name} is odd")
         if kind == "let":
-            need(not sides, "a definition has one side")
-            self.env[name], self.lets[name] = self.value(tree), tree
+            self.env[name] = self.value(tree)
             return
-        need(len(sides) in (0, 2), "an equation has two sides")
-        square = self.scalar(tree)
+        square, self.env[name] = self.scalar(tree), self.ring.generator(name)
         need(square.terms, f"the square of {name} is zero")
-        self.ring.roots[name], self.env[name] = square, self.ring.generator(name)
+        self.ring.roots[name] = square
         self.ring.powers[name] = (square, Element(self.ring, {0: 1}, 2))
         if sides:
             need(self.equal(*sides), f"the equation for the square of {name} does not hold")
 
-    # -- the field and the conjugation ---------------------------------------
-
-    def field(self, equations: list[Any]) -> None:
-        """Components from equations of motion: a factor times derivatives, and a right side."""
+    def printed(self, equations: list[Any]) -> dict[str, Element]:
+        """The field by printed equations: a factor times derivatives, and the right side."""
         rates: dict[str, Element] = {}
         for names, factor, right in equations:
-            below, above = parts(self.value(factor)), parts(self.value(right))
+            below, above = components(self.value(factor)), components(self.value(right))
             need(len(names) == len(below) == len(above), "an equation of motion has a gap")
             for name, divisor, rate in zip(names, below, above, strict=True):
-                need(name in self.env and name not in rates, f"{name} moves twice, or is not there")
+                need(name not in rates, f"{name} moves twice")
                 rates[name] = rate * divisor.inverse()
-        self.move(rates)
+        return rates
 
-    def change(self, spaces: list[Space], of_from: int, of_formulas: list[Any], of_time: Any) -> None:
+    def changed(self, spaces: list[Space], **change: Any) -> dict[str, Element]:
         """The field of an earlier space, through a change of variables and its inverse."""
-        need(0 <= of_from < len(spaces) and spaces[of_from].rates, "there is no field to change")
-        old = spaces[of_from]
-        new = {name: old.scalar(tree) for name, tree in of_formulas}
-        need(len(new) == len(of_formulas), "a variable is changed twice")
-        images = self.homomorphism({n: self.scalar(n) for n in (*old.plain(),)}, old)
+        need(0 <= change["from"] < len(spaces), "there is no such space")
+        old = spaces[change["from"]]
+        need(old.rates is not None and not any(old.pairs), "there is no field to be changed")
+        new = {name: old.scalar(tree) for name, tree in change["formulas"]}
+        need(len(new) == len(change["formulas"]), "a variable is changed twice")
+        given = [n for n in old.ring.at if n not in old.ring.inverses]
+        images = old.ring.carried({n: self.scalar(n) for n in given}, self.ring)
         for name, element in new.items():
-            back = element.image(images, self.ring)
-            need((back - self.scalar(name)).vanishes(), f"the change is not inverted for {name}")
-        per_time = old.scalar(of_time).image(images, self.ring).inverse()
-        self.old = {n: images[n] for n in old.variables}
-        self.move({
-            name: element.along(old.rates or {}).image(images, self.ring) * per_time
-            for name, element in new.items()
-        })
+            back = element.image(images, self.ring) - self.scalar(name)
+            need(back.vanishes(), f"the inverse does not give {name} back")
+        self.real = [images[n] for n in old.variables]
+        old.used.add("its field")
+        time = old.scalar(change["time"]).image(images, self.ring).inverse()
+        speeds = {name: element.along(old.rates or {}) for name, element in new.items()}
+        return {name: speed.image(images, self.ring) * time for name, speed in speeds.items()}
+
+    def move(self, rates: dict[str, Element]) -> None:
+        """Take a field; it has to move every variable, and to preserve the relations."""
+        need(set(self.variables) <= set(rates), "a variable has no equation of motion")
+        self.rates = {name: rate for name, rate in rates.items() if name in self.ring.at}
+        self.used.update(rates)
+        for name, rate in rates.items():
+            own = self.scalar(name)
+            if name in self.ring.roots:
+                rest = own * rate + own * rate - self.ring.roots[name].along(self.rates)
+                need(rest.vanishes(), f"{name} does not move with its square")
+            elif name not in self.variables:
+                need(name not in self.ring.at, f"the constant {name} moves")
+                need((own.along(self.rates) - rate).vanishes(), f"{name} moves otherwise")
+
+    def conjugation(self, pairs: list[Any]) -> None:
+        """Swap pairs, turn i into -i; the old variables of a change have to stay real."""
+        swap = {a: b for pair in pairs for a, b in (pair, pair[::-1])}
+        need(len(swap) == 2 * len(pairs) and swap.keys() <= self.ring.at.keys(), "a pair is odd")
+        names = [n for n in self.ring.at if n not in self.ring.inverses]
+        bar = {n: self.ring.generator(swap.get(n, n)) for n in names}
+        bar |= {"i": -bar["i"]} if "i" in bar else {}
+        self.bar = self.ring.carried(bar, self.ring)
+        for own in self.real:
+            need((self.conjugate(own) - own).vanishes(), "an old variable is not real")
+        self.used.discard("its conjugation")
+
+    def conjugate(self, element: Element) -> Element:
+        """The complex conjugate."""
+        need(self.bar is not None, "there is no conjugation")
+        self.used.add("its conjugation")
+        return element.image(self.bar or {}, self.ring)
+
+    def unused(self) -> list[str]:
+        """What nothing in the certificate needs."""
+        wanted = {*self.env, *self.ring.inverses}
+        wanted |= {"its field"} if self.rates is not None else set()
+        wanted |= {"its conjugation"} if self.bar is not None else set()
+        return sorted(wanted - self.used - self.ring.used)
+
+    # -- the meaning of formulas ---------------------------------------------
+
+    def scalar(self, tree: Any) -> Element:
+        """The value of a formula that is no vector."""
+        value = self.value(tree)
+        need(isinstance(value, Element), "a vector stands where a number is expected")
+        return value  # type: ignore[no-any-return]
+
+    def value(self, tree: Any) -> Value:
+        """The value of a formula."""
+        if isinstance(tree, str):
+            need(tree in self.env, f"{tree} is not defined")
+            self.used.add(tree)
+            return self.env[tree]
+        if fits(tree, int):
+            return self.ring.number(tree)
+        need(isinstance(tree, list) and len(tree) > 1 and isinstance(tree[0], str), "no formula")
+        op, first, *rest = tree
+        if op in ("d", "flip") and len(rest) == 1 and isinstance(first, str):
+            return self.by_name(op, first, self.scalar(rest[0]))
+        if op == "^" and len(rest) == 1:
+            return self.power(first, rest[0])
+        if op == "/" and len(rest) == 1:
+            return times(self.value(first), self.inverse(rest[0]))
+        if op == "D" and len(rest) == 1:
+            return times(self.value(["D", first]), self.inverse(rest[0]))
+        if op == "Re" and not rest:
+            return self.value(["/", ["+", first, ["conj", first]], 2])
+        if op == "Im" and not rest:
+            return self.value(["/", ["+", first, ["-", ["conj", first]]], ["*", 2, "i"]])
+        values = [self.value(part) for part in (first, *rest)]
+        if op in ("+", "*") and rest:
+            total, *others = values
+            for other in others:
+                total = times(total, other) if op == "*" else plus(total, other)
+            return total
+        if op in ("vector", "diag"):
+            need(all(isinstance(v, Element) for v in values), "a component is no number")
+            return tuple(values)
+        if op in ("dot", "cross"):
+            need([isinstance(v, tuple) and len(v) for v in values] == [3, 3], "no two vectors")
+            (a, b, c), (x, y, z) = values
+            return a * x + b * y + c * z if op == "dot" else (b * z - c * y, c * x - a * z, a * y - b * x)
+        need(not rest, f"{op} is not understood")
+        results = tuple(self.unary(op, part) for part in components(values[0]))
+        return results if isinstance(values[0], tuple) else results[0]
+
+    def unary(self, op: str, value: Element) -> Element:
+        """The meaning of an operation on one number."""
+        if op == "-":
+            return -value
+        if op == "conj":
+            return self.conjugate(value)
+        if op == "D":
+            need(self.rates is not None, "there is no field")
+            self.used.add("its field")
+            return value.along(self.rates or {})
+        need(op == "sqrt", f"{op} is not understood")
+        for name, square in self.ring.roots.items():
+            if (square - value).vanishes():
+                return self.scalar(name)
+        raise Rejected("a root is taken that is not declared")
+
+    def by_name(self, op: str, name: str, value: Element) -> Element:
+        """A partial derivative, or the sign of a root changed."""
+        self.used.add(name)
+        need(name in self.env and name in self.ring.at, f"{name} is no generator")
+        need((name in self.ring.roots) == (op == "flip"), f"{op} cannot be taken by {name}")
+        return value.flipped(name) if op == "flip" else value.along({name: self.ring.number(1)})
+
+    def inverse(self, tree: Any) -> Element:
+        """One over a formula, factor by factor."""
+        if isinstance(tree, list) and tree[:1] == ["*"] and len(tree) > 2:
+            result = self.ring.number(1)
+            for factor in tree[1:]:
+                result = result * self.inverse(factor)
+            return result
+        if isinstance(tree, list) and tree[:1] == ["^"] and len(tree) == 3 and fits(tree[2], int):
+            return self.inverse(tree[1]) ** tree[2]
+        return self.scalar(tree).inverse()
+
+    def power(self, base: Any, exponent: Any) -> Element:
+        """A power; its exponent is an integer, or linear in declared symbols."""
+        result = self.ring.number(1)
+        for symbol, multiple in linear(exponent).items():
+            if symbol:
+                need((base, symbol) in self.powers, "a power is not declared")
+                self.used.update((symbol, base))
+            value = self.scalar(self.powers[base, symbol] if symbol else base)
+            result = result * value**multiple
+        return result
+
+    def differences(self, left: Any, right: Any) -> list[Element]:
+        """Left minus right side, component by component."""
+        a, b = self.value(left), self.value(right)
+        return list(components(plus(a, self.unary("-", b) if isinstance(b, Element) else tuple(-x for x in b))))
+
+    def equal(self, left: Any, right: Any) -> bool:
+        """Whether both sides are equal wherever the space has its points."""
+        return all(d.vanishes() for d in self.differences(left, right))
+
+    def point(self, data: Any) -> tuple[dict[str, Element], Ring]:
+        """An exact point: the values of all generators, checked against all relations."""
+        steps = [["root", "i", ["-", 1]], *(["root", f"{d}^(1/2)", d] for d in data["roots"])]
+        need(all(d > 1 for d in data["roots"]), "a root of a point is not positive")
+        numbers = Space({"variables": [], "steps": steps, "conjugates": []}, [])
+        values = {name: numbers.scalar(tree) for name, tree in data["values"]}
+        names = [n for n in self.ring.at if n not in self.ring.inverses]
+        need(sorted(n for n, _ in data["values"]) == sorted(names), "a value is missing or extra")
+        need(len(set(numbers.unused()) - {"i", "its conjugation"}) == 0, "a root is not needed")
+        images = self.ring.carried(values, numbers.ring)
+        for name in names if self.bar is not None else ():
+            bar = self.conjugate(self.ring.generator(name)).image(images, numbers.ring)
+            need((bar - numbers.conjugate(values[name])).vanishes(), f"{name} is not real there")
+        return images, numbers.ring

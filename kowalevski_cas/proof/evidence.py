@@ -26,11 +26,15 @@ class Mended(NamedTuple):
 
 @dataclass(slots=True)
 class Evidence:
-    """What was found for one claim: the results of searches by label, and the correction."""
+    """What was found for one claim: the results of searches by label, and the correction.
+
+    ``hopeless`` says that a correction was searched for, and none was found.
+    """
 
     digest: str
     found: dict[str, Any] = field(default_factory=dict)
     correction: Mended | None = None
+    hopeless: bool = False
 
 
 def load_evidence(folder: Path) -> dict[str, Evidence]:
@@ -44,6 +48,7 @@ def load_evidence(folder: Path) -> dict[str, Evidence]:
                 entry["digest"],
                 {label: _decode(value) for label, value in entry["found"].items()},
                 Mended(*entry["correction"]) if entry["correction"] else None,
+                bool(entry["hopeless"]),
             )
             for claim, entry in data["claims"].items()
         }
@@ -59,6 +64,7 @@ def dump_evidence(evidence: dict[str, Evidence]) -> str:
             "digest": entry.digest,
             "found": {label: _encode(v) for label, v in entry.found.items()},
             "correction": entry.correction,
+            "hopeless": entry.hopeless,
         }
         lines.append(f"  {json.dumps(claim)}: {json.dumps(value, separators=(',', ':'))}")
     body = ",\n".join(lines)

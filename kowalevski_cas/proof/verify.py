@@ -76,7 +76,7 @@ class Session:
         """Decide the chosen claims, and before them those on which they rest."""
         derivation = self.derivation
         chosen = [c for c in derivation.claims if not only or c.id in only]
-        needed = self.needed(chosen)
+        needed = self.needed(chosen) if only else chosen
         outcomes = []
         for done, claim in enumerate(needed):
             progress(claim.id, done, len(needed))
@@ -189,10 +189,13 @@ class Session:
 
     def _correct(self, claim: Claim, kept: Evidence) -> Correction | None:
         """The nearest true statement, decided in every arithmetic."""
+        if kept.hopeless:
+            return None
         if kept.correction is None:
             bench = self._bench(self.arithmetics[0], self.texts)
             neighbour = correction(claim, bench)
             if neighbour is None or neighbour.printed is None or neighbour.edit is None:
+                kept.hopeless = True
                 return None
             kept.correction = Mended(neighbour.printed.place, neighbour.edit.tex, neighbour.words)
         place = next(p for p in claim.establishes() if p.place == kept.correction.place)

@@ -22,6 +22,9 @@ from kowalevski_cas.search.squares import sum_of_squares
 DEPTH = 9
 """How many splits may follow one another."""
 
+LARGEST = 400
+"""How many terms a consequence may have to be split."""
+
 class Splitter:
     """The search for a tree of cases.
 
@@ -70,6 +73,8 @@ class Splitter:
         quotients = [context.constant(0)] * len(known)
         for _ in range(2):
             for k, (divisor, variable) in enumerate(known):
+                if len(rest) > LARGEST:
+                    return None
                 if len(divisor) == 1:
                     quotient, rest = divmod(rest, divisor)
                     quotients[k] += quotient
@@ -85,6 +90,8 @@ class Splitter:
             return None
         quotients = [q / left for q in quotients]
         rest = rest / left
+        if len(rest) > LARGEST:
+            return None
         found = tuple(self.polynomials.terms(q) for q in quotients)
         if rest.is_zero():
             return Reduction(index, powers, found, {}, (0,) * len(self.granted), ())
