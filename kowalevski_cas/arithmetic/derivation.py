@@ -21,9 +21,11 @@ def along(element: Element, field: Field) -> Element:
     ring = element.ring
     total = ring.zero
     for mask, polynomial in element.parts.items():
-        roots = Element(ring, {mask: ring.polynomials.one}, {})
-        total = total + _polynomial_along(ring, polynomial, field) * roots
-        if mask:
+        change = _polynomial_along(ring, polynomial, field)
+        if not mask:
+            total = total + change
+        else:
+            total = total + change * Element(ring, {mask: ring.polynomials.one}, {})
             coefficient = Element(ring, {0: polynomial}, {})
             total = total + coefficient * _roots_along(ring, mask, field)
     if not element.denominator:

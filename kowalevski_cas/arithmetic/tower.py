@@ -31,13 +31,15 @@ class Ring:
 
     def __init__(self, polynomials: Polynomials) -> None:
         self.polynomials = polynomials
+        self._is_zero = polynomials.is_zero
+        self._product = polynomials.product
         self.roots: list[str] = []
         self.radicands: list[Element] = []
         self.divisors: list[Polynomial] = []
         self.products = 0
         self._divisor_index: dict[frozenset[Any], int] = {}
         self._squares: dict[int, Parts] = {}
-        self._numbers: dict[int | Fraction, Element] = {}
+        self._numbers: dict[int, Element] = {}
         self.zero = Element(self, {}, {})
         self.one = self.number(1)
 
@@ -47,11 +49,14 @@ class Ring:
         return (*self.polynomials.generators, *self.roots)
 
     def number(self, value: int | Fraction) -> Element:
-        """A rational number."""
-        if value not in self._numbers:
-            constant = self.polynomials.constant(Fraction(value))
-            self._numbers[value] = self.element({0: constant}, {})
-        return self._numbers[value]
+        """A rational number; whole ones are made once."""
+        if value.denominator != 1:
+            return Element(self, {0: self.polynomials.constant(Fraction(value))}, {})
+        whole = value.numerator
+        if whole not in self._numbers:
+            constant = self.polynomials.constant(Fraction(whole))
+            self._numbers[whole] = self.element({0: constant}, {})
+        return self._numbers[whole]
 
     def generator(self, name: str) -> Element:
         """The generator or root with this name; raises ``ValueError`` if there is none."""
@@ -77,13 +82,13 @@ class Ring:
 
     def element(self, parts: Parts, denominator: dict[int, int]) -> Element:
         """An element, with vanishing parts dropped."""
-        is_zero = self.polynomials.is_zero
+        is_zero = self._is_zero
         return Element(self, {m: p for m, p in parts.items() if not is_zero(p)}, denominator)
 
     def multiply(self, left: Polynomial, right: Polynomial) -> Polynomial:
         """The product of two polynomials, counted."""
         self.products += 1
-        return self.polynomials.product(left, right)
+        return self._product(left, right)
 
     def multiply_parts(self, left: Parts, right: Parts) -> Parts:
         """The product of two numerators, the roots reduced by their squares."""
@@ -108,7 +113,9 @@ class Ring:
 
     def divisor(self, polynomial: Polynomial) -> int:
         """The index of a polynomial among the divisors, where it is entered if it is new."""
-        key = frozenset(self.polynomials.terms(polynomial).items())
+        # Fractions are slow to hash, whole numbers are not.
+        terms = self.polynomials.terms(polynomial)
+        key = frozenset((e, v.numerator, v.denominator) for e, v in terms.items())
         if key not in self._divisor_index:
             self._divisor_index[key] = len(self.divisors)
             self.divisors.append(polynomial)
@@ -193,12 +200,17 @@ class Element:
         return self + (-other)
 
     def __mul__(self, other: Element) -> Element:
+        ring = self.ring
+        if other is ring.one:
+            return self
+        if self is ring.one:
+            return other
         denominator = self.denominator
         if other.denominator:
             denominator = dict(denominator)
             for index, exponent in other.denominator.items():
                 denominator[index] = denominator.get(index, 0) + exponent
-        ring, left, right = self.ring, self.parts, other.parts
+        left, right = self.parts, other.parts
         if len(left) == len(right) == 1:
             # One product, which cannot vanish: polynomials have no divisors of zero.
             ((mask, p),), ((other_mask, q),) = left.items(), right.items()

@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from time import perf_counter
 
 from kowalevski_cas.audit.displays import Typed, find_formulas
+from kowalevski_cas.audit.limits import excess
 from kowalevski_cas.audit.macros import Expanded, expand
 from kowalevski_cas.audit.places import Place, find_places
 from kowalevski_cas.audit.roles import Role, Roles, undefined
-from kowalevski_cas.audit.session import AuditSession, Memory
+from kowalevski_cas.audit.session import AuditSession, Memory, formulas
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.audit.tokens import words
-from kowalevski_cas.notation import Formula, NotationError, split_display
+from kowalevski_cas.notation import NotationError, split_display
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Outcome, Verdict
 from kowalevski_cas.texts import Display, Printed, Texts
 
@@ -76,11 +78,18 @@ class Audit:
     session: AuditSession
     notes: list[tuple[int, str]]
     """Lines, and what is to be said about them."""
+    seconds: float = 0.0
 
     @property
     def counts(self) -> dict[str, int]:
         """How many formulas there are of each verdict."""
         return dict(sorted(Counter(formula.verdict for formula in self.formulas).items()))
+
+    @property
+    def statements(self) -> list[Outcome]:
+        """What is said about statements in words, which no formula prints."""
+        about = {claim for formula in self.formulas for claim in formula.claims}
+        return [outcome for claim, outcome in self.outcomes.items() if claim not in about]
 
 
 def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
@@ -91,6 +100,7 @@ def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
 
 def audit(source: Source, memory: Memory) -> Audit:
     """Decide every claim of a derivation on the formulas of a source."""
+    start = perf_counter()
     expanded, typed = typed_formulas(source)
     places = find_places(memory.derivation, typed)
     sources = {
@@ -98,27 +108,33 @@ def audit(source: Source, memory: Memory) -> Audit:
         for place in places
         if place.typed is not None and words(place.typed.tex) != words(place.display.tex)
     }
+    refused = {display: reason for display, tex in sources.items() if (reason := _excess(display, tex, memory))}
+    for display in refused:
+        del sources[display]
     session = AuditSession(memory, memory.base, sources)
     given = session.texts
     outcomes = {outcome.claim: outcome for outcome in session.run().outcomes}
     notes = [(source.line(offset), words) for offset, words in expanded.notes]
     result = Audit(source, expanded, places, [], outcomes, session, notes)
     roles = Roles(memory.derivation)
-    describe = _Describer(result, roles, given, memory.base.own)
+    describe = _Describer(result, roles, given, refused)
     for place in places:
         result.formulas += describe.formulas(place)
     result.formulas += describe.new(typed)
+    result.seconds = perf_counter() - start
     return result
 
 
 class _Describer:
     """Says what a run found about each place."""
 
-    def __init__(self, audit: Audit, roles: Roles, texts: Texts, own: Texts) -> None:
+    def __init__(
+        self, audit: Audit, roles: Roles, texts: Texts, refused: dict[Display, str]
+    ) -> None:
         self.audit = audit
         self.roles = roles
         self.texts = texts
-        self.own = own
+        self.refused = refused
         self.broken: dict[str, list[str]] = {}
         for claim, causes in audit.session.causes.items():
             for printed in causes:
@@ -135,6 +151,8 @@ class _Describer:
             )  # fmt: skip
             return
         try:
+            if display in self.refused:
+                raise NotationError(self.refused[display], typed.tex, 0)
             intervals = split_display(typed.tex)
             expected = len(split_display(display.tex))
             self.texts.statement(display[1])
@@ -179,7 +197,8 @@ class _Describer:
         message: str,
     ) -> Audited:
         line, column = self._position(typed, *interval)
-        tex = typed.tex[slice(*interval)].strip()
+        start, end = self.audit.expanded.origin(*(typed.start + offset for offset in interval))
+        tex = self.audit.source.text[start:end].strip()
         role = self._role(display) if display else "none"
         label = typed.labels[0] if typed.labels else ""
         return Audited(id, label, line, column, tex, role, verdict, message=message)
@@ -229,8 +248,13 @@ class _Describer:
                 audited.verdict = SUSPECT
 
 
+def _excess(display: Display, tex: str, memory: Memory) -> str:
+    """Why a display is not evaluated; empty if it is."""
+    read = formulas(memory.base.own.with_source(display, tex), display)
+    return next((reason for formula in read if (reason := excess(formula))), "")
+
+
 def _label(display: Display) -> str:
     return "" if display.inline else display.id
 
 
-__all__ = ["Audit", "Audited", "Formula", "audit", "typed_formulas"]

@@ -121,7 +121,8 @@ class _Finder:
     def _between(self, inline: bool, allowed: Callable[[int, int], bool]) -> None:
         """Match what is open between neighbours that are found, keeping the order."""
         steady = self.in_order()
-        start, waiting = 0, []
+        waiting: list[int] = []
+        start = 0
         for k in range(len(self.displays) + 1):
             last = k == len(self.displays)
             if last or (k in steady and not self.displays[k].inline):

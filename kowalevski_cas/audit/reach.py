@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kowalevski_cas.audit.roles import parts_of
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.proof.dependencies import Dependencies, names
 from kowalevski_cas.scene import Change, Scene
@@ -21,7 +22,13 @@ class Reach(Dependencies):
         Raises ``NotationError`` if a formula on the way cannot be read.
         """
         found = self.foundations(claim)
+        parts = dict.fromkeys(parts_of(claim))
+        found.update(parts)
+        used = {name for place in parts for name in names(self.texts.formula(place))}
         for scene in claim.scenes():
+            closure = self._closure(scene)
+            for name in sorted(used):
+                found.update(closure.of(name))
             found.update(self._set_up(scene))
             if isinstance(scene.field, Change):
                 found.update(self._set_up(scene.field.source))

@@ -37,13 +37,15 @@ class Roles:
     def __init__(self, derivation: Derivation) -> None:
         self.places: dict[str, Role] = {}
         for scene in derivation.scenes():
-            for printed, role in _of_scene(scene):
-                self.at(printed.place).roles.add(role)
+            for printed, name in _of_scene(scene):
+                self.at(printed.place).roles.add(name)
             for name, printed in scene.definitions.items():
                 self.at(printed.place).defines.add(name)
         for claim in derivation.claims:
             for part in fields(claim):
                 own = part.name in OWN
+                if part.name == "printed" and claim.printed not in claim.establishes():
+                    own = False
                 for printed in _printed(getattr(claim, part.name)):
                     role = self.at(printed.place)
                     role.roles.add("claim" if own else "condition")
@@ -65,6 +67,7 @@ def undefined(role: Role, formula: Formula) -> list[str]:
 def places_of(claim: Claim) -> Iterator[Printed]:
     """Every place on which the verdict of a claim can depend."""
     yield from claim.places()
+    yield from parts_of(claim)
     for scene in claim.scenes():
         yield from scene.places()
 
@@ -82,6 +85,16 @@ def _of_scene(scene: Scene) -> Iterator[tuple[Printed, str]]:
         yield scene.field.time, "definition"
     else:
         yield from ((printed, "vector field") for printed in scene.field)
+
+
+def parts_of(claim: Claim) -> Iterator[Printed]:
+    """The places in the parts of a claim, and in those of the claims in it."""
+    for part in fields(claim):
+        value = getattr(claim, part.name)
+        if isinstance(value, Claim):
+            yield from parts_of(value)
+        else:
+            yield from _printed(value)
 
 
 def _printed(value: object) -> Iterator[Printed]:

@@ -7,7 +7,8 @@ the definition is the cause, and the claim is not corrected to fit it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 from kowalevski_cas.audit.reach import Reach
@@ -44,6 +45,17 @@ class Memory:
         if claim not in self.rests:
             self.rests[claim] = frozenset(places_of(claim))
         return self.rests[claim]
+
+    @contextmanager
+    def kept_small(self) -> Iterator[None]:
+        """Forget, at the end, what a run under other texts has added."""
+        sizes = [(table, len(table)) for table in (self.outcomes, self.stages)]
+        try:
+            yield
+        finally:
+            for table, size in sizes:
+                while len(table) > size:
+                    table.popitem()
 
     @property
     def base(self) -> Base:

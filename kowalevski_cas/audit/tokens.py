@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from difflib import SequenceMatcher
 from functools import lru_cache
 
 from kowalevski_cas.notation import NotationError
@@ -14,6 +15,7 @@ BREAKS = frozenset({"row", "cell", "gap", "comma", "stop"})
 """What may stand at either end of a formula and says nothing about it."""
 
 _ROUGHLY = re.compile(r"\\(?:[A-Za-z]+|.)|\d+|\S", re.DOTALL)
+_COMMAND = re.compile(r"\\[A-Za-z]+$")
 _LONGEST = 400
 """Tokens that are compared one by one."""
 
@@ -67,3 +69,27 @@ def distance(first: Sequence[str], second: Sequence[str]) -> int:
         for k, other in enumerate(second):
             row.append(min(above[k + 1] + 1, row[k] + 1, above[k] + (one != other)))
     return row[-1]
+
+
+def changes(old: str, new: str) -> Iterator[tuple[int, int, str]]:
+    """Intervals of ``old`` and what to type there so that it has the tokens of ``new``."""
+    before, after = scanned(old), scanned(new)
+    matcher = SequenceMatcher(
+        None, [token.text for token in before], [token.text for token in after], autojunk=False
+    )
+    for kind, i, j, k, m in matcher.get_opcodes():
+        if kind == "equal":
+            continue
+        typed = new[after[k].start : after[m - 1].end] if k < m else ""
+        if i < j:
+            yield before[i].start, before[j - 1].end, typed
+        else:
+            place = before[i - 1].end if i else before[0].start if before else 0
+            yield place, place, _set_apart(typed, old, place)
+
+
+def _set_apart(typed: str, old: str, place: int) -> str:
+    """What is typed, with spaces where it would run into what stands around it."""
+    before = " " if _COMMAND.search(old[:place]) and typed[:1].isalpha() else ""
+    after = " " if _COMMAND.search(typed) and old[place : place + 1].isalpha() else ""
+    return before + typed + after

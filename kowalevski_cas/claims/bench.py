@@ -49,7 +49,7 @@ class Bench:
         if key not in self._stages:
             kind: Arithmetic = load(self.arithmetic)
             self._stages[key] = Stage(scene, kind, self.texts)
-        return self._stages[key]
+        return self._stages[key].under(self.texts)
 
     @staticmethod
     @cache

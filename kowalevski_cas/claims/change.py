@@ -107,8 +107,8 @@ class InvertibleChange(Claim):
 class Unit(Claim):
     """The printed square of the imaginary unit makes the change lead to the printed ``rows``.
 
-    A row may be misprinted itself; so the unit is right if no other unit makes
-    more rows true, and at least one row is.
+    A row may be misprinted itself; so the unit is right if the opposite sign does
+    not make more rows true, and at least one row is.
     """
 
     rows: tuple[Printed, ...]
@@ -143,9 +143,9 @@ class Unit(Claim):
         return found
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
-        """Other numbers on the right side: its sign and its size changed."""
+        """The other sign on the right side."""
         assert self.printed is not None
         for neighbour in super().neighbours(texts):
             edit = neighbour.edit
-            if edit and edit.path[:1] == (1,) and edit.kind in ("sign", "coefficient"):
+            if edit and edit.path[:1] == (1,) and edit.kind == "sign":
                 yield neighbour

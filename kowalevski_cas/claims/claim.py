@@ -12,7 +12,7 @@ from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.bench import Bench, Key
 from kowalevski_cas.notation import Constant, Edit, Formula, Relation, Vocabulary, edits, to_latex
-from kowalevski_cas.proof.outcome import Condition, Counterexample, Point, Step, Verdict
+from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Point, Step, Verdict
 from kowalevski_cas.scene import Locus, Scene
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.stage.evaluate import Triple, Value
@@ -24,13 +24,18 @@ NUMBERS = Vocabulary(scalars=frozenset({"i"}))
 
 @dataclass(frozen=True)
 class Finding:
-    """The verdict on a claim in one arithmetic, with its evidence."""
+    """The verdict on a claim in one arithmetic, with its evidence.
+
+    ``correction`` is the nearest true statement where the claim itself proves
+    one; a formula that is one edit away is searched for elsewhere.
+    """
 
     verdict: Verdict
     conditions: tuple[Condition, ...] = ()
     steps: tuple[Step, ...] = ()
     counterexample: Counterexample | None = None
     message: str = ""
+    correction: Correction | None = None
 
 
 @dataclass(frozen=True)
@@ -166,7 +171,7 @@ def _shape(element: Element) -> frozenset[object]:
     parts = element.terms()
     lead = next((parts[m][max(parts[m])] for m in sorted(parts)), Fraction(1))
     return frozenset(
-        (mask, exponents, value / lead)
+        (mask, exponents, (scaled := value / lead).numerator, scaled.denominator)
         for mask, terms in parts.items()
         for exponents, value in terms.items()
     )

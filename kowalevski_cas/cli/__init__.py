@@ -14,6 +14,7 @@ from kowalevski_cas.cli.exits import EXIT_CODES, INTERRUPTED, USAGE, CommandErro
 COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
     "report": "write the report of a derivation as LaTeX and PDF",
+    "audit": "read a paper's TeX source and prove or refute each formula in it",
     "record": "write the record of verdicts, and the evidence behind them, anew",
 }
 

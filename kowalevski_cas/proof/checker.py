@@ -4,9 +4,9 @@
 
 docs/certificate.md describes the format. Nothing that can be computed is taken
 from a file: the checker evaluates the printed formulas, differentiates along the
-vector field, carries the field through a change of variables and inverts
-denominators, exactly. What it does not understand it rejects. It exits with 0 if
-all files are certified, 5 if one is rejected, 6 if there is none.
+vector field, carries the field through changes of variables, divides, and takes
+ranks by itself, exactly. What it does not understand it rejects. It exits with 0
+if all files are certified, 5 if one is rejected, 6 if there is none.
 """
 
 from __future__ import annotations
@@ -15,465 +15,453 @@ import hashlib
 import json
 import os
 import sys
-from collections.abc import Mapping
+from fractions import Fraction
+from functools import partial, reduce
 from itertools import combinations_with_replacement
-from math import gcd
 from typing import Any
 
 FORMAT, VERSION = "kowalevski-cas certificate", 1
 WIDTH, DEGREE, WORK, SIZE = 16, 1000, 3_000_000, 1_000_000
 MASK = (1 << WIDTH) - 1
-Value = Any  # an Element, or a tuple of them: a vector, or the diagonal of a matrix
-
-TREE, PAIR = object(), (object, object)
-SPACE = {
-    "variables": [str], "constants?": [str], "powers?": [(str, str, str)], "nonzero?": [TREE],
-    "steps?": [[TREE]], "field?": [([str], TREE, TREE)], "conjugates?": [(str, str)],
-    "change?": {"from": int, "formulas": [(str, TREE)], "time": TREE},
-}  # fmt: skip
-POINT = {"roots": [int], "values": [(str, TREE)]}
-EQUATIONS, GIVEN = [(TREE, TREE)], {"given": [(TREE, TREE)], "point": POINT}
-PARTS: dict[str, dict[str, Any]] = {
-    "equal": {"equations": EQUATIONS},
-    "follows": {"equations": EQUATIONS, "cofactors": [[TREE]], "root?": str, **GIVEN},
-    "invariant": {"functions": [TREE], "matrix": [[TREE]], "point": POINT},
-    "equivalent": {"equation": (TREE, TREE), "to": (TREE, TREE), "factor": TREE},
-    "rank": {"levels": [TREE], "functions": [TREE], "dimension?": int, **GIVEN},
-    "differ": {"equation": (TREE, TREE), **GIVEN},
-}
 
 
 class Rejected(Exception):
     """The certificate does not prove what it states."""
 
 
-class Undivided(Rejected):
-    """A division by a polynomial that is not assumed to be non-zero."""
-
-    def __init__(self, divisor: Element) -> None:
-        super().__init__(f"division by {divisor}, which is not assumed to be non-zero")
-        self.divisor = divisor
-
-
-def need(condition: object, message: str) -> None:
+def need(condition: object, message: str, *about: object) -> None:
     """Reject the certificate unless the condition holds."""
     if not condition:
-        raise Rejected(message)
+        raise Rejected(message, *about)
 
 
-class Ring:
-    """Polynomials in generators, among them square roots and inverses of polynomials.
+class Element:
+    """A polynomial in the names of a space.
 
     A monomial is one integer: a field of bits for each exponent and, on top, the
     total degree; bounding it keeps the fields apart.
     """
 
-    def __init__(self, names: list[str]) -> None:
-        need(len(set(names)) == len(names), "a name is given twice")
-        self.at = {name: WIDTH * k for k, name in enumerate(names)}
-        self.top, self.work = WIDTH * len(names), 0
-        self.unit = {name: (1 << s) + (1 << self.top) for name, s in self.at.items()}
-        self.roots: dict[str, Element] = {}
-        self.inverses: dict[str, Element] = {}
-        self.single: list[tuple[int, int, int]] = []
-        self.powers: dict[str, tuple[Element, Element]] = {}
-        self.used: set[str] = set()
-
-    def number(self, value: int) -> Element:
-        """An integer."""
-        return Element(self, {0: value} if value else {})
-
-    def generator(self, name: str) -> Element:
-        """A generator."""
-        return Element(self, {self.unit[name]: 1})
-
-    def product(self, a: dict[int, int], b: dict[int, int]) -> dict[int, int]:
-        """A product of polynomials: inverses are cancelled, squares of roots replaced."""
-        self.work += len(a) * len(b)
-        need(self.work < WORK, "it takes too much work")
-        out: dict[int, int] = {}
-        for m, c in a.items():
-            for n, d in b.items():
-                k = m + n
-                for x, v, both in self.single:
-                    if k >> v & MASK and k >> x & MASK:
-                        k -= both * min(k >> v & MASK, k >> x & MASK)
-                out[k] = out.get(k, 0) + c * d
-        need(not out or max(out) >> self.top <= DEGREE, "a degree is too large")
-        for name in reversed(self.roots):
-            shift, square = self.at[name], 2 * self.unit[name]
-            high = [m for m in out if m >> shift & MASK > 1]
-            if high:
-                inner = {m - square: out.pop(m) for m in high}
-                root = self.roots[name]
-                for m, c in self.product(inner, root.terms).items():
-                    out[m] = out.get(m, 0) + c
-        return {m: c for m, c in out.items() if c}
-
-    def inverse(self, p: Element) -> Element:
-        """One over a polynomial in the plain generators: a number, generators, and the rest."""
-        need(p.terms, "division by zero")
-        result, terms = Element(self, {0: p.q}), p.terms
-        for name, s in self.at.items():
-            least = min(m >> s & MASK for m in terms)
-            terms = {m - least * self.unit[name]: c for m, c in terms.items()}
-            result = result * self.listed(self.generator(name)) ** least if least else result
-        size = gcd(*terms.values()) * (1 if terms[max(terms)] > 0 else -1)
-        rest = Element(self, {m: c // size for m, c in terms.items()})
-        result = result if rest.terms == {0: 1} else result * self.listed(rest)
-        return result * Element(self, {0: 1 if size > 0 else -1}, abs(size))
-
-    def listed(self, divisor: Element) -> Element:
-        """The inverse of a polynomial that is assumed to be non-zero."""
-        for name, known in self.inverses.items():
-            if known.terms == divisor.terms:
-                self.used.add(name)
-                return self.generator(name)
-        raise Undivided(divisor)
-
-
-class Element:
-    """A polynomial of a ring over a positive integer."""
-
-    def __init__(self, ring: Ring, terms: dict[int, int], q: int = 1) -> None:
-        common = gcd(q, *terms.values()) if q > 1 else 1
-        self.ring, self.q = ring, q // common
-        self.terms = terms if common == 1 else {m: c // common for m, c in terms.items()}
+    def __init__(self, space: Space, terms: dict[int, Fraction | int]) -> None:
+        self.space, self.terms = space, {m: c for m, c in terms.items() if c}
 
     def __add__(self, other: Element) -> Element:
-        q = self.q * other.q // gcd(self.q, other.q)
-        out = {m: c * (q // self.q) for m, c in self.terms.items()}
+        out = dict(self.terms)
         for m, c in other.terms.items():
-            out[m] = out.get(m, 0) + c * (q // other.q)
-        return Element(self.ring, {m: c for m, c in out.items() if c}, q)
+            out[m] = out.get(m, 0) + c
+        return Element(self.space, out)
 
     def __neg__(self) -> Element:
-        return Element(self.ring, {m: -c for m, c in self.terms.items()}, self.q)
+        return Element(self.space, {m: -c for m, c in self.terms.items()})
 
     def __sub__(self, other: Element) -> Element:
         return self + -other
 
     def __mul__(self, other: Element) -> Element:
-        return Element(self.ring, self.ring.product(self.terms, other.terms), self.q * other.q)
+        space, out = self.space, dict[int, Fraction | int]()
+        space.work += len(self.terms) * len(other.terms)
+        need(space.work < WORK, "it takes too much work")
+        for m, c in self.terms.items():
+            for n, d in other.terms.items():
+                out[m + n] = out.get(m + n, 0) + c * d
+        need(max(out, default=0) >> space.top <= DEGREE, "a degree is too large")
+        for name in reversed(space.roots):
+            shift, square = space.at[name], 2 * space.unit[name]
+            if high := [m for m in out if m >> shift & MASK > 1]:
+                inner = Element(space, {m - square: out.pop(m) for m in high})
+                out = (Element(space, out) + inner * space.roots[name]).terms
+        return Element(space, out)
 
     def __pow__(self, exponent: int) -> Element:
-        need(abs(exponent) <= 64, "an exponent is too large")
-        result, base = self.ring.number(1), self if exponent >= 0 else self.inverse()
-        for _ in range(abs(exponent)):
-            result = result * base
-        return result
+        need(type(exponent) is int and 0 <= exponent <= 64, "an exponent is odd")
+        return reduce(Element.__mul__, [self] * exponent, self.space.number(1))
 
     def __str__(self) -> str:
-        terms = []
+        shown = []
         for m, c in sorted(self.terms.items(), reverse=True):
-            powers = [(say(n), m >> s & MASK) for n, s in self.ring.at.items()]
-            shown = "".join(n if e == 1 else f"{n}^{e}" for n, e in powers if e)
-            terms.append(shown if shown and c == 1 else f"{c}{' ' if shown else ''}{shown}")
-        shown = " + ".join(terms).replace("+ -", "- ") or "0"
-        return shown if self.q == 1 else f"{shown if len(terms) < 2 else f'({shown})'}/{self.q}"
+            powers = [(say(n), m >> s & MASK) for n, s in self.space.at.items()]
+            shown.append(" ".join([str(c), *(f"{n}^{e}" if e > 1 else n for n, e in powers if e)]))
+        return " + ".join(shown) or "0"
 
     def split(self, name: str) -> dict[int, Element]:
-        """The coefficients of the powers of a generator."""
-        parts: dict[int, dict[int, int]] = {}
+        """The coefficients of the powers of a name."""
+        parts: dict[int, dict[int, Fraction | int]] = {}
         for m, c in self.terms.items():
-            e = m >> self.ring.at[name] & MASK
-            parts.setdefault(e, {})[m - e * self.ring.unit[name]] = c
-        return {e: Element(self.ring, terms, self.q) for e, terms in parts.items()}
-
-    def cleared(self) -> tuple[Element, Element]:
-        """The element times a factor that frees it of inverses, and this factor."""
-        value, factor = self, self.ring.number(1)
-        for name, divisor in self.ring.inverses.items():
-            parts = value.split(name)
-            if most := max(parts, default=0):
-                value = sum((p * divisor ** (most - e) for e, p in parts.items()), self.ring.number(0))
-                factor = factor * divisor**most
-        return value, factor
-
-    def vanishes(self) -> bool:
-        """Whether the element is zero, where the divisors are not."""
-        return not self.terms or not self.cleared()[0].terms
+            e = m >> self.space.at[name] & MASK
+            parts.setdefault(e, {})[m - e * self.space.unit[name]] = c
+        return {e: Element(self.space, terms) for e, terms in parts.items()}
 
     def flipped(self, name: str) -> Element:
         """The element with the sign of one root changed."""
-        s = self.ring.at[name]
-        terms = {m: -c if m >> s & 1 else c for m, c in self.terms.items()}
-        return Element(self.ring, terms, self.q)
+        odd = self.split(name).get(1, self.space.number(0)) * self.space.generator(name)
+        return self - odd - odd
+
+    def vanishes(self) -> bool:
+        """Whether the element is zero wherever the divisors are not: times them, it is zero."""
+        value = self
+        for name, divisor in self.space.divisors.items():
+            parts = value.split(name)
+            each = (part * divisor ** (max(parts) - e) for e, part in parts.items())
+            value = sum(each, self.space.number(0))
+        return not value.terms
 
     def inverse(self) -> Element:
-        """One over the element: its conjugates over its norm, which is free of roots."""
-        norm, above = self.cleared()
-        for name in reversed(self.ring.roots):
-            if any(norm.split(name).keys()):
-                other = norm.flipped(name)
-                norm, factor = (norm * other).cleared()
-                above = above * other * factor
-        return above * self.ring.inverse(norm)
+        """One over the element: its conjugates over its norm, a multiple of a divisor."""
+        space, above, norm = self.space, self.space.number(1), self
+        for name in reversed(space.roots):
+            if 1 in norm.split(name):
+                above, norm = above * norm.flipped(name), norm * norm.flipped(name)
+        need(norm.terms, "division by zero")
+        known = [(space.generator(name), divisor) for name, divisor in space.divisors.items()]
+        for inverse, divisor in ((space.number(1), space.number(1)), *known):
+            if max(norm.terms) in divisor.terms:
+                ratio = Fraction(divisor.terms[max(norm.terms)]) / norm.terms[max(norm.terms)]
+                if not (norm * Element(space, {0: ratio}) - divisor).terms:
+                    return above * Element(space, {0: ratio}) * inverse
+        raise Rejected(f"division by {norm}, which may be zero", norm)
 
     def along(self, rates: dict[str, Element]) -> Element:
-        """The derivative, given the derivatives of generators; the others follow."""
-        ring, change = self.ring, self.ring.number(0)
-        for name, s in ring.at.items():
-            unit = ring.unit[name]
-            part = {m - unit: c * (m >> s & MASK) for m, c in self.terms.items() if m >> s & MASK}
-            if part:
-                change = change + Element(ring, part, self.q) * self.rate(name, rates)
+        """The derivative; what has no rate is constant, or a root, or one over a divisor."""
+        space, change = self.space, self.space.number(0)
+        for name in space.at:
+            for e, part in self.split(name).items():
+                if e:
+                    own = space.generator(name)
+                    if name not in rates:
+                        rates[name] = space.rate(own, name, rates)
+                    change = change + space.number(e) * part * own ** (e - 1) * rates[name]
         return change
 
-    def rate(self, name: str, rates: dict[str, Element]) -> Element:
-        """The derivative of a generator; a plain one that is not named is constant."""
-        ring, own = self.ring, self.ring.generator(name)
-        if name not in rates:
-            rates[name] = ring.number(0)
-            if name in ring.inverses:
-                rates[name] = -own * own * ring.inverses[name].along(rates)
-            if name in ring.powers:
-                base, exponent = ring.powers[name]
-                change = base.along(rates)
-                if not change.vanishes():
-                    rates[name] = exponent * own * change * base.inverse()
-        return rates[name]
-
-    def image(self, images: Mapping[str, Element], ring: Ring) -> Element:
-        """The value when the generators take values in a ring."""
-        value, powers = ring.number(0), dict[tuple[str, int], Element]()
+    def image(self, images: dict[str, Element], space: Space) -> Element:
+        """The value when the names take values in a space."""
+        value = space.number(0)
         for m, c in self.terms.items():
-            term = Element(ring, {0: c}, self.q)
-            for name, s in self.ring.at.items():
-                if e := m >> s & MASK:
-                    if (name, e) not in powers:
-                        need(name in images, f"{name} has no value")
-                        powers[name, e] = images[name] ** e
-                    term = term * powers[name, e]
-            value = value + term
+            powers = ((name, m >> shift & MASK) for name, shift in self.space.at.items())
+            factors = (images[name] ** e for name, e in powers if e)
+            value = value + reduce(Element.__mul__, factors, Element(space, {0: c}))
         return value
 
 
 class Space:
-    """Generators with relations, definitions, a vector field, and a conjugation."""
+    """Names with relations and definitions, a vector field, and a conjugation."""
 
-    def __init__(self, data: dict[str, Any], spaces: list[Space]) -> None:
-        steps, powers = data.get("steps", []), data.get("powers", [])
-        for step in steps:
-            need(len(step) > 2 and step[0] in STEPS and fits(step[1], str), "a step is odd")
-        self.variables, self.nonzero = data["variables"], data.get("nonzero", [])
-        plain = [*self.variables, *data.get("constants", []), *(n for n, _, _ in powers)]
-        divided = [f"1/{k}" for k in range(len(self.nonzero))]
-        ring = self.ring = Ring([*plain, *(s[1] for s in steps if s[0] == "root"), *divided])
-        self.env: dict[str, Value] = {name: ring.generator(name) for name in plain}
-        self.powers = {(base, exponent): name for name, base, exponent in powers}
-        self.rates: dict[str, Element] | None = None
-        self.bar: dict[str, Element] | None = None
-        self.real: list[Element] = []
-        self.used: set[str] = set()
-        for name, tree in zip(divided, self.nonzero, strict=True):
-            ring.assume(name, self.scalar(tree))
-        self.used.clear()
-        for step in steps:
-            self.step(*step)
-        for (base, exponent), name in self.powers.items():
-            ring.powers[name] = (self.scalar(base), self.scalar(exponent))
-        need(not {"field", "change"} <= data.keys(), "there are two fields")
-        if "field" in data:
-            self.move(self.printed(data["field"]))
-        if "change" in data:
-            self.move(self.changed(spaces, **data["change"]))
-        if "conjugates" in data:
-            self.conjugation(data["conjugates"])
+    def __init__(
+        self,
+        spaces: list[Space],
+        variables: list[str],
+        constants: Any = (),
+        nonzero: Any = (),
+        steps: Any = (),
+        change: Any = None,
+        field: Any = (),
+        conjugates: Any = None,
+    ) -> None:
+        self.variables, self.nonzero = variables, nonzero
+        plain, divided = [*variables, *constants], [f"1/{k}" for k in range(len(nonzero))]
+        names = [*plain, *divided, *(name for kind, name, *_ in steps if kind == "root")]
+        need(len(set(names)) == len(names), "a name is given twice")
+        self.at = {name: WIDTH * k for k, name in enumerate(names)}
+        self.top, self.work = WIDTH * len(names), 0
+        self.unit = {name: (1 << shift) + (1 << self.top) for name, shift in self.at.items()}
+        self.roots: dict[str, Element] = {}
+        self.divisors: dict[str, Element] = {}
+        self.rates: dict[str, Element] = {}
+        self.bar: dict[str, Element] = {}
+        self.env: dict[str, tuple[Element, ...]] = {n: (self.generator(n),) for n in plain}
+        self.old: list[Element] = []
+        for name, tree in zip(divided, nonzero, strict=True):
+            self.divisors[name] = self.scalar(tree)
+            need(self.divisors[name].terms.keys() - {0}, "a number is assumed to be non-zero")
+        for kind, name, tree, *sides in steps:
+            need(name not in self.env and kind in ("let", "root"), f"{name} is defined twice")
+            self.env[name] = self.value(tree) if kind == "let" else (self.generator(name),)
+            if kind == "root":
+                self.roots[name] = self.scalar(tree)
+            for rest in self.differences([sides] if sides else ()):
+                need(rest.vanishes(), f"the equation for {name} does not hold")
+        if change is not None:
+            self.move(self.changed(spaces, **{"old": change.pop("from"), **change}))
+        if field:
+            self.move(self.printed(field))
+        if conjugates is not None:
+            self.conjugation(conjugates)
 
-    def step(self, kind: str, name: str, tree: Any, *sides: Any) -> None:
-        """A definition; or a root, perhaps with the printed equation that it obeys."""
-        need(name not in self.env and len(sides) in STEPS[kind], f"the step for {name} is odd")
-        if kind == "let":
-            self.env[name] = self.value(tree)
-            return
-        square, self.env[name] = self.scalar(tree), self.ring.generator(name)
-        need(square.terms, f"the square of {name} is zero")
-        self.ring.roots[name] = square
-        self.ring.powers[name] = (square, Element(self.ring, {0: 1}, 2))
-        if sides:
-            need(self.equal(*sides), f"the equation for the square of {name} does not hold")
+    def number(self, value: int) -> Element:
+        """An integer."""
+        return Element(self, {0: value})
 
-    def printed(self, equations: list[Any]) -> dict[str, Element]:
-        """The field by printed equations: a factor times derivatives, and the right side."""
-        rates: dict[str, Element] = {}
+    def generator(self, name: str) -> Element:
+        """A name that stands for itself."""
+        return Element(self, {self.unit[name]: 1})
+
+    def rate(self, own: Element, name: str, rates: dict[str, Element]) -> Element:
+        """The derivative of a name that follows from those of others."""
+        if name in self.divisors:
+            return -own * own * self.divisors[name].along(rates)
+        if name in self.roots and not (change := self.roots[name].along(rates)).vanishes():
+            return own * change * (self.roots[name] + self.roots[name]).inverse()
+        return self.number(0)
+
+    def printed(self, equations: Any) -> dict[str, Element]:
+        """The rates by equations of motion: a factor times derivatives, and the right side."""
+        rates = dict(self.rates)
         for names, factor, right in equations:
-            below, above = components(self.value(factor)), components(self.value(right))
-            need(len(names) == len(below) == len(above), "an equation of motion has a gap")
-            for name, divisor, rate in zip(names, below, above, strict=True):
+            for name, below, above in zip(
+                names, self.value(factor), self.value(right), strict=True
+            ):
                 need(name not in rates, f"{name} moves twice")
-                rates[name] = rate * divisor.inverse()
+                rates[name] = above * below.inverse()
         return rates
 
-    def changed(self, spaces: list[Space], **change: Any) -> dict[str, Element]:
-        """The field of an earlier space, through a change of variables and its inverse."""
-        need(0 <= change["from"] < len(spaces), "there is no such space")
-        old = spaces[change["from"]]
-        need(old.rates is not None and not any(old.pairs), "there is no field to be changed")
-        new = {name: old.scalar(tree) for name, tree in change["formulas"]}
-        need(len(new) == len(change["formulas"]), "a variable is changed twice")
-        given = [n for n in old.ring.at if n not in old.ring.inverses]
-        images = old.ring.carried({n: self.scalar(n) for n in given}, self.ring)
+    def changed(self, spaces: Any, old: int, formulas: Any, time: Any) -> dict[str, Element]:
+        """The rates of new variables, by the chain rule; the inverse has to be one."""
+        source = spaces[old]
+        new = {name: source.scalar(tree) for name, tree in formulas}
+        names = [name for name in source.at if name not in source.divisors]
+        images = source.carried({name: self.scalar(name) for name in names}, self)
         for name, element in new.items():
-            back = element.image(images, self.ring) - self.scalar(name)
-            need(back.vanishes(), f"the inverse does not give {name} back")
-        self.real = [images[n] for n in old.variables]
-        old.used.add("its field")
-        time = old.scalar(change["time"]).image(images, self.ring).inverse()
-        speeds = {name: element.along(old.rates or {}) for name, element in new.items()}
-        return {name: speed.image(images, self.ring) * time for name, speed in speeds.items()}
+            rest = element.image(images, self) - self.scalar(name)
+            need(rest.vanishes(), f"the inverse does not give {name} back")
+        self.old = [images[name] for name in source.variables]
+        scale = source.scalar(time).image(images, self).inverse()
+        speeds = {name: source.unary("D", element) for name, element in new.items()}
+        return {name: speed.image(images, self) * scale for name, speed in speeds.items()}
 
     def move(self, rates: dict[str, Element]) -> None:
-        """Take a field; it has to move every variable, and to preserve the relations."""
-        need(set(self.variables) <= set(rates), "a variable has no equation of motion")
-        self.rates = {name: rate for name, rate in rates.items() if name in self.ring.at}
-        self.used.update(rates)
+        """Take the rates; variables have one, constants none, and relations are preserved."""
+        self.rates = {name: rate for name, rate in rates.items() if name in self.at}
+        need(set(self.variables) <= rates.keys(), "a variable has no equation of motion")
         for name, rate in rates.items():
             own = self.scalar(name)
-            if name in self.ring.roots:
-                rest = own * rate + own * rate - self.ring.roots[name].along(self.rates)
+            need(
+                name in {*self.variables, *self.roots} or name not in self.at, f"{name} is constant"
+            )
+            need((own.along(self.rates) - rate).vanishes(), f"{name} moves otherwise")
+            if name in self.roots:
+                rest = own * rate + own * rate - self.roots[name].along(self.rates)
                 need(rest.vanishes(), f"{name} does not move with its square")
-            elif name not in self.variables:
-                need(name not in self.ring.at, f"the constant {name} moves")
-                need((own.along(self.rates) - rate).vanishes(), f"{name} moves otherwise")
 
-    def conjugation(self, pairs: list[Any]) -> None:
+    def carried(self, images: dict[str, Element], space: Space) -> dict[str, Element]:
+        """Images of the names in a space, with those of inverses; they obey the relations."""
+        for name, divisor in self.divisors.items():
+            images[name] = divisor.image(images, space).inverse()
+        for name, square in self.roots.items():
+            rest = images[name] * images[name] - square.image(images, space)
+            need(rest.vanishes(), f"{name} does not keep its square")
+        return images
+
+    def conjugation(self, pairs: Any) -> None:
         """Swap pairs, turn i into -i; the old variables of a change have to stay real."""
         swap = {a: b for pair in pairs for a, b in (pair, pair[::-1])}
-        need(len(swap) == 2 * len(pairs) and swap.keys() <= self.ring.at.keys(), "a pair is odd")
-        names = [n for n in self.ring.at if n not in self.ring.inverses]
-        bar = {n: self.ring.generator(swap.get(n, n)) for n in names}
+        names = [name for name in self.at if name not in self.divisors]
+        bar = {name: self.generator(swap.get(name, name)) for name in names}
         bar |= {"i": -bar["i"]} if "i" in bar else {}
-        self.bar = self.ring.carried(bar, self.ring)
-        for own in self.real:
-            need((self.conjugate(own) - own).vanishes(), "an old variable is not real")
-        self.used.discard("its conjugation")
-
-    def conjugate(self, element: Element) -> Element:
-        """The complex conjugate."""
-        need(self.bar is not None, "there is no conjugation")
-        self.used.add("its conjugation")
-        return element.image(self.bar or {}, self.ring)
-
-    def unused(self) -> list[str]:
-        """What nothing in the certificate needs."""
-        wanted = {*self.env, *self.ring.inverses}
-        wanted |= {"its field"} if self.rates is not None else set()
-        wanted |= {"its conjugation"} if self.bar is not None else set()
-        return sorted(wanted - self.used - self.ring.used)
-
-    # -- the meaning of formulas ---------------------------------------------
+        self.bar = self.carried(bar, self)
+        for own in self.old:
+            need((own - self.unary("conj", own)).vanishes(), "an old variable is not real")
 
     def scalar(self, tree: Any) -> Element:
         """The value of a formula that is no vector."""
-        value = self.value(tree)
-        need(isinstance(value, Element), "a vector stands where a number is expected")
-        return value  # type: ignore[no-any-return]
+        (value,) = self.value(tree)
+        return value
 
-    def value(self, tree: Any) -> Value:
-        """The value of a formula."""
-        if isinstance(tree, str):
+    def value(self, tree: Any) -> tuple[Element, ...]:
+        """The components of the value of a formula."""
+        if type(tree) is str:
             need(tree in self.env, f"{tree} is not defined")
-            self.used.add(tree)
             return self.env[tree]
-        if fits(tree, int):
-            return self.ring.number(tree)
-        need(isinstance(tree, list) and len(tree) > 1 and isinstance(tree[0], str), "no formula")
+        if type(tree) is int:
+            return (self.number(tree),)
+        need(type(tree) is list and len(tree) > 1, "no formula")
         op, first, *rest = tree
-        if op in ("d", "flip") and len(rest) == 1 and isinstance(first, str):
-            return self.by_name(op, first, self.scalar(rest[0]))
-        if op == "^" and len(rest) == 1:
-            return self.power(first, rest[0])
-        if op == "/" and len(rest) == 1:
-            return times(self.value(first), self.inverse(rest[0]))
-        if op == "D" and len(rest) == 1:
-            return times(self.value(["D", first]), self.inverse(rest[0]))
-        if op == "Re" and not rest:
-            return self.value(["/", ["+", first, ["conj", first]], 2])
-        if op == "Im" and not rest:
-            return self.value(["/", ["+", first, ["-", ["conj", first]]], ["*", 2, "i"]])
-        values = [self.value(part) for part in (first, *rest)]
-        if op in ("+", "*") and rest:
-            total, *others = values
-            for other in others:
-                total = times(total, other) if op == "*" else plus(total, other)
-            return total
+        if op == "^":
+            (exponent,) = rest
+            return (self.scalar(first) ** exponent,)
+        if op == "d":
+            (inner,) = rest
+            need(first in self.at and first not in self.roots, f"{first} is no variable")
+            return (self.scalar(inner).along({first: self.number(1)}),)
+        values = [self.value(part) for part in tree[1:]]
         if op in ("vector", "diag"):
-            need(all(isinstance(v, Element) for v in values), "a component is no number")
-            return tuple(values)
-        if op in ("dot", "cross"):
-            need([isinstance(v, tuple) and len(v) for v in values] == [3, 3], "no two vectors")
-            (a, b, c), (x, y, z) = values
-            return a * x + b * y + c * z if op == "dot" else (b * z - c * y, c * x - a * z, a * y - b * x)
+            return tuple(value for (value,) in values)
+        if op in ("+", "*", "/", "dot", "cross") and rest:
+            return reduce(partial(self.binary, op), values)
         need(not rest, f"{op} is not understood")
-        results = tuple(self.unary(op, part) for part in components(values[0]))
-        return results if isinstance(values[0], tuple) else results[0]
+        return tuple(self.unary(op, value) for value in values[0])
+
+    def binary(
+        self, op: str, a: tuple[Element, ...], b: tuple[Element, ...]
+    ) -> tuple[Element, ...]:
+        """The meaning of an operation on two values."""
+        if op == "+":
+            return tuple(x + y for x, y in zip(a, b, strict=True))
+        if op in "*/":
+            b = b if op == "*" else tuple(divisor.inverse() for divisor in b)
+            a, b = (a * len(b) if len(a) == 1 else a), (b * len(a) if len(b) == 1 else b)
+            return tuple(x * y for x, y in zip(a, b, strict=True))
+        (p, q, r), (x, y, z) = a, b
+        cross = (q * z - r * y, r * x - p * z, p * y - q * x)
+        return cross if op == "cross" else (p * x + q * y + r * z,)
 
     def unary(self, op: str, value: Element) -> Element:
         """The meaning of an operation on one number."""
-        if op == "-":
-            return -value
-        if op == "conj":
-            return self.conjugate(value)
         if op == "D":
-            need(self.rates is not None, "there is no field")
-            self.used.add("its field")
-            return value.along(self.rates or {})
-        need(op == "sqrt", f"{op} is not understood")
-        for name, square in self.ring.roots.items():
-            if (square - value).vanishes():
-                return self.scalar(name)
-        raise Rejected("a root is taken that is not declared")
+            need(self.rates, "there is no vector field")
+            return value.along(self.rates)
+        if op == "conj":
+            need(self.bar, "there is no conjugation")
+            return value.image(self.bar, self)
+        if op == "sqrt":
+            found = [n for n, square in self.roots.items() if (square - value).vanishes()]
+            need(found, "a root is taken that is not declared")
+            return self.generator(found[0])
+        need(op == "-", f"{op} is not understood")
+        return -value
 
-    def by_name(self, op: str, name: str, value: Element) -> Element:
-        """A partial derivative, or the sign of a root changed."""
-        self.used.add(name)
-        need(name in self.env and name in self.ring.at, f"{name} is no generator")
-        need((name in self.ring.roots) == (op == "flip"), f"{op} cannot be taken by {name}")
-        return value.flipped(name) if op == "flip" else value.along({name: self.ring.number(1)})
+    def differences(self, equations: Any) -> list[Element]:
+        """Left minus right sides, component by component."""
+        pairs = [zip(self.value(a), self.value(b), strict=True) for a, b in equations]
+        return [left - right for pair in pairs for left, right in pair]
 
-    def inverse(self, tree: Any) -> Element:
-        """One over a formula, factor by factor."""
-        if isinstance(tree, list) and tree[:1] == ["*"] and len(tree) > 2:
-            result = self.ring.number(1)
-            for factor in tree[1:]:
-                result = result * self.inverse(factor)
-            return result
-        if isinstance(tree, list) and tree[:1] == ["^"] and len(tree) == 3 and fits(tree[2], int):
-            return self.inverse(tree[1]) ** tree[2]
-        return self.scalar(tree).inverse()
+    def point(self, given: Any, roots: Any, values: Any) -> tuple[dict[str, Element], Space]:
+        """An exact point where equations hold: its numbers, checked against all relations."""
+        need(all(type(d) is int and d > 1 for d in roots), "a root of a point is not real")
+        steps = [["root", "i", ["-", 1]], *(["root", f"{d}^(1/2)", d] for d in roots)]
+        numbers = Space([], [], steps=steps, conjugates=[])
+        names = [name for name in self.at if name not in self.divisors]
+        need(sorted(name for name, _ in values) == sorted(names), "a value is missing")
+        images = self.carried({name: numbers.scalar(tree) for name, tree in values}, numbers)
+        rests = [rest.image(images, numbers) for rest in self.differences(given)]
+        need(not any(rest.terms for rest in rests), "the point is not where it should be")
+        for name in names if self.bar else ():
+            bar = self.unary("conj", self.generator(name)).image(images, numbers)
+            need(not (bar - numbers.unary("conj", images[name])).terms, f"{name} is not real there")
+        return images, numbers
 
-    def power(self, base: Any, exponent: Any) -> Element:
-        """A power; its exponent is an integer, or linear in declared symbols."""
-        result = self.ring.number(1)
-        for symbol, multiple in linear(exponent).items():
-            if symbol:
-                need((base, symbol) in self.powers, "a power is not declared")
-                self.used.update((symbol, base))
-            value = self.scalar(self.powers[base, symbol] if symbol else base)
-            result = result * value**multiple
-        return result
 
-    def differences(self, left: Any, right: Any) -> list[Element]:
-        """Left minus right side, component by component."""
-        a, b = self.value(left), self.value(right)
-        return list(components(plus(a, self.unary("-", b) if isinstance(b, Element) else tuple(-x for x in b))))
+def follows(
+    space: Space,
+    equations: Any,
+    given: Any = (),
+    cofactors: Any = None,
+    point: Any = None,
+    root: Any = None,
+) -> str:
+    """Equations hold: always, or where given ones do, perhaps for one value of a root."""
+    targets, known = space.differences(equations), space.differences(given)
+    if given:
+        space.point(given, **point)
+    if root is not None:
+        need(not any((g - g.flipped(root)).terms for g in known), f"{root} is in what is given")
+        pairs = combinations_with_replacement(targets, 2)
+        targets = [a * b.flipped(root) for a, b in pairs]
+    for target, row in zip(targets, cofactors if given else [[]] * len(targets), strict=True):
+        terms = (space.scalar(tree) * g for tree, g in zip(row, known, strict=True))
+        need(sum(terms, -target).vanishes(), "the two sides are not equal")
+    choice = f", for one of the two values of {say(root)}" if root is not None else ""
+    return say_all(equations) + (f" wherever {say_all(given)}" if given else "") + choice
 
-    def equal(self, left: Any, right: Any) -> bool:
-        """Whether both sides are equal wherever the space has its points."""
-        return all(d.vanishes() for d in self.differences(left, right))
 
-    def point(self, data: Any) -> tuple[dict[str, Element], Ring]:
-        """An exact point: the values of all generators, checked against all relations."""
-        steps = [["root", "i", ["-", 1]], *(["root", f"{d}^(1/2)", d] for d in data["roots"])]
-        need(all(d > 1 for d in data["roots"]), "a root of a point is not positive")
-        numbers = Space({"variables": [], "steps": steps, "conjugates": []}, [])
-        values = {name: numbers.scalar(tree) for name, tree in data["values"]}
-        names = [n for n in self.ring.at if n not in self.ring.inverses]
-        need(sorted(n for n, _ in data["values"]) == sorted(names), "a value is missing or extra")
-        need(len(set(numbers.unused()) - {"i", "its conjugation"}) == 0, "a root is not needed")
-        images = self.ring.carried(values, numbers.ring)
-        for name in names if self.bar is not None else ():
-            bar = self.conjugate(self.ring.generator(name)).image(images, numbers.ring)
-            need((bar - numbers.conjugate(values[name])).vanishes(), f"{name} is not real there")
-        return images, numbers.ring
+def rank(
+    space: Space, levels: Any, functions: Any, given: Any, point: Any, dimension: int | None = None
+) -> str:
+    """Differentials are independent at a point, so that a set has a dimension near it."""
+    images, numbers = space.point(given, **point)
+    chosen = [*map(space.scalar, [*levels, *functions]), *space.differences(given)]
+    one, size = space.number(1), len(space.variables)
+    rows = [[f.along({v: one}).image(images, numbers) for v in space.variables] for f in chosen]
+    while rows:
+        row = rows.pop()
+        place = next((k for k, entry in enumerate(row) if entry.terms), None)
+        need(place is not None, "the differentials are dependent at the point")
+        inverse = row[place].inverse()
+        rows = [[a - other[place] * inverse * b for a, b in zip(other, row)] for other in rows]
+    need(dimension in (None, size - len(chosen)), "the dimension is another one")
+    shown = ", ".join(map(say, [*levels, *functions]))
+    near = f"; near it the set where they are fixed has dimension {dimension}"
+    where = f"at the point {say_all(point['values'])} of {say_all(given)}"
+    return f"{where} the differentials of {shown} are independent" + near * (dimension is not None)
+
+
+def differ(space: Space, equation: Any, point: Any, given: Any = ()) -> str:
+    """An equation fails at a point, perhaps one where given equations hold."""
+    images, numbers = space.point(given, **point)
+    sides = [[x.image(images, numbers) for x in space.value(side)] for side in equation]
+    apart = next((a, b) for a, b in zip(*sides, strict=True) if (a - b).terms)
+    (apart[0] - apart[1]).inverse()
+    where = f"where {say_all(given)} " if given else ""
+    at = f"{where}at the point {say_all(point['values'])}"
+    return f"it is false that {say_all([equation])} {at}: {apart[0]} is not {apart[1]}"
+
+
+def say(tree: Any) -> str:
+    """A formula in plain letters."""
+    if not isinstance(tree, list):
+        letters = str(tree).replace("\\boldsymbol", "").replace("\\mathbf", "")
+        return "".join(c for c in letters if c not in "\\{}")
+    op, *rest = tree
+    shown = [say(part) for part in rest]
+    if op in ("+", "*", "/", "^") and len(shown) > 1:
+        return "(" + f" {op} ".join(shown) + ")"
+    return f"-{shown[0]}" if op == "-" else f"{op}({', '.join(shown)})"
+
+
+def say_all(equations: Any) -> str:
+    """Equations in plain letters."""
+    return ", ".join(f"{say(left)} = {say(right)}" for left, right in equations)
+
+
+def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """An object of JSON whose keys are different."""
+    need(len(dict(pairs)) == len(pairs), "a key is given twice")
+    return dict(pairs)
+
+
+def no_number(text: str) -> Any:
+    """What is no integer is no number here."""
+    raise Rejected(f"{text} is no integer")
+
+
+def check(text: str) -> tuple[str, list[str]]:
+    """The claim of a certificate, and what was proved, in words."""
+    need(len(text) < SIZE, "it is too long")
+    data = json.loads(text, object_pairs_hook=once, parse_float=no_number, parse_constant=no_number)
+    digest, canonical = data.pop("digest"), partial(json.dumps, sort_keys=True)
+    need(digest == hashlib.sha256(canonical(data).encode()).hexdigest(), "the digest differs")
+    keys = {"format", "version", "claim", "statement", "spaces", "parts"}
+    need(data.keys() == keys and data["parts"], "a key is missing or unknown")
+    need((data["format"], data["version"]) == (FORMAT, VERSION), "it has another format")
+    spaces: list[Space] = []
+    for space in data["spaces"]:
+        spaces.append(Space(spaces, **space))
+    kinds = {"follows": follows, "rank": rank, "differ": differ}
+    said = []
+    for part in data["parts"]:
+        space = spaces[part.pop("space")]
+        words = kinds[part.pop("shows")](space, **part)
+        where = ", ".join(f"{say(tree)} ≠ 0" for tree in space.nonzero)
+        said.append(words + (f", for {where}" if where else ""))
+    return str(data["claim"]), said
+
+
+def main(paths: list[str]) -> int:
+    """Check files; the last line says how many are certified."""
+    claims: set[str] = set()
+    for path in paths:
+        try:
+            with open(path, encoding="utf-8") as file:
+                claim, said = check(file.read())
+            need(claim not in claims, "the claim was certified before")
+            need(os.path.basename(path) == f"{claim}.json", f"it is about the claim {claim}")
+        except Exception as error:  # whatever goes wrong, nothing is certified
+            print(f"REJECTED {path}: {error or type(error).__name__}")
+            continue
+        claims.add(claim)
+        for words in said:
+            print(f"{claim}: {words}")
+    print(f"CERTIFIED {len(claims)} of {len(paths)}")
+    return 6 if not paths else 0 if len(claims) == len(paths) else 5
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -138,8 +138,8 @@ class Session:
             verdict, message = Verdict.ERROR, f"the arithmetics disagree ({shown})"
         kept.found = {label: value for label, value in self.shelf.items() if label not in known}
         printed = self._printed(claim) if digest else ""
-        mended = None
-        if verdict is Verdict.REFUTED:
+        mended = first.correction
+        if verdict is Verdict.REFUTED and mended is None:
             start = perf_counter()
             mended = self._correct(claim, kept)
             seconds[self.arithmetics[0]] += perf_counter() - start

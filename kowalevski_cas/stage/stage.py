@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from copy import copy
 from fractions import Fraction
 
 from kowalevski_cas.arithmetic.derivation import Field, along
@@ -46,10 +47,18 @@ class Stage:
         self.half = self.ring.number(Fraction(1, 2))
         self._values: dict[tuple[str, bool], Value] = {}
         self._roots: list[tuple[Element, Element]] = []
-        self._field: Field | None = None
-        self._old: dict[str, Element] | None = None
+        self._field: list[Field] = []  # what is computed once is shared with views
+        self._old: list[dict[str, Element]] = []
         self._conjugates = dict(scene.conjugates) | {b: a for a, b in scene.conjugates}
         self._place_generators(image)
+
+    def under(self, texts: Texts) -> Stage:
+        """The same stage, to evaluate formulas of texts that do not differ on its scene."""
+        if texts is self.texts:
+            return self
+        view = copy(self)
+        view.texts = texts
+        return view
 
     # -- names ---------------------------------------------------------------
 
@@ -125,9 +134,9 @@ class Stage:
             return None
         if name not in change.source.variables or name in self.scene.variables:
             return None
-        if self._old is None:
-            self._old = Carrier(change, self).old_variables()
-        return self._old[name]
+        if not self._old:
+            self._old.append(Carrier(change, self).old_variables())
+        return self._old[0][name]
 
     def relation(self, printed: Printed) -> Relation:
         """The chain of equalities at a place."""
@@ -248,18 +257,19 @@ class Stage:
     @property
     def field(self) -> Field:
         """The vector field: the derivative of each variable by the scene's time."""
-        if self._field is None:
+        if not self._field:
             field = self.scene.field
             if isinstance(field, Change):
-                self._field = Carrier(field, self).field()
+                found = Carrier(field, self).field()
             else:
-                self._field = printed_field(field, self)
+                found = printed_field(field, self)
             for (base, exponent), power in self.powers.items():
                 value = scalar(self.formula(base), self)
-                rate = along(value, self._field) * value.inverse()
+                rate = along(value, found) * value.inverse()
                 rate = rate * self.ring.generator(exponent) * self.ring.generator(power)
-                self._field = {**self._field, power: rate}
-        return self._field
+                found = {**found, power: rate}
+            self._field.append(found)
+        return self._field[0]
 
     def derivative(self, element: Element) -> Element:
         """The derivative along the field, by the scene's time."""

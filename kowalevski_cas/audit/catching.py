@@ -1,0 +1,183 @@
+"""How many mutants of a source an audit catches, which it repairs, and which survive."""
+
+from __future__ import annotations
+
+import multiprocessing
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from time import perf_counter
+
+from kowalevski_cas.audit.audit import Audit, audit
+from kowalevski_cas.audit.equivalence import equivalence
+from kowalevski_cas.audit.mutants import Mutant
+from kowalevski_cas.audit.session import Memory
+from kowalevski_cas.audit.source import Source
+from kowalevski_cas.proof.outcome import Outcome
+
+
+@dataclass(frozen=True, slots=True)
+class Caught:
+    """What an audit says about one mutant."""
+
+    mutant: Mutant
+    role: str
+    changed: tuple[str, ...]
+    """The claims, and formulas, of which the verdict or the repair is another one."""
+    named: bool
+    """Whether the changed place is among the causes."""
+    repair: str
+    """For a claim that was true: ``restored``, ``true`` (another true formula) or ``none``."""
+    equivalent: str
+    seconds: float
+
+    @property
+    def caught(self) -> bool:
+        """Whether anything changed."""
+        return bool(self.changed)
+
+
+@dataclass(slots=True)
+class Measurement:
+    """The results for a sample of mutants."""
+
+    results: list[Caught] = field(default_factory=list)
+    seconds: float = 0.0
+
+    @property
+    def survivors(self) -> list[Caught]:
+        """The mutants of which nothing was noticed."""
+        return [result for result in self.results if not result.caught]
+
+    @property
+    def missed(self) -> list[Caught]:
+        """The survivors that are not shown to be equivalent."""
+        return [result for result in self.survivors if not result.equivalent]
+
+    def share(self) -> tuple[int, int]:
+        """How many were caught, of how many that are not equivalent."""
+        caught = sum(result.caught for result in self.results)
+        return caught, caught + len(self.missed)
+
+    def repairs(self) -> Counter[str]:
+        """The repairs of claims by kind."""
+        return Counter(result.repair for result in self.results if result.repair)
+
+
+class Measure:
+    """Audits mutants against the audit of the source as it is."""
+
+    def __init__(self, source: Source, memory: Memory) -> None:
+        self.memory = memory
+        self.base = audit(source, memory)
+        self.verdicts = _signature(self.base)
+
+    def __call__(self, mutant: Mutant) -> Caught:
+        """The result for one mutant; the memory is left as it was."""
+        start = perf_counter()
+        with self.memory.kept_small():
+            found = audit(Source(self.base.source.path, mutant.text), self.memory)
+        seconds = perf_counter() - start
+        after = _signature(found)
+        changed = tuple(
+            name
+            for name in {**self.verdicts, **after}
+            if self.verdicts.get(name) != after.get(name)
+        )
+        reason = ""
+        if not changed:
+            reason = equivalence(self.memory, mutant.printed, mutant.before, mutant.after)
+        formula = next((f for f in self.base.formulas if f.place == mutant.printed), None)
+        return Caught(
+            mutant,
+            formula.role if formula is not None else "none",
+            changed,
+            self._named(found, mutant),
+            self._repair(found, mutant),
+            reason,
+            seconds,
+        )
+
+    def _named(self, found: Audit, mutant: Mutant) -> bool:
+        causes = found.session.causes.values()
+        if any(mutant.printed in places for places in causes):
+            return True
+        return any(
+            formula.wrong
+            for formula in found.formulas
+            if formula.place == mutant.printed or formula.id == mutant.printed.display.id
+        )
+
+    def _repair(self, found: Audit, mutant: Mutant) -> str:
+        """What the repair of a mutated claim is, if the claim was true before."""
+        claims = self.memory.derivation.claims
+        about = [c for c in claims if mutant.printed in c.establishes()]
+        if not about or any(not self.base.outcomes[c.id].verdict.green for c in about):
+            return ""
+        outcomes = [found.outcomes[c.id] for c in about]
+        broken = [o for o in outcomes if not o.verdict.green]
+        if not broken:
+            return ""
+        if any(o.correction is None or not o.correction.verdict.green for o in broken):
+            return "none"
+        texts = found.session.texts
+        return "restored" if texts.formula(mutant.printed) == mutant.before else "true"
+
+
+def _signature(found: Audit) -> dict[str, object]:
+    """Verdicts and repairs, by claim and by formula."""
+    claims: dict[str, object] = {
+        f"claim {outcome.claim}": _of(outcome) for outcome in found.outcomes.values()
+    }
+    formulas = {
+        f"formula {formula.id}": (formula.verdict, formula.message if formula.wrong else "")
+        for formula in found.formulas
+    }
+    return {**claims, **formulas}
+
+
+def _of(outcome: Outcome) -> object:
+    correction = outcome.correction
+    return (
+        outcome.verdict,
+        tuple(condition.tex for condition in outcome.conditions),
+        None if correction is None else correction.printed,
+    )
+
+
+def measure(
+    source: Source,
+    memory: Memory,
+    mutants: Sequence[Mutant],
+    jobs: int = 1,
+    progress: Callable[[Caught], None] = lambda caught: None,
+) -> Measurement:
+    """Audit every mutant, in several processes if asked to."""
+    start = perf_counter()
+    work = Measure(source, memory)
+    found = Measurement()
+    for result in _results(work, mutants, jobs):
+        found.results.append(result)
+        progress(result)
+    found.seconds = perf_counter() - start
+    return found
+
+
+_WORK: list[Measure] = []
+
+
+def _one(mutant: Mutant) -> Caught:
+    return _WORK[-1](mutant)
+
+
+def _results(work: Measure, mutants: Iterable[Mutant], jobs: int) -> Iterator[Caught]:
+    if jobs <= 1 or "fork" not in multiprocessing.get_all_start_methods():
+        yield from map(work, mutants)
+        return
+    _WORK.append(work)
+    try:
+        # Processes made by forking share what the audit of the source has computed.
+        with multiprocessing.get_context("fork").Pool(jobs) as pool:
+            yield from pool.imap(_one, mutants, chunksize=4)
+    finally:
+        _WORK.pop()

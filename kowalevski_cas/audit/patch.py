@@ -1,0 +1,79 @@
+"""Misprints mended in the author's own lines, as a unified diff."""
+
+from __future__ import annotations
+
+from difflib import unified_diff
+
+from kowalevski_cas.audit.audit import Audit
+from kowalevski_cas.audit.places import Place
+from kowalevski_cas.audit.tokens import changes
+from kowalevski_cas.notation import NotationError, read_display
+
+
+def mended(audit: Audit) -> str:
+    """The text of the source with every misprint mended that a true formula is known for."""
+    replacements: dict[tuple[int, int], str] = {}
+    for place in audit.places:
+        if place.typed is None:
+            continue
+        wanted = wanted_tex(audit, place)
+        if wanted is None:
+            continue
+        for start, end, typed in _minimal(audit, place.typed.tex, wanted):
+            interval = audit.expanded.origin(place.typed.start + start, place.typed.start + end)
+            if start == end:
+                interval = _between(audit, place.typed.start + start)
+            replacements[interval] = typed
+    return _replaced(audit.source.text, replacements)
+
+
+def wanted_tex(audit: Audit, place: Place) -> str | None:
+    """The source of a display as it should be; ``None`` if nothing is wrong with it."""
+    session, display = audit.session, place.display
+    base = audit.session.base
+    assert base is not None
+    wrong = [f for f in audit.formulas if f.place and f.place.display == display and f.wrong]
+    if any(formula.place in session.changed for formula in wrong):
+        return base.corrected(display)
+    return session.texts.sources.get(display.id) if wrong else None
+
+
+def _minimal(audit: Audit, tex: str, wanted: str) -> list[tuple[int, int, str]]:
+    """The least to type anew; the whole formula if less would not read as what is wanted."""
+    small = list(changes(tex, wanted))
+    result = _replaced(tex, {(start, end): typed for start, end, typed in small})
+    vocabulary = audit.session.texts.vocabulary
+    try:
+        found = [statement.formula for statement in read_display(result, vocabulary)]
+        if found == [statement.formula for statement in read_display(wanted, vocabulary)]:
+            return small
+    except NotationError:
+        pass
+    return [(0, len(tex), wanted)]
+
+
+def _replaced(text: str, replacements: dict[tuple[int, int], str]) -> str:
+    for start, end in sorted(replacements, reverse=True):
+        text = text[:start] + replacements[start, end] + text[end:]
+    return text
+
+
+def _between(audit: Audit, offset: int) -> tuple[int, int]:
+    """The empty interval of the file behind what printed the character before an offset."""
+    place = audit.expanded.origin(offset - 1, offset)[1] if offset else 0
+    return place, place
+
+
+def patch(audit: Audit) -> str:
+    """A unified diff that mends every misprint, empty if there is none."""
+    path = audit.source.path
+    return "".join(
+        unified_diff(
+            _lines(audit.source.text), _lines(mended(audit)), f"a/{path}", f"b/{path}", n=2
+        )
+    )
+
+
+def _lines(text: str) -> list[str]:
+    lines = text.split("\n")
+    return [f"{line}\n" for line in lines[:-1]] + ([lines[-1]] if lines[-1] else [])

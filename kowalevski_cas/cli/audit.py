@@ -1,0 +1,150 @@
+"""Read a paper's TeX source and prove or refute each formula in it.
+
+The derivation says what each place of the paper is; the source says what stands
+there. Nothing in the source is executed, and no other file is read. With --list,
+the formulas of any article are listed, and no derivation is needed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from dataclasses import asdict
+from pathlib import Path
+
+from kowalevski_cas.arithmetic import EXACT
+from kowalevski_cas.audit.audit import Audit, audit
+from kowalevski_cas.audit.listing import listing
+from kowalevski_cas.audit.session import Memory
+from kowalevski_cas.audit.source import Source, SourceError, read_source
+from kowalevski_cas.cli import session
+from kowalevski_cas.cli.audit_formats import FORMATS, load_format
+from kowalevski_cas.cli.exits import (
+    AS_RECORDED,
+    DIFFERENT,
+    DISAGREEMENT,
+    NOTHING,
+    UNDECIDED,
+    USAGE,
+    CommandError,
+)
+from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.library import available
+from kowalevski_cas.proof.evidence import load_evidence
+from kowalevski_cas.proof.outcome import Verdict
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    parser.add_argument("source", type=Path, metavar="PAPER.tex", help="the source to read")
+    parser.add_argument(
+        "--derivation",
+        metavar="NAME",
+        help="name in the library, or folder (if not given, the one that fits best)",
+    )
+    parser.add_argument(
+        "--list", action="store_true", help="only list the formulas, and whether they can be read"
+    )
+    parser.add_argument("--format", choices=FORMATS, default="pretty", help="how to print results")
+    parser.add_argument(
+        "--patch",
+        action="store_true",
+        help="print a unified diff that mends every misprint, instead of the results",
+    )
+    parser.add_argument(
+        "--arithmetic",
+        choices=(*EXACT, "all"),
+        default="flint",
+        help="decide in this arithmetic, or in all three (flint)",
+    )
+    parser.add_argument(
+        "--timeout", type=_positive, default=20.0, metavar="SECONDS", help="for each claim (20)"
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run the command and return its exit code."""
+    try:
+        source = read_source(arguments.source)
+        if arguments.list:
+            return _list(source, arguments.format)
+        arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
+        folder, derivation = chosen(source, arguments.derivation)
+        memory = Memory(derivation, arithmetics, load_evidence(folder), arguments.timeout)
+        found = audit(source, memory)
+    except SourceError as error:
+        raise CommandError(str(error)) from None
+    if arguments.patch:
+        from kowalevski_cas.audit.patch import patch
+
+        sys.stdout.flush()
+        sys.stdout.buffer.write(patch(found).encode(source.encoding, "replace"))
+    else:
+        print(load_format(arguments.format)(found), end="")
+    return exit_code(found)
+
+
+def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
+    """The derivation that is named, or the one that fits a source best."""
+    if name is not None:
+        return session.derivations([name])[0]
+    candidates = session.derivations(available())
+    from kowalevski_cas.audit.fit import best
+
+    found = best(source, [derivation for _, derivation in candidates])
+    if found is None:
+        raise CommandError(
+            f"{source.path}: no derivation of the library fits this source; "
+            "name one with --derivation, or list the formulas with --list",
+            NOTHING,
+        )
+    return next(pair for pair in candidates if pair[1] is found)
+
+
+def exit_code(found: Audit) -> int:
+    """The exit code that an audit asks for."""
+    outcomes = found.outcomes.values()
+    if any(len(set(outcome.verdicts.values())) > 1 for outcome in outcomes):
+        return DISAGREEMENT
+    if all(formula.line == 0 for formula in found.formulas):
+        return NOTHING
+    if any(formula.wrong for formula in found.formulas):
+        return DIFFERENT
+    if any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
+        return DIFFERENT
+    if any(outcome.verdict is Verdict.ERROR for outcome in outcomes):
+        return USAGE
+    if any(outcome.verdict in (Verdict.UNDECIDED, Verdict.TIMEOUT) for outcome in outcomes):
+        return UNDECIDED
+    return AS_RECORDED
+
+
+def _list(source: Source, format: str) -> int:
+    """Print the formulas of a source, and whether they can be read."""
+    found, notes = listing(source)
+    if format == "json":
+        value = {
+            "formulas": [asdict(formula) for formula in found],
+            "notes": [{"line": line, "words": words} for line, words in notes],
+        }
+        print(json.dumps(value, indent=2, ensure_ascii=False))
+        return AS_RECORDED if found else NOTHING
+    for formula in found:
+        state = formula.trouble or f"{formula.statements} read"
+        kind = "inline" if formula.inline else formula.kind
+        tex = " ".join(formula.tex.split())
+        tex = tex if len(tex) <= 60 else f"{tex[:59]}…"
+        print(f"{formula.line:>5}  {kind:<10} {formula.label:<12} {tex:<60}  {state}")
+    for line, words in notes:
+        print(f"{line:>5}  {words}")
+    readable = sum(1 for formula in found if not formula.trouble)
+    print(f"{len(found)} formulas, {readable} can be read")
+    return AS_RECORDED if found else NOTHING
+
+
+def _positive(text: str) -> float:
+    value = float(text)
+    if value <= 0:
+        raise argparse.ArgumentTypeError("a positive number of seconds is expected")
+    return value

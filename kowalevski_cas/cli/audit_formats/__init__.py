@@ -1,0 +1,45 @@
+"""How an audit is printed: one file for each format."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+
+from kowalevski_cas.audit.audit import Audit
+
+FORMATS = ("pretty", "json", "sarif", "github")
+
+
+def load_format(name: str) -> Callable[[Audit], str]:
+    """The function that turns an audit into text in this format."""
+    render: Callable[[Audit], str] = import_module(f"{__name__}.{name}").render
+    return render
+
+
+def explained(audit: Audit, index: int) -> str:
+    """What is wrong with a formula, in one sentence of LaTeX and words."""
+    formula = audit.formulas[index]
+    causes = [cause for cause in formula.causes if cause != _place(audit, index)]
+    parts = [formula.message.splitlines()[0]] if formula.message else []
+    if formula.breaks and not formula.claims:
+        parts.append(f"because of it these do not hold: {', '.join(formula.breaks)}")
+    if causes:
+        parts.append(f"because of {', '.join(located(audit, cause) for cause in causes)}")
+    if formula.correction is not None:
+        parts.append(f"correct: {formula.correction.printed}")
+    elif formula.verdict == "suspect" and formula.place is not None:
+        parts.append("it is not what the derivation has here")
+    return "; ".join(parts)
+
+
+def located(audit: Audit, place: str) -> str:
+    """A place with its line in the source."""
+    for index, formula in enumerate(audit.formulas):
+        if _place(audit, index) == place:
+            return f"{formula.id} (line {formula.line})"
+    return place
+
+
+def _place(audit: Audit, index: int) -> str:
+    formula = audit.formulas[index]
+    return formula.place.place if formula.place is not None else formula.id

@@ -1,0 +1,83 @@
+"""An audit as JSON."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from kowalevski_cas.audit.audit import Audit, Audited
+from kowalevski_cas.proof.outcome import Correction, Counterexample, Outcome
+
+
+def render(audit: Audit) -> str:
+    """All formulas, the statements in words, and a summary."""
+    value = {
+        "formulas": [_formula(formula) for formula in audit.formulas],
+        "statements": [_statement(audit, outcome) for outcome in audit.statements],
+        "summary": {
+            "source": audit.source.path,
+            "derivation": audit.session.derivation.name,
+            "formulas": len(audit.formulas),
+            **audit.counts,
+            "wrong": sum(formula.wrong for formula in audit.formulas),
+            "moved": [formula.id for formula in audit.formulas if formula.moved],
+            "notes": [{"line": line, "words": words} for line, words in audit.notes],
+            "seconds": round(audit.seconds, 6),
+        },
+    }
+    return json.dumps(value, indent=2, ensure_ascii=False) + "\n"
+
+
+def _formula(formula: Audited) -> dict[str, Any]:
+    return {
+        "id": formula.id,
+        "label": formula.label or None,
+        "line": formula.line,
+        "column": formula.column,
+        "role": formula.role,
+        "tex": formula.tex,
+        "verdict": formula.verdict,
+        "claims": list(formula.claims),
+        "conditions": [condition.tex for condition in formula.conditions],
+        "counterexample": _counterexample(formula.counterexample),
+        "correction": _correction(formula.correction),
+        "causes": list(formula.causes),
+        "breaks": list(formula.breaks),
+        "moved": formula.moved,
+        "message": formula.message,
+    }
+
+
+def _statement(audit: Audit, outcome: Outcome) -> dict[str, Any]:
+    causes = audit.session.causes.get(outcome.claim, ())
+    return {
+        "id": outcome.claim,
+        "words": outcome.words,
+        "verdict": str(outcome.verdict),
+        "conditions": [condition.tex for condition in outcome.conditions],
+        "counterexample": _counterexample(outcome.counterexample),
+        "causes": [cause.place for cause in causes],
+        "message": outcome.message,
+    }
+
+
+def _counterexample(found: Counterexample | None) -> dict[str, Any] | None:
+    if found is None:
+        return None
+    return {
+        "point": found.point.values,
+        "left": found.left,
+        "right": found.right,
+        "words": found.words,
+    }
+
+
+def _correction(correction: Correction | None) -> dict[str, Any] | None:
+    if correction is None:
+        return None
+    return {
+        "printed": correction.printed,
+        "words": correction.words,
+        "verdict": str(correction.verdict),
+        "conditions": [condition.tex for condition in correction.conditions],
+    }
