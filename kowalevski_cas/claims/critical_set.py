@@ -23,9 +23,9 @@ from kowalevski_cas.claims.claim import (
 from kowalevski_cas.claims.critical_equations import CriticalEquations, Weights
 from kowalevski_cas.claims.membership import combination, combination_steps
 from kowalevski_cas.claims.witness import witness
-from kowalevski_cas.notation import edits
+from kowalevski_cas.notation import edits, to_latex
 from kowalevski_cas.proof.cases import Case
-from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
+from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.texts import Printed, Texts
 
@@ -79,7 +79,7 @@ class CriticalSet(Claim):
             off = self._point_off_the_set(bench, problem, case)
             if off is None:
                 return Finding(Verdict.UNDECIDED, message="a case is left open")
-            return replace(refuted(off, steps), message=self._on_zero_level(bench))
+            return replace(refuted(off, steps), correction=self._on_zero_level(bench))
         conditions = dict.fromkeys(c.tex for c in conditions_of(row, stage))
         needed = set(case.granted())
         conditions |= {tex: None for k, tex in enumerate(problem.loci(stage)) if k in needed}
@@ -198,15 +198,20 @@ class CriticalSet(Claim):
                 return found
         return None
 
-    def _on_zero_level(self, bench: Bench) -> str:
+    def _on_zero_level(self, bench: Bench) -> Correction | None:
         """The nearest true statement, if it is the one on the zero level."""
         if self.zero_level:
-            return ""
+            return None
         finding = replace(self, zero_level=True).decide(bench)
         if not finding.verdict.green:
-            return ""
-        where = ", ".join(f"${condition.tex}\\ne 0$" for condition in finding.conditions)
-        return f"it holds among the critical points where the function vanishes, for {where}"
+            return None
+        assert self.printed is not None
+        return Correction(
+            printed=f"{to_latex(bench.texts.formula(self.printed))} = 0",
+            words="it holds among the critical points at which the function vanishes",
+            verdict=finding.verdict,
+            conditions=finding.conditions,
+        )
 
     # -- the report --------------------------------------------------------------
 

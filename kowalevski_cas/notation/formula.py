@@ -35,7 +35,7 @@ class Number(Formula):
 
 @dataclass(frozen=True, slots=True)
 class Name(Formula):
-    r"""A symbol with its index, in canonical LaTeX: ``\omega_1``, ``\boldsymbol{\alpha}``, ``\mathbf{e}_1``."""
+    r"""A symbol with its index, in canonical LaTeX: ``\omega_1``, ``\boldsymbol{\alpha}``."""
 
     name: str
 

@@ -47,6 +47,7 @@ class Stage:
         self.half = self.ring.number(Fraction(1, 2))
         self._values: dict[tuple[str, bool], Value] = {}
         self._roots: list[tuple[Element, Element]] = []
+        self._open: set[tuple[str, bool]] = set()  # definitions that are being evaluated
         self._field: list[Field] = []  # what is computed once is shared with views
         self._old: list[dict[str, Element]] = []
         self._conjugates = dict(scene.conjugates) | {b: a for a, b in scene.conjugates}
@@ -121,8 +122,13 @@ class Stage:
                     scalar(Name(component), self, conjugated) for component in components
                 )
             elif name in self.scene.definitions:
-                formula = self.definition(name)
-                self._values[key] = evaluate(formula, self, conjugated)
+                if key in self._open:
+                    raise StageError(f"{name} is defined by itself", name)
+                self._open.add(key)
+                try:
+                    self._values[key] = evaluate(self.definition(name), self, conjugated)
+                finally:
+                    self._open.discard(key)
             else:
                 raise StageError(f"{name} has no meaning on the scene “{self.scene.name}”", name)
         return self._values[key]

@@ -86,7 +86,7 @@ def edited(printed: Printed, tex: str) -> Texts:
 
 @pytest.mark.parametrize("arithmetic", ARITHMETICS)
 def test_not_all_critical_points_lie_on_the_set(arithmetic: str) -> None:
-    """The word “exactly” is refuted: a state of rest with horizontal first axis is critical."""
+    """The word “exactly” is refuted: a body that starts at rest, its axis level, is critical."""
     finding = decide(CLAIM, arithmetic)
     assert finding.verdict is Verdict.REFUTED
     assert finding.counterexample is not None
@@ -96,7 +96,9 @@ def test_not_all_critical_points_lie_on_the_set(arithmetic: str) -> None:
     assert along_the_sphere(x) == [0] * 6
     assert any(equations(x))
     assert function(x) != 0
-    assert "where the function vanishes" in finding.message
+    assert finding.correction is not None
+    assert finding.correction.verdict is Verdict.CONDITIONAL
+    assert "at which the function vanishes" in finding.correction.words
 
 
 @pytest.mark.parametrize("arithmetic", ARITHMETICS)

@@ -1,6 +1,5 @@
 """Formulas from the papers that continue the story: separation, Lax pair, critical sets."""
 
-# ruff: noqa: E501 -- one formula, one line
 
 from kowalevski_cas.notation import Vocabulary
 

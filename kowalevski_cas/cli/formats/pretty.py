@@ -63,7 +63,9 @@ def _errata(run: Run) -> list[str]:
         if correction is None:
             lines.append("    correct   no true statement was found one edit away")
         else:
-            lines.append(f"    correct   {plain(correction.printed)}   ({correction.verdict})")
+            where = "".join(f", where {plain(c.tex)} ≠ 0" for c in correction.conditions)
+            shown = f"{plain(correction.printed)}   ({correction.verdict}{where})"
+            lines += [f"    correct   {shown}", f"    that is   {plain(correction.words)}"]
         if outcome.counterexample is not None:
             lines += _evidence(outcome.counterexample, "    ")
     return lines

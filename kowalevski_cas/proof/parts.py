@@ -1,0 +1,164 @@
+"""The parts of a certificate: what follows, ranks at points, and points of failure."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import islice
+from typing import Any
+
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.claims.claim import AtPoint
+from kowalevski_cas.proof.spaces import SpaceWriter
+from kowalevski_cas.proof.trees import CertificateError, Tree
+from kowalevski_cas.scene import Change, Scene
+from kowalevski_cas.texts import Printed
+
+Equation = list[Tree]
+TRIES = 12
+"""At how many points a rank is taken at most."""
+
+
+class Parts:
+    """The spaces and parts of one certificate.
+
+    ``bench`` gives meaning to what is written; it is another one for the
+    corrected statement.
+    """
+
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.spaces: list[SpaceWriter] = []
+        self.parts: list[dict[str, Any]] = []
+        self.notes: list[str] = []
+
+    def space(self, scene: Scene, fresh: bool = False) -> SpaceWriter:
+        """The space of a scene under the texts of the bench."""
+        stage = self.bench.finder.stage(scene)
+        for known in self.spaces:
+            if known.stage is stage and not fresh:
+                return known
+        source = self.space(scene.field.source) if isinstance(scene.field, Change) else None
+        self.spaces.append(SpaceWriter(stage, len(self.spaces), source))
+        return self.spaces[-1]
+
+    # -- equations ---------------------------------------------------------------
+
+    def equal(self, space: SpaceWriter, *equations: Equation) -> None:
+        """Equations that always hold."""
+        for left, right in equations:
+            space.take(left)
+            space.take(right)
+        self.parts.append({"space": space.index, "shows": "follows", "equations": list(equations)})
+
+    def follows(
+        self,
+        space: SpaceWriter,
+        equations: Sequence[Equation],
+        given: Sequence[Equation],
+        rows: Sequence[Sequence[Element]],
+        root: str | None = None,
+    ) -> None:
+        """Equations that hold where given ones do, by combinations that were found."""
+        for left, right in (*equations, *given):
+            space.take(left)
+            space.take(right)
+        cofactors = [[space.element(entry) for entry in row] for row in rows]
+        part: dict[str, Any] = {
+            "space": space.index,
+            "shows": "follows",
+            "equations": list(equations),
+            "given": list(given),
+            "cofactors": cofactors,
+        }
+        if root is not None:
+            part["root"] = root
+        known = [space.difference(sides) for sides in given]
+        part["point"] = lambda: space.point(self.exact_point(space, known))
+        self.parts.append(part)
+
+    def differ(
+        self, space: SpaceWriter, equation: Equation, given: Sequence[Equation] = ()
+    ) -> None:
+        """A point where an equation fails."""
+        for left, right in (equation, *given):
+            space.take(left)
+            space.take(right)
+        target, known = space.difference(equation), [space.difference(s) for s in given]
+        part: dict[str, Any] = {"space": space.index, "shows": "differ", "equation": equation}
+        if given:
+            part["given"] = list(given)
+        part["point"] = lambda: space.point(self.exact_point(space, known, target))
+        self.parts.append(part)
+
+    def rank(
+        self,
+        space: SpaceWriter,
+        levels: Sequence[Tree],
+        functions: Sequence[Tree],
+        given: Sequence[Equation],
+        dimension: int | None,
+    ) -> None:
+        """A point where differentials are independent."""
+        space.whole = True
+        for tree in (*levels, *functions, *(side for sides in given for side in sides)):
+            space.take(tree)
+        known = [space.difference(sides) for sides in given]
+        chosen = [space.value(tree)[0] for tree in (*levels, *functions)] + [k[0] for k in known]
+        part: dict[str, Any] = {
+            "space": space.index,
+            "shows": "rank",
+            "levels": list(levels),
+            "functions": list(functions),
+            "given": list(given),
+        }
+        if dimension is not None:
+            part["dimension"] = dimension
+        part["point"] = lambda: space.point(self.exact_point(space, known, independent=chosen))
+        self.parts.append(part)
+
+    # -- points ------------------------------------------------------------------
+
+    def exact_point(
+        self,
+        space: SpaceWriter,
+        zero: Sequence[Sequence[Element]],
+        apart: Sequence[Element] = (),
+        independent: Sequence[Element] = (),
+    ) -> AtPoint:
+        """A point where some elements vanish, one of others does not, differentials are free."""
+        from kowalevski_cas.arithmetic.derivation import gradient
+        from kowalevski_cas.arithmetic.numbers import rank
+        from kowalevski_cas.search.real import real_points
+
+        stage = space.stage
+        vanishing = [element for row in zero for element in row]
+        avoid = [space.value(tree)[0] for tree in space.nonzero]
+        for point in islice(real_points(stage, vanishing, avoid), TRIES):
+            at = AtPoint(stage, point)
+            try:
+                if any(not at(element).is_zero for element in vanishing):
+                    continue
+                if apart and all(at(element).is_zero for element in apart):
+                    continue
+                rows = [
+                    [at(entry) for entry in gradient(f, stage.scene.variables)] for f in independent
+                ]
+                if independent and rank(rows) < len(rows):
+                    continue
+                space.point(at)
+            except (ZeroDivisionError, CertificateError):
+                continue
+            return at
+        raise CertificateError("no exact point was found")
+
+
+def minus(sides: Equation) -> Tree:
+    """The left minus the right side of an equation."""
+    left, right = sides
+    return left if right == 0 else ["+", left, ["-", right]]
+
+
+def printed_sides(space: SpaceWriter, places: Sequence[Printed]) -> list[Equation]:
+    """The sides of printed equations."""
+    return [space.sides(printed) for printed in places]
