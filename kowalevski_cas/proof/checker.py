@@ -172,16 +172,17 @@ class Space:
         for name, tree in zip(divided, nonzero, strict=True):
             self.divisors[name] = self.scalar(tree)
             need(self.divisors[name].terms.keys() - {0}, "a number is assumed to be non-zero")
-        for kind, name, tree, *sides in steps:
+        for kind, name, tree in steps:
+            if kind == "where":
+                need(self.differences([[name, tree]])[0].vanishes(), "a relation does not hold")
+                continue
             need(name not in self.env and kind in ("let", "root"), f"{name} is defined twice")
             self.env[name] = self.value(tree) if kind == "let" else (self.generator(name),)
             if kind == "root":
                 self.roots[name] = self.scalar(tree)
-            for rest in self.differences([sides] if sides else ()):
-                need(rest.vanishes(), f"the equation for {name} does not hold")
         if change is not None:
-            self.move(self.changed(spaces, **{"old": change.pop("from"), **change}))
-        if field:
+            self.rates = self.changed(spaces, **{"old": change.pop("from"), **change})
+        if change is not None or field:
             self.move(self.printed(field))
         if conjugates is not None:
             self.conjugation(conjugates)

@@ -147,7 +147,8 @@ class Parts:
                 if independent and rank(rows) < len(rows):
                     continue
                 space.point(at)
-            except (ZeroDivisionError, CertificateError):
+            except (ZeroDivisionError, CertificateError) as e:
+                print("DBG",repr(e))
                 continue
             return at
         raise CertificateError("no exact point was found")

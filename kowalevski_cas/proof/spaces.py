@@ -232,7 +232,7 @@ class SpaceWriter:
 
     def _printed_root(self, name: str, printed: Printed) -> None:
         """A root with the printed equation from which its square was found."""
-        square = self.stage.square(name, printed)
+        self.steps.append(["root", name, self.element(self.stage.square(name, printed))])
         sides = []
         for member in self.stage.relation(printed).members:
             try:
@@ -240,7 +240,7 @@ class SpaceWriter:
             except StageError:
                 continue
             sides.append(self.tree(member))
-        self.steps.append(["root", name, self.element(square), sides[0], sides[-1]])
+        self.steps.append(["where", sides[0], sides[-1]])
 
     def _declare_root(self, argument: Tree) -> None:
         """The step for the root of an expression, which the scene declares."""
@@ -320,7 +320,7 @@ class SpaceWriter:
     def data(self) -> dict[str, Any]:
         """The space, as it stands in the certificate."""
         scene, roots = self.scene, {step[1] for step in self.steps if step[0] == "root"}
-        plain = {*self.known} - {step[1] for step in self.steps}
+        plain = self.known - roots - {step[1] for step in self.steps if step[0] == "let"}
         variables = [n for n in scene.variables if n in plain]
         constants = [n for n in (*scene.constants, *scene.undefined) if n in plain]
         data: dict[str, Any] = {"variables": [*variables, *(n for n, *_ in self.powers)]}
@@ -349,8 +349,11 @@ class SpaceWriter:
         """The values of the names at an exact point."""
         squares: set[int] = set()
         values = []
-        names = {*self.known} - {step[1] for step in self.steps if step[0] == "let"}
+        names = self.known - {step[1] for step in self.steps if step[0] == "let"}
         for name in sorted(names):
+            if name == "i" and self.scene.unit is None:
+                values.append([name, name])
+                continue
             value = scalar(self.stage.formula(name), self.stage)
             values.append([name, number_tree(at(value), squares)])
         return {"roots": sorted(squares), "values": values}

@@ -1,0 +1,46 @@
+"""Polynomials and towers at random, in neutral form."""
+
+from fractions import Fraction
+
+from hypothesis import strategies as st
+
+from kowalevski_cas.arithmetic import load
+from kowalevski_cas.arithmetic.tower import Ring
+
+NAMES = ("x", "y", "z")
+
+fractions = st.builds(Fraction, st.integers(-9, 9), st.integers(1, 5))
+exponents = st.tuples(*[st.integers(0, 2)] * len(NAMES))
+
+
+def terms(most=4):
+    """A polynomial: exponents to coefficients, none of them zero."""
+    return st.dictionaries(exponents, fractions.filter(bool), max_size=most)
+
+
+def tower(arithmetic):
+    r"""Polynomials in x, y, z with i, with s = \sqrt{xy}, and with a root of z + s."""
+    ring = Ring(load(arithmetic)(NAMES))
+    ring.adjoin("i", ring.number(-1))
+    s = ring.adjoin("s", ring.generator("x") * ring.generator("y"))
+    ring.adjoin("r", ring.generator("z") + s)
+    return ring
+
+
+numerators = st.dictionaries(st.integers(0, 7), terms(2).filter(bool), max_size=2)
+divisors = st.lists(terms(2).filter(bool), max_size=1)
+
+
+@st.composite
+def neutrals(draw):
+    """An element of the tower: parts by products of roots, and what it is divided by."""
+    return draw(numerators), draw(divisors)
+
+
+def build(ring, neutral):
+    """The element of a tower with these parts and divisors."""
+    parts, below = neutral
+    element = ring.from_terms(parts)
+    for divisor in below:
+        element = element / ring.from_terms({0: divisor})
+    return element

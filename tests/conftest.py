@@ -1,0 +1,47 @@
+"""What all tests share: the paper's derivation, and how hard Hypothesis looks."""
+
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, settings
+
+from kowalevski_cas.arithmetic import EXACT
+from kowalevski_cas.library import find, load
+from kowalevski_cas.proof.evidence import load_evidence
+from kowalevski_cas.proof.verify import verify
+
+settings.register_profile(
+    "quick",
+    max_examples=25,
+    deadline=None,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
+)
+settings.load_profile("quick")
+
+
+@pytest.fixture(params=EXACT)
+def name(request):
+    """The name of an exact arithmetic."""
+    return request.param
+
+
+@pytest.fixture(scope="session")
+def folder() -> Path:
+    return find("kharlamov2002")
+
+
+@pytest.fixture(scope="session")
+def derivation():
+    return load("kharlamov2002")
+
+
+@pytest.fixture(scope="session")
+def run(derivation, folder):
+    """The whole paper in all three arithmetics."""
+    return verify(derivation, EXACT, evidence=load_evidence(folder))
+
+
+@pytest.fixture(scope="session")
+def outcomes(run):
+    return {outcome.claim: outcome for outcome in run.outcomes}
