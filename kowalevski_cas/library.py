@@ -70,7 +70,7 @@ def _place(error: Exception, folder: Path) -> str:
     """The file and line of a derivation at which an error arose."""
     place = str(folder)
     if isinstance(error, SyntaxError):
-        return f"{error.filename}:{error.lineno}"
+        return f"{error.filename or folder / '__init__.py'}:{error.lineno or 1}"
     trace = error.__traceback__
     while trace is not None:
         file = trace.tb_frame.f_code.co_filename

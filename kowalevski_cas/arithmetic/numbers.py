@@ -47,7 +47,7 @@ class Substitution:
     def __init__(self, ring: Ring, values: Mapping[str, Element], numbers: Ring) -> None:
         self.numbers = numbers
         self.values = [values[name] for name in ring.polynomials.generators]
-        self._powers: dict[tuple[int, int], Element] = {}
+        self._monomials: dict[tuple[int, ...], Element] = {}
         self.roots: list[Element] = []
         for name, radicand in zip(ring.roots, ring.radicands, strict=True):
             self.roots.append(values[name] if name in values else self._root(self(radicand)))
@@ -83,18 +83,18 @@ class Substitution:
     def _polynomial(self, terms: Mapping[tuple[int, ...], Fraction]) -> Element:
         total = self.numbers.zero
         for exponents, coefficient in terms.items():
-            product = self.numbers.number(coefficient)
-            for index, exponent in enumerate(exponents):
-                if exponent:
-                    product = product * self._power(index, exponent)
-            total = total + product
+            total = total + self.numbers.number(coefficient) * self._monomial(exponents)
         return total
 
-    def _power(self, index: int, exponent: int) -> Element:
-        key = (index, exponent)
-        if key not in self._powers:
-            self._powers[key] = self.values[index] ** exponent
-        return self._powers[key]
+    def _monomial(self, exponents: tuple[int, ...]) -> Element:
+        """The value of a product of powers; each is computed once."""
+        if exponents not in self._monomials:
+            product = self.numbers.one
+            for value, exponent in zip(self.values, exponents, strict=True):
+                if exponent:
+                    product = product * value**exponent
+            self._monomials[exponents] = product
+        return self._monomials[exponents]
 
 
 def rank(matrix: list[list[Element]]) -> int:

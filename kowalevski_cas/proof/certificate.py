@@ -106,7 +106,8 @@ def dump(claim: str, statement: str, spaces: list[Tree], parts: list[Tree]) -> s
         "spaces": spaces,
         "parts": parts,
     }
-    digest = sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()
+    canonical = json.dumps({**data, "digest": ""}, sort_keys=True)
+    digest = sha256(canonical.encode()).hexdigest()
     lines = [f'"{key}": {_shown(item)}' for key, item in {**data, "digest": digest}.items()]
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
@@ -144,7 +145,7 @@ def _divided(parts: Parts) -> list[Tree]:
         made: list[checker.Space] = []
         try:
             for space in deepcopy(data):
-                made.append(checker.Space(made, **space))
+                made.append(checker.Space(made, space))
             for part in parts.parts:
                 _rehearse(made[part["space"]], part)
             return data

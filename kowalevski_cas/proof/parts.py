@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import islice
+from itertools import combinations, islice
 from typing import Any
 
 from kowalevski_cas.arithmetic.tower import Element
@@ -12,6 +12,7 @@ from kowalevski_cas.claims.claim import AtPoint
 from kowalevski_cas.proof.spaces import SpaceWriter
 from kowalevski_cas.proof.trees import CertificateError, Tree
 from kowalevski_cas.scene import Change, Scene
+from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Printed
 
 Equation = list[Tree]
@@ -126,7 +127,10 @@ class Parts:
         apart: Sequence[Element] = (),
         independent: Sequence[Element] = (),
     ) -> AtPoint:
-        """A point where some elements vanish, one of others does not, differentials are free."""
+        """A point where some elements vanish, one of others does not, differentials are free.
+
+        It is sought among points in general position, and then where one or two variables vanish.
+        """
         from kowalevski_cas.arithmetic.derivation import gradient
         from kowalevski_cas.arithmetic.numbers import rank
         from kowalevski_cas.search.real import real_points
@@ -134,24 +138,36 @@ class Parts:
         stage = space.stage
         vanishing = [element for row in zero for element in row]
         avoid = [space.value(tree)[0] for tree in space.nonzero]
-        for point in islice(real_points(stage, vanishing, avoid), TRIES):
-            at = AtPoint(stage, point)
-            try:
-                if any(not at(element).is_zero for element in vanishing):
+
+        def good(at: AtPoint) -> bool:
+            if any(not at(element).is_zero for element in vanishing):
+                return False
+            if apart and all(at(element).is_zero for element in apart):
+                return False
+            names = stage.scene.variables
+            rows = [[at(entry) for entry in gradient(f, names)] for f in independent]
+            return rank(rows) == len(rows) and bool(space.point(at))
+
+        variables = [stage.ring.generator(n) for n in stage.generators if n in stage.scene.variables]
+        norms = [_norm(element, stage) for element in vanishing]
+        for further in (c for size in range(3) for c in combinations(variables, size)):
+            for point in islice(real_points(stage, [*norms, *further], avoid), TRIES):
+                at = AtPoint(stage, point)
+                try:
+                    if good(at):
+                        return at
+                except (ZeroDivisionError, CertificateError):
                     continue
-                if apart and all(at(element).is_zero for element in apart):
-                    continue
-                rows = [
-                    [at(entry) for entry in gradient(f, stage.scene.variables)] for f in independent
-                ]
-                if independent and rank(rows) < len(rows):
-                    continue
-                space.point(at)
-            except (ZeroDivisionError, CertificateError) as e:
-                print("DBG",repr(e))
-                continue
-            return at
         raise CertificateError("no exact point was found")
+
+
+def _norm(element: Element, stage: Stage) -> Element:
+    """The element times its conjugates by the roots that are no variables."""
+    for bit, name in enumerate(element.ring.roots):
+        inside = any(mask >> bit & 1 for mask in element.parts)
+        if inside and name != "i" and name not in stage.scene.variables:
+            element = element * element.conjugate_root(bit)
+    return element
 
 
 def minus(sides: Equation) -> Tree:

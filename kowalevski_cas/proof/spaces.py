@@ -291,7 +291,7 @@ class SpaceWriter:
         if not isinstance(right, Product):
             raise CertificateError("the change of time is no multiple of t")
         self.change = {
-            "from": source.index,
+            "old": source.index,
             "formulas": [*formulas, *([name, name] for name in kept)],
             "time": source.tree(Product((*right.factors[:-1], Number(1)))),
         }

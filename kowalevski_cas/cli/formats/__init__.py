@@ -26,3 +26,14 @@ def load_format(name: str) -> Callable[[Sequence[Result]], str]:
     """The function that turns results into text in this format."""
     render: Callable[[Sequence[Result]], str] = import_module(f"{__name__}.{name}").render
     return render
+
+
+def locate(result: Result, claim: str) -> tuple[str, int]:
+    """The file and line of a derivation where a claim is stated."""
+    stem = f'"{claim.rsplit(".", 1)[0]}'
+    for needle in (f'"{claim}"', stem):
+        for path in sorted(result.folder.glob("*.py")):
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                if needle in line:
+                    return str(path), number
+    return str(result.folder), 1

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.cli.formats import Result, locate
 from kowalevski_cas.proof.outcome import Verdict
 
 
@@ -33,14 +33,3 @@ def annotation(level: str, place: tuple[str, int], title: str, message: str) -> 
     text = message.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
     title = title.replace("%", "%25").replace(",", "%2C").replace(":", "%3A")
     return f"::{level} file={file},line={line},title={title}::{text}"
-
-
-def locate(result: Result, claim: str) -> tuple[str, int]:
-    """The file and line of a derivation where a claim is stated."""
-    stem = f'"{claim.rsplit(".", 1)[0]}'
-    for needle in (f'"{claim}"', stem):
-        for path in sorted(result.folder.glob("*.py")):
-            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-                if needle in line:
-                    return str(path), number
-    return str(result.folder), 1

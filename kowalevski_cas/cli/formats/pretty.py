@@ -6,7 +6,7 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 
-from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.cli.formats import Result, locate
 from kowalevski_cas.cli.plain import plain
 from kowalevski_cas.proof.outcome import Counterexample, Outcome, Run, Verdict
 
@@ -31,6 +31,7 @@ def _derivation(result: Result, colour: bool) -> str:
         outcomes = [o for o in run.outcomes if o.section == number]
         if outcomes:
             lines += ["", f"{number}. {title}", *(_line(o, colour) for o in outcomes)]
+    lines += _errors(result)
     lines += _errata(run)
     lines += _restrictions(run)
     lines += ["", _summary(result)]
@@ -46,9 +47,23 @@ def _line(outcome: Outcome, colour: bool) -> str:
     if outcome.verdict is Verdict.REFUTED:
         notes = ["see the errata"]
     if outcome.message and not outcome.verdict.green:
-        notes.append(outcome.message)
+        notes.append(outcome.message if "\n" not in outcome.message else "see the errors")
     time = f"{1000 * sum(outcome.seconds.values()):8.1f} ms"
     return f"  {outcome.claim:<20} {head} {time}  {', '.join(notes)}".rstrip()
+
+
+def _errors(result: Result) -> list[str]:
+    """Formulas that cannot be read, with the place where they stand."""
+    lines: list[str] = []
+    for outcome in result.run.outcomes:
+        if outcome.verdict is Verdict.ERROR:
+            file, number = locate(result, outcome.claim)
+            first, *rest = outcome.message.splitlines()
+            lines += [f"  {file}:{number}: {first}", *(f"    {line}" for line in rest)]
+    if not lines:
+        return []
+    advice = "  Mend the formula, or declare its names on the scene of the claim."
+    return ["", "Errors", *lines, advice]
 
 
 def _errata(run: Run) -> list[str]:
