@@ -69,6 +69,12 @@ _3  + \omega _2 \beta _3 ),""")
 
 eq8 = section.display("eq8", r"H = h,\quad J_3  = j")
 
+energy_by_force = section.lemma(
+    "energy-by-force",
+    r"\frac{1}{2}({\bf I}{\bs\omega},{\bs\omega})-U",
+    "the energy by the force function (1)",
+)
+
 # -- scenes --------------------------------------------------------------------
 
 any_body = Scene(
@@ -91,7 +97,7 @@ general = Scene(
     variables=(*OMEGA, *ALPHA, *BETA),
     constants=("A_1", "A_2", "A_3", "e_{11}", "e_{12}", "e_{13}", "e_{21}", "e_{22}", "e_{23}"),
     field=(eq2[1], eq3[1], eq3[2]),
-    definitions={r"\mathbf{I}": inertia[1]},
+    definitions={r"\mathbf{I}": inertia[1], "U": eq1[1]},
     nonzero=("A_1", "A_2", "A_3"),
 )
 
@@ -107,6 +113,8 @@ KOWALEVSKI = {
     "J_1": J[1],
     "J_2": J[2],
     "J_3": J3[1],
+    "h": eq8[1],
+    "j": eq8[2],
 }
 
 kowalevski = Scene(
@@ -136,6 +144,9 @@ section.claim(
     FirstIntegral("eq4.1", any_body, eq4[1], "the square of the first field is constant"),
     FirstIntegral("eq4.2", any_body, eq4[2], "the square of the second field is constant"),
     FirstIntegral("eq4.3", any_body, eq4[3], "the scalar product of the fields is constant"),
+    FirstIntegral(
+        "eq1", general, energy_by_force[1], "with the force function (1) the energy is constant"
+    ),
     FirstIntegral("energy", general, energy[1], "the energy integral of any body"),
     Scaling(
         "time-unit",
@@ -181,6 +192,6 @@ section.claim(
         "$H$ and $J_3$ are independent on it",
         levels=(eq4[1], eq4[2], eq4[3]),
         equations=(eq7[1], eq7[2]),
-        functions=("H", "J_3"),
+        functions=(eq8[1], eq8[2]),
     ),
 )

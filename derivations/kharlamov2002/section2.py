@@ -422,7 +422,7 @@ section.claim(
         "$H$ and $K$ are independent on $N^4$",
         levels=(eq4[1], eq4[2], eq4[3]),
         equations=(eq15[1], eq15[2]),
-        functions=("H", "K"),
+        functions=(eq17[1], eq17[2]),
     ),
     Equilibria(
         "equilibria",

@@ -173,15 +173,19 @@ class Dimension(Set):
 
 @dataclass(frozen=True, eq=False)
 class Independence(Set):
-    """Functions are independent on the set: their differentials and those of the set are."""
+    """Functions are independent on the set: their differentials and those of the set are.
 
-    functions: tuple[str, ...]
+    ``functions`` are the first members of printed equations.
+    """
 
-    def expressions(self) -> Iterator[str]:
+    functions: tuple[Printed, ...]
+
+    def places(self) -> Iterator[Printed]:
+        yield from super().places()
         yield from self.functions
 
     def extra(self, stage: Stage) -> list[Element]:
-        return [scalar(stage.formula(tex), stage) for tex in self.functions]
+        return [scalar(members(stage.relation(p))[0], stage) for p in self.functions]
 
     def decide(self, bench: Bench) -> Finding:
         """Take the rank of all differentials at an exact point of the set."""
@@ -201,8 +205,8 @@ class Independence(Set):
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         first, *_ = self.functions
-        claim = replace(self, functions=(*self.functions, rf"{first}^2"))
-        yield Neighbour(f"with the square of {first} as one more function", claim, texts)
+        claim = replace(self, functions=(*self.functions, first))
+        yield Neighbour("with one of the functions taken twice", claim, texts)
 
 
 def _rank(stage: Stage, functions: list[Element], at: AtPoint) -> int:

@@ -20,8 +20,14 @@ _DROPPED = re.compile(
 
 
 def plain(tex: str) -> str:
-    """The formula as one line of text; what has no plain form stays as it is."""
-    text = _DROPPED.sub(" ", tex.replace("$", ""))
+    """The formula as one line of text; what has no plain form stays as it is.
+
+    In words with formulas between dollar signs only these are changed.
+    """
+    if "$" in tex:
+        parts = tex.split("$")
+        return "".join(plain(part) if k % 2 else part for k, part in enumerate(parts))
+    text = _DROPPED.sub(" ", tex)
     text = re.sub(r"\s+", " ", text)
     for _ in range(6):
         before = text

@@ -112,9 +112,8 @@ class Parts:
             "levels": list(levels),
             "functions": list(functions),
             "given": list(given),
+            "dimension": dimension,
         }
-        if dimension is not None:
-            part["dimension"] = dimension
         part["point"] = lambda: space.point(self.exact_point(space, known, independent=chosen))
         self.parts.append(part)
 

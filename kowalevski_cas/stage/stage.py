@@ -152,12 +152,17 @@ class Stage:
         return formula
 
     def definition(self, name: str) -> Formula:
-        """The expression for which a name stands: the first member that is not a bare name."""
-        members = self.relation(self.scene.definitions[name]).members
-        for member in members:
-            if not isinstance(member, Name | Constant):
-                return member
-        raise StageError(f"no expression stands for {name} in its definition", name)
+        """The expression for which a name stands.
+
+        It is the first member of the printed chain that is not a bare name, or
+        else another name; a formula that is no equation is the expression itself.
+        """
+        formula = self.texts.formula(self.scene.definitions[name])
+        members = formula.members if isinstance(formula, Relation) else (formula,)
+        others = [m for m in members if m != Name(name) and not isinstance(m, Constant)]
+        if not others:
+            raise StageError(f"no expression stands for {name} in its definition", name)
+        return next((m for m in others if not isinstance(m, Name)), others[0])
 
     def square(self, name: str, printed: Printed) -> Element:
         r"""What the square of a root equals, by a printed equation in which it stands.

@@ -1,0 +1,148 @@
+"""The paper: every claim has its verdict, in each arithmetic; the errata are these and no others."""
+
+import json
+
+import pytest
+
+from kowalevski_cas.claims import Claim
+from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.library import find, load
+from kowalevski_cas.proof.record import differences, load_record
+from kowalevski_cas.proof.verify import verify
+
+IDS = """
+eq4.1 eq4.2 eq4.3 energy eq5.1 eq5.2 eq5.3 time-unit eq6 eq7 J3 M4-dimension M4-independence
+linear-in-w3 eq9.i eq9 eq10.1 eq10.2 eq10.3 eq10.4 eq10.5 eq10.6 eq10.7 eq10.8 eq10.9 theta-prime
+Q1-prime ansatz-coefficient ansatz-exponents eq12 c1 c2 eq13.conjugate U1-prime U2-prime eq14
+F1-prime F2-prime eq15 N4-dimension reality real-form.1 real-form.2 eq16.1 eq16.2 eq16.invariance
+eq17.1 eq17.2 N4-independence equilibria last-multiplier eq18 eq19 ratio eq20.1 eq20.2 area eq21
+eq22 critical-set appelrot-dimension redundant-integral kowalevski-variable limit
+""".split()
+"""The list of CLAIMS.md."""
+
+ERRATA = {
+    "eq9.i": "i^2 = -1",
+    "eq10.1": r"x_1' = -x_1\omega_3 + z_1w_1",
+    "eq10.2": r"x_2' = x_2\omega_3 - z_2w_2",
+    "eq10.3": r"y_1' = -y_1\omega_3 + z_2w_1",
+    "eq10.4": r"y_2' = y_2\omega_3 - z_1w_2",
+    "eq10.7": r"2w_1' = -(w_1\omega_3 + z_1)",
+    "eq10.8": r"2w_2' = w_2\omega_3 + z_2",
+    "eq14": r"\frac{d}{d\tau}(U_1 - U_2) = \sqrt{x_1x_2}",
+    "eq21": r"2\alpha_3\frac{\alpha_1\omega_1 + \alpha_2\omega_2}{\alpha_1^2 + \alpha_2^2}",
+}
+"""Misprints, with what stands in the correct formula."""
+
+CONDITIONS = {
+    "N4-dimension": ["x_1x_2", "c_1c_2"],
+    "eq15": ["x_1x_2"],
+    "eq16.invariance": [r"\xi_1^2 + \xi_2^2"],
+    "equilibria": ["(a^2 - b^2)^2 + 4c^2"],
+    "eq12": ["x_1x_2"],
+    "U1-prime": ["x_1"],
+    "U2-prime": ["x_2"],
+    "ratio": [r"\alpha_1^2 - \alpha_2^2", r"\alpha_1", r"\alpha_2"],
+}
+RECORD = load_record(find("kharlamov2002"))
+
+
+def test_every_claim_of_the_list_has_its_verdict(outcomes):
+    assert set(IDS) <= set(outcomes)
+    assert set(outcomes) - set(IDS) <= {"appelrot-squares.1", "appelrot-squares.2", "appelrot-area"}
+    assert len(IDS) == len(set(IDS)) == 64
+
+
+def test_the_claims_stand_in_the_order_of_the_paper(derivation):
+    ids = [claim.id for claim in derivation.claims]
+    assert len(ids) == len(set(ids))
+    assert [section.number for section in derivation.sections] == ["1", "2", "3"]
+
+
+@pytest.mark.parametrize("id", RECORD)
+def test_the_verdict_is_the_recorded_one_in_every_arithmetic(outcomes, id):
+    outcome = outcomes[id]
+    assert {name: str(v) for name, v in outcome.verdicts.items()} == dict.fromkeys(
+        ("flint", "symengine", "sympy"), RECORD[id]["verdict"]
+    )
+    assert outcome.verdict == RECORD[id]["verdict"]
+    assert [condition.tex for condition in outcome.conditions] == RECORD[id]["conditions"]
+    assert outcome.digest == RECORD[id]["statement"]
+
+
+def test_the_run_does_not_differ_from_the_record(run):
+    assert differences(run, RECORD) == []
+
+
+def test_the_errata_are_these_and_no_others(outcomes):
+    wrong = {id for id, outcome in outcomes.items() if outcome.verdict == "refuted"}
+    assert wrong == set(ERRATA) | {"critical-set"}
+    assert all(o.verdict.green for id, o in outcomes.items() if id not in wrong)
+
+
+@pytest.mark.parametrize("id", ERRATA)
+def test_a_misprint_is_refuted_at_a_point_and_mended(outcomes, id):
+    outcome = outcomes[id]
+    assert outcome.correction.verdict.green
+    shown = outcome.correction.printed.replace(" ", "").replace(r"\left", "").replace(r"\right", "")
+    wanted = ERRATA[id].replace(" ", "")
+    if id != "eq21":
+        assert shown.startswith(wanted)
+    assert r"\alpha_3" in shown or id != "eq21"
+    assert outcome.counterexample is not None
+    assert outcome.counterexample.left != outcome.counterexample.right
+
+
+@pytest.mark.parametrize("id", CONDITIONS)
+def test_the_conditions_are_named(outcomes, id):
+    assert outcomes[id].verdict == "conditional"
+    assert [condition.tex for condition in outcomes[id].conditions] == CONDITIONS[id]
+
+
+def test_conditions_that_are_not_stated_come_with_a_point_where_it_fails(outcomes):
+    failing = {id for id, o in outcomes.items() for c in o.conditions if c.witness is not None}
+    assert {"N4-dimension", "eq16.invariance", "equilibria"} <= failing
+
+
+def test_the_critical_set_is_not_exact(outcomes):
+    found = outcomes["critical-set"]
+    point = {k: v for k, v in found.counterexample.point.values.items() if v != "0"}
+    assert len(point) == 1 and set(point) < {r"\alpha_1", r"\alpha_2", r"\alpha_3"}
+
+
+@pytest.mark.parametrize("id", ["eq9.i", "eq10.7", "eq12", "eq15", "eq16.invariance", "eq22", "critical-set", "limit", "last-multiplier"])  # fmt: skip
+def test_without_evidence_the_searches_come_to_the_same(derivation, outcomes, id):
+    (outcome,) = verify(derivation, ["flint"], only=[id]).outcomes
+    assert outcome.verdict == outcomes[id].verdict
+    assert [c.tex for c in outcome.conditions] == [c.tex for c in outcomes[id].conditions]
+    assert (outcome.correction is None) == (outcomes[id].correction is None)
+
+
+@pytest.mark.parametrize("id", IDS)
+def test_a_claim_by_itself_has_the_same_outcome(derivation, outcomes, id, folder):
+    from kowalevski_cas.proof.evidence import load_evidence
+
+    (outcome,) = verify(derivation, ["flint"], only=[id], evidence=load_evidence(folder)).outcomes
+    assert (outcome.verdict, outcome.digest) == (outcomes[id].verdict, outcomes[id].digest)
+    assert outcome.rests_on == outcomes[id].rests_on
+
+
+def test_a_claim_rests_on_claims_before_it(run):
+    before = set()
+    for outcome in run.outcomes:
+        assert set(outcome.rests_on) <= before
+        before.add(outcome.claim)
+    rests = {o.claim: o.rests_on for o in run.outcomes}
+    assert "eq9.i" in rests["eq10.1"]
+    assert rests["eq4.1"] == ()
+
+
+def test_the_derivation_is_a_derivation_of_claims(derivation):
+    assert isinstance(derivation, Derivation)
+    assert all(isinstance(claim, Claim) for claim in derivation.claims)
+    assert load("kharlamov2002") is not derivation
+
+
+def test_the_record_is_json_and_counts_what_it_holds(folder):
+    data = json.loads((folder / "record.json").read_text(encoding="utf-8"))
+    assert data["derivation"] == "kharlamov2002"
+    assert list(data["claims"]) == list(RECORD)

@@ -1,0 +1,117 @@
+"""Mutants: a sign, an index, a power changed. False ones are refuted at points that are checked here."""
+
+from itertools import islice
+
+import pytest
+
+from kowalevski_cas.claims import (
+    ChangedEquation,
+    Coefficient,
+    Equivalence,
+    FirstIntegral,
+    Identity,
+    Implication,
+)
+from kowalevski_cas.library import load
+from kowalevski_cas.notation import Constant, Name, NotationError, Relation
+from kowalevski_cas.proof.evidence import load_evidence
+from kowalevski_cas.proof.verify import Session
+from kowalevski_cas.stage import StageError
+from tests.claims.plain import close, complex_motion, evaluate, motion, value
+
+DERIVATION = load("kharlamov2002")
+CLAIMS = {claim.id: claim for claim in DERIVATION.claims}
+ENOUGH = 8
+
+NEVER_REFUTED = {
+    # claims of which every mutant stays undecided: no counterexample is found today
+    "eq9.i", "eq22", "redundant-integral", "appelrot-squares.1", "appelrot-squares.2", "limit",
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def session(folder):
+    """The paper, with its misprints corrected."""
+    session = Session(DERIVATION, ["flint"], False, load_evidence(folder))
+    for claim in DERIVATION.claims:
+        session.decide(claim)
+    return session
+
+
+def refuted_mutants(session, claim):
+    """Mutants that are refuted, with the finding."""
+    for neighbour in islice(claim.neighbours(session.texts), 60):
+        bench = session._bench("flint", session.texts).with_texts(neighbour.texts)
+        try:
+            finding = neighbour.claim.decide(bench)
+        except (StageError, NotationError, ZeroDivisionError):
+            continue
+        if finding.verdict == "refuted":
+            yield neighbour, finding
+
+
+@pytest.mark.parametrize("id", [id for id in CLAIMS if id not in {"critical-set", "equilibria"}])
+def test_a_mutant_is_refuted_at_an_exact_point(session, id, request):
+    if id in NEVER_REFUTED:
+        request.applymarker(pytest.mark.xfail(strict=True, reason="mutants stay undecided"))
+    _, finding = next(refuted_mutants(session, CLAIMS[id]))
+    assert finding.counterexample.left != finding.counterexample.right
+    assert finding.counterexample.point.values
+
+
+def on_by_hand(claim):
+    kinds = (Identity, ChangedEquation, FirstIntegral, Equivalence, Implication)
+    if not isinstance(claim, kinds) or isinstance(claim, Coefficient) or claim.id in NEVER_REFUTED:
+        return False
+    return claim.scene.name not in {"any body", "general body"} and getattr(claim, "root", None) is None
+
+
+@pytest.mark.parametrize("id", [id for id, claim in CLAIMS.items() if on_by_hand(claim)])
+def test_the_two_values_are_those_that_plain_python_finds(session, id):
+    claim, checked = CLAIMS[id], 0
+    for neighbour, finding in refuted_mutants(session, claim):
+        found = finding.counterexample
+        point = found.point.values
+        by_hand = complex_motion if claim.scene.time == r"\tau" else motion
+        names = by_hand(point)
+        if "w_3" in point:
+            names["w_3"] = value(point["w_3"]) + names["i"] * 0
+        formula = neighbour.texts.formula(neighbour.printed)
+        members = formula.members if isinstance(formula, Relation) else (formula,)
+        members = [m for m in members if not isinstance(m, Constant)]
+        if isinstance(claim, FirstIntegral):
+            members = [m for m in members if not isinstance(m, Name)]
+            assert close(evaluate(members[0], names).rate, value(found.left))
+            assert value(found.right) == 0 != value(found.left)
+        elif isinstance(claim, Identity):
+            values = [evaluate(member, names).value for member in members]
+            pairs = [*zip(values, values[1:], strict=False)]
+            if isinstance(formula.members[-1], Constant):
+                pairs.append((evaluate(members[0], names).rate, 0))
+            shown = value(found.left), value(found.right)
+            assert any(close(a, shown[0]) and close(b, shown[1]) for a, b in pairs)
+            assert not close(*shown)
+        else:
+            other = session.texts.formula(claim.to) if isinstance(claim, Equivalence) else None
+            given = [other] if other else [neighbour.texts.formula(p) for p in claim.given]
+            sides = [[evaluate(m, names).value for m in f.members[:2]] for f in given]
+            own = [evaluate(m, names).value for m in (*members, *members[:1])[:2]]
+            if len(members) == 1:
+                own = [own[0], 0]
+            holds, fails = (all(close(*s) for s in sides), not close(*own))
+            assert (holds and fails) or (other is not None and not fails and not holds)
+        checked += 1
+        if checked == ENOUGH:
+            break
+    assert checked
+
+
+@pytest.mark.parametrize("id", ["eq10.1", "eq10.5", "theta-prime", "eq12", "U1-prime", "eq14", "F2-prime", "eq13.conjugate"])  # fmt: skip
+def test_no_single_edit_of_an_identity_in_the_complex_variables_is_true(session, id):
+    claim = CLAIMS[id]
+    for neighbour in islice(claim.neighbours(session.texts), 80):
+        bench = session._bench("flint", session.texts).with_texts(neighbour.texts, refute=False)
+        try:
+            assert not neighbour.claim.decide(bench).verdict.green, neighbour.words
+        except (StageError, NotationError):
+            continue

@@ -1,0 +1,130 @@
+"""The run: verdicts, disagreements, limits of time, errors that are outcomes."""
+
+import time
+from dataclasses import dataclass
+
+import pytest
+
+from kowalevski_cas.claims import Claim, Finding, Identity
+from kowalevski_cas.claims.claim import green
+from kowalevski_cas.proof.limits import time_limit
+from kowalevski_cas.proof.outcome import Verdict
+from tests.claims.small import Oscillator, decide, verdicts
+
+ALL = ("flint", "symengine", "sympy")
+
+
+@dataclass(frozen=True, eq=False)
+class Fickle(Claim):
+    """A claim whose finding depends on the arithmetic."""
+
+    findings: dict
+
+    def decide(self, bench):
+        return self.findings[bench.arithmetic]
+
+    def __hash__(self):
+        return hash(self.id)
+
+
+@dataclass(frozen=True, eq=False)
+class Slow(Claim):
+    slow_in: tuple = ALL
+
+    def decide(self, bench):
+        if bench.arithmetic in self.slow_in:
+            time.sleep(5)
+        return green(())
+
+
+@pytest.fixture
+def small():
+    return Oscillator()
+
+
+def test_arithmetics_that_disagree_are_an_error(small):
+    claim = Fickle("t", small.scene, None, "", {"flint": 0, "symengine": 0, "sympy": 0})
+    claim.findings.update(
+        flint=Finding(Verdict.PROVED), symengine=Finding(Verdict.REFUTED), sympy=Finding(Verdict.PROVED)
+    )
+    (outcome,) = decide(small.section, claim, arithmetics=ALL)
+    assert outcome.verdict == "error"
+    assert outcome.message == "the arithmetics disagree (flint: proved, symengine: refuted, sympy: proved)"
+
+
+def test_a_claim_that_takes_too_long_is_a_timeout(small):
+    start = time.perf_counter()
+    (outcome,) = decide(small.section, Slow("t", small.scene, None, ""), timeout=0.05)
+    assert outcome.verdict == "timeout"
+    assert outcome.message == "not decided within 0.05 s by flint"
+    assert time.perf_counter() - start < 2
+
+
+def test_a_limit_of_time_is_taken_away_again():
+    with time_limit(0.05):
+        pass
+    time.sleep(0.08)
+    with pytest.raises(TimeoutError), time_limit(0.02):
+        time.sleep(1)
+    with time_limit(None):
+        pass
+
+
+@pytest.mark.xfail(strict=True, reason="a timeout in one arithmetic counts as a disagreement")
+def test_a_timeout_in_one_arithmetic_is_a_timeout(small):
+    claim = Slow("t", small.scene, None, "", slow_in=("sympy",))
+    (outcome,) = decide(small.section, claim, arithmetics=ALL, timeout=0.1)
+    assert outcome.verdict == "timeout"
+
+
+def test_a_formula_that_cannot_be_read_is_an_error_of_its_claim_only(small):
+    bad = Identity("bad", small.scene, small("x = ("), "")
+    good = Identity("good", small.scene, small(r"\dot x = v"), "")
+    bad, good = decide(small.section, bad, good)
+    assert (bad.verdict, good.verdict) == ("error", "proved")
+    assert "x = (" in bad.message and bad.digest == "" and bad.rests_on == ()
+
+
+def test_a_statement_that_is_not_there_is_an_error(small):
+    (outcome,) = decide(small.section, Identity("t", small.scene, small("x=x", 3), ""))
+    assert outcome.verdict == "error"
+    assert "statement 3 is asked for, there are 1" in outcome.message
+
+
+def test_a_name_without_meaning_on_the_scene_is_an_error(small):
+    (outcome,) = decide(small.section, Identity("t", small.old, small("x=k"), ""), Identity("u", small.scene, small("k=k"), ""))[:1]
+    assert outcome.verdict == "error"
+    assert "k has no meaning on the scene “oscillator with the unit”" in outcome.message
+
+
+def test_an_undeclared_name_is_an_error_with_a_caret(small):
+    (outcome,) = decide(small.section, Identity("t", small.scene, small("y = x"), ""))
+    lines = outcome.message.splitlines()
+    assert lines[-2].strip() == "y = x" and lines[-1].strip() == "^"
+
+
+def test_a_corrected_formula_is_the_one_on_which_later_claims_stand(small):
+    motion = small.section.displays[0]
+    later = Identity("later", small.scene, small("2E=x^2+v^2"), "")
+    wrong = small.section.display("wrong", r"\ddot{x}=x") if False else small("v=-\\dot x")
+    found = decide(small.section, Identity("wrong", small.scene, wrong, ""), later)
+    assert [str(o.verdict) for o in found] == ["refuted", "proved"]
+    assert found[0].correction.verdict == "proved"
+    assert motion[1].place == "motion.1"
+
+
+def test_sources_are_read_instead_of_what_is_printed(small):
+    tex = small("x=v")
+    assert verdicts(small.section, Identity("t", small.scene, tex, ""), sources={tex.display.id: "x=x"}) == ["proved"]
+
+
+def test_costs_are_the_same_from_run_to_run(run, derivation):
+    assert all(outcome.products >= 0 for outcome in run.outcomes)
+    assert set(run.outcomes[0].seconds) == set(ALL)
+
+
+@pytest.mark.xfail(strict=True, reason="the same id may be given twice")
+def test_an_id_is_given_once(small):
+    claims = [Identity("t", small.scene, small("x=x"), ""), Identity("t", small.scene, small("x=v"), "")]
+    with pytest.raises(ValueError):
+        decide(small.section, *claims)
