@@ -19,6 +19,7 @@ from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.evidence import Evidence
+from kowalevski_cas.proof.limits import time_limit
 from kowalevski_cas.proof.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.proof.verify import Session
 from kowalevski_cas.stage import Stage
@@ -35,6 +36,8 @@ class Memory:
     arithmetics: Sequence[str] = ("flint",)
     evidence: dict[str, Evidence] = field(default_factory=dict)
     timeout: float | None = None
+    patience: float = 5.0
+    """Seconds that a correction is sought for."""
     stages: dict[object, Stage] = field(default_factory=dict)
     outcomes: dict[Key, Decided] = field(default_factory=dict)
     kept: Base | None = None
@@ -170,8 +173,9 @@ class AuditSession(Session):
             if self.causes[claim.id]:
                 return None
         try:
-            return super()._correct(claim, kept)
-        except (ArithmeticError, AssertionError, LookupError, TypeError, ValueError):
+            with time_limit(self.memory.patience):
+                return super()._correct(claim, kept)
+        except Exception:
             return None
 
     def _to_blame(self, claim: Claim) -> tuple[Printed, ...]:
@@ -203,7 +207,7 @@ class AuditSession(Session):
         """The finding; what an author types must not end the audit of everything else."""
         try:
             return super()._decide(claim, bench)
-        except (ArithmeticError, AssertionError, LookupError, TypeError, ValueError) as error:
+        except Exception as error:
             message = f"it cannot be decided as it is typed ({type(error).__name__}: {error})"
             return Finding(Verdict.ERROR, message=message)
 

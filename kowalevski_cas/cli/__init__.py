@@ -16,6 +16,9 @@ COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
     "report": "write the report of a derivation as LaTeX and PDF",
     "audit": "read a paper's TeX source and prove or refute each formula in it",
+    "check": "check certificates with the independent checker",
+    "certificates": "write the certificates of a derivation",
+    "export": "print a derivation for Rocq, Singular or PARI/GP",
     "record": "write the record of verdicts, and the evidence behind them, anew",
 }
 

@@ -7,11 +7,10 @@ itself, the file has to parse to what was meant, and the checker has to accept i
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from copy import deepcopy
 from dataclasses import dataclass
 from hashlib import sha256
-from pathlib import Path
 from typing import Any
 
 from kowalevski_cas.claims import Claim
@@ -24,10 +23,9 @@ from kowalevski_cas.proof.outcome import Outcome, Verdict
 from kowalevski_cas.proof.parts import Parts
 from kowalevski_cas.proof.statements import deny, state
 from kowalevski_cas.proof.trees import CertificateError, Tree
-from kowalevski_cas.proof.verify import Session
+from kowalevski_cas.proof.verify import Progress, Session
 from kowalevski_cas.stage import StageError
 
-FOLDER = "certificates"
 DIVISORS = 40
 """How many polynomials a certificate divides by at most."""
 
@@ -51,17 +49,17 @@ def certificates(
     derivation: Derivation,
     evidence: dict[str, Evidence] | None = None,
     only: Sequence[str] = (),
-    progress: Callable[[str], None] = lambda claim: None,
+    progress: Progress = lambda claim, done, total: None,
 ) -> list[Written]:
     """A certificate for each claim of a derivation, in the order of the paper."""
     session = Session(derivation, ["flint"], False, {} if evidence is None else evidence)
     written = []
-    for claim in derivation.claims:
+    for done, claim in enumerate(derivation.claims):
         before = session.texts
         outcome = session.decide(claim)
         if only and claim.id not in only:
             continue
-        progress(claim.id)
+        progress(claim.id, done, len(derivation.claims))
         benches = [
             Bench("flint", texts, shelf=session.shelf, stages=session.stages)
             for texts in (before, session.texts)
@@ -76,6 +74,7 @@ def certificates(
 def certificate(claim: Claim, outcome: Outcome, bench: Bench, mended: Bench) -> Written:
     """The certificate of one claim, decided on ``bench`` and corrected on ``mended``."""
     parts = Parts(bench)
+    parts.mended = mended
     if outcome.verdict.green:
         state(claim, parts)
     elif outcome.verdict is Verdict.REFUTED:
@@ -191,16 +190,3 @@ def _tree(divisor: checker.Element) -> Tree:
             factors.insert(0, top if below == 1 else ["/", top, below])
         summands.append(["*", *factors] if len(factors) > 1 else factors[0])
     return ["+", *summands] if len(summands) > 1 else summands[0]
-
-
-def write(folder: Path, written: Sequence[Written]) -> list[Path]:
-    """Put certificates into a folder, and take away those of claims that have none now."""
-    folder.mkdir(parents=True, exist_ok=True)
-    paths = []
-    for one in written:
-        if one.text:
-            paths.append(folder / f"{one.claim}.json")
-            paths[-1].write_text(one.text, encoding="utf-8")
-    for path in set(folder.glob("*.json")) - set(paths):
-        path.unlink()
-    return paths

@@ -209,7 +209,7 @@ class Space:
         back = ((e.image(images, self) - self.scalar(name)).vanishes() for name, e in new.items())
         need(all(back), "the inverse does not give the variables back")
         self.old = [images[name] for name in source.variables]
-        scale = source.scalar(time).image(images, self).inverse()
+        scale = source.scalar(time).image(images, self)
         return {n: source.unary("D", e).image(images, self) * scale for n, e in new.items()}
 
     def carried(self, images: Elements, space: Space) -> Elements:

@@ -23,12 +23,12 @@ TRIES = 12
 class Parts:
     """The spaces and parts of one certificate.
 
-    ``bench`` gives meaning to what is written; it is another one for the
+    ``bench`` gives meaning to what is written; ``mended`` is the one for the
     corrected statement.
     """
 
     def __init__(self, bench: Bench) -> None:
-        self.bench = bench
+        self.bench = self.mended = bench
         self.spaces: list[SpaceWriter] = []
         self.parts: list[dict[str, Any]] = []
         self.notes: list[str] = []
@@ -143,11 +143,12 @@ class Parts:
                 return False
             if apart and all(at(element).is_zero for element in apart):
                 return False
-            names = stage.scene.variables
-            rows = [[at(entry) for entry in gradient(f, names)] for f in independent]
+            moving = stage.scene.variables
+            rows = [[at(entry) for entry in gradient(f, moving)] for f in independent]
             return rank(rows) == len(rows) and bool(space.point(at))
 
-        variables = [stage.ring.generator(n) for n in stage.generators if n in stage.scene.variables]
+        names = [name for name in stage.generators if name in stage.scene.variables]
+        variables = [stage.ring.generator(name) for name in names]
         norms = [_norm(element, stage) for element in vanishing]
         for further in (c for size in range(3) for c in combinations(variables, size)):
             for point in islice(real_points(stage, [*norms, *further], avoid), TRIES):

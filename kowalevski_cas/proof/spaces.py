@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from kowalevski_cas.arithmetic.present import fraction_formula, polynomial_formula
 from kowalevski_cas.arithmetic.derivation import along
+from kowalevski_cas.arithmetic.present import polynomial_formula
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.claim import AtPoint
 from kowalevski_cas.notation import (
@@ -27,6 +27,7 @@ from kowalevski_cas.notation import (
     read,
     replace,
 )
+from kowalevski_cas.proof.numbers import number_tree
 from kowalevski_cas.proof.trees import CertificateError, Tree, decode, encode, names_of, uses
 from kowalevski_cas.scene import Change
 from kowalevski_cas.stage import Stage, StageError, scalar
@@ -58,7 +59,7 @@ class SpaceWriter:
         tree = encode(plain)
         if decode(tree, self.mark) != plain:
             raise CertificateError("a formula does not read back as what is printed")
-        if plain != formula and not _same(evaluate(plain, self.stage), evaluate(formula, self.stage)):
+        if plain != formula and not self._same(plain, formula):
             raise CertificateError("a formula reads back as another one")
         self.take(tree)
         return tree
@@ -116,6 +117,12 @@ class SpaceWriter:
             if (plain := self._plain(child)) != child:
                 formula = replace(formula, (place,), plain)
         return formula
+
+    def _same(self, left: Formula, right: Formula) -> bool:
+        """Whether two formulas have the same value."""
+        a, b = (evaluate(formula, self.stage) for formula in (left, right))
+        pairs = zip(*(v if isinstance(v, Triple) else (v,) for v in (a, b)), strict=True)
+        return all((x - y).is_zero for x, y in pairs)
 
     def _per_time(self) -> Formula:
         """The factor of the clock of the scene."""
@@ -223,7 +230,7 @@ class SpaceWriter:
         return found
 
     def _zero(self) -> set[str]:
-        found = set()
+        found: set[str] = set()
         for printed in self.scene.zero:
             for member in self.stage.relation(printed).members:
                 if isinstance(member, Name):
@@ -276,7 +283,7 @@ class SpaceWriter:
         if not self.moving:
             return
         if self.source is None:
-            self.equations = list(self._equations())
+            self.equations = list(self.equations_of_motion())
             return
         self.source.moving = True
         for name in self.source.scene.variables:
@@ -290,15 +297,16 @@ class SpaceWriter:
         right = source.stage.relation(change.time).members[1]
         if not isinstance(right, Product):
             raise CertificateError("the change of time is no multiple of t")
+        rest = right.factors[:-1]
         self.change = {
             "old": source.index,
             "formulas": [*formulas, *([name, name] for name in kept)],
-            "time": source.tree(Product((*right.factors[:-1], Number(1)))),
+            "time": ["/", 1, source.tree(rest[0] if len(rest) == 1 else Product(rest))],
         }
         if "i" in source.known:
             self.need("i")
 
-    def _equations(self) -> Iterator[list[Tree]]:
+    def equations_of_motion(self) -> Iterator[list[Tree]]:
         """The printed equations of motion: names, what multiplies the derivatives, right side."""
         printed_field = self.scene.field
         for printed in printed_field if isinstance(printed_field, tuple) else ():
@@ -336,14 +344,13 @@ class SpaceWriter:
             data["field"] = self.equations
         if self.moving and self.powers:
             data["field"] = data.get("field", []) + [
-                [[name], base, ["*", symbol, name, ["D", base]]] for name, base, symbol in self.powers
+                [[name], base, ["*", symbol, name, ["D", base]]]
+                for name, base, symbol in self.powers
             ]
         if self.conjugating:
             there = plain | roots
             data["conjugates"] = [list(pair) for pair in scene.conjugates if {*pair} <= there]
         return data
-
-    # -- points ----------------------------------------------------------------
 
     def point(self, at: AtPoint) -> dict[str, Any]:
         """The values of the names at an exact point."""
@@ -359,41 +366,9 @@ class SpaceWriter:
         return {"roots": sorted(squares), "values": values}
 
 
-def number_tree(number: Element, squares: set[int]) -> Tree:
-    """The tree of a number; the integers whose roots it needs are entered."""
-    ring, terms = number.ring, []
-    for mask, part in number.terms().items():
-        for value in part.values():
-            factors: list[Tree] = []
-            for bit, name in enumerate(ring.roots):
-                if mask >> bit & 1 and name == "i":
-                    factors.append("i")
-                elif mask >> bit & 1:
-                    square = ring.radicands[bit].terms()
-                    if set(square) != {0}:
-                        raise CertificateError("a value at the point is a root of a root")
-                    (radicand,) = square[0].values()
-                    whole = radicand.numerator * radicand.denominator
-                    if whole < 0:
-                        raise CertificateError("a value at the point is a root of a negative number")
-                    squares.add(whole)
-                    factors.append(["/", ["sqrt", whole], radicand.denominator])
-            coefficient = encode(fraction_formula(value))
-            terms.append(["*", coefficient, *factors] if factors else coefficient)
-    if not terms:
-        return 0
-    return ["+", *terms] if len(terms) > 1 else terms[0]
-
-
 def _radicands(tree: Tree) -> Iterator[Tree]:
     if isinstance(tree, list):
         for part in tree[1:]:
             yield from _radicands(part)
         if tree[0] == "sqrt":
             yield tree[1]
-
-
-def _same(left: Element | Triple, right: Element | Triple) -> bool:
-    a = left if isinstance(left, Triple) else (left,)
-    b = right if isinstance(right, Triple) else (right,)
-    return len(a) == len(b) and all((x - y).is_zero for x, y in zip(a, b, strict=True))

@@ -27,13 +27,16 @@ from kowalevski_cas.claims import (
     LastMultiplier,
     Limit,
     Reality,
+    Scaling,
     SolvedExponents,
+    Unit,
 )
 from kowalevski_cas.claims.claim import equation, members
 from kowalevski_cas.claims.dimension import Set
 from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.notation import Constant, Formula, Name, Relation, Sum, Unwritten
 from kowalevski_cas.proof.parts import Parts, minus
+from kowalevski_cas.proof.scales import scale
 from kowalevski_cas.proof.spaces import SpaceWriter
 from kowalevski_cas.proof.trees import CertificateError, Tree
 from kowalevski_cas.stage import Stage
@@ -45,13 +48,13 @@ Matrix = list[list[Element]]
 @singledispatch
 def state(claim: Claim, parts: Parts) -> None:
     """Write what the claim states, for one that holds."""
-    raise CertificateError(f"there are no certificates for claims of the kind {type(claim).__name__}")
+    raise CertificateError(f"the kind {type(claim).__name__} has no certificates")
 
 
 @singledispatch
 def deny(claim: Claim, parts: Parts) -> None:
     """Write a point at which the claim, as printed, fails."""
-    raise CertificateError(f"there are no refutations for claims of the kind {type(claim).__name__}")
+    raise CertificateError(f"the kind {type(claim).__name__} has no refutations")
 
 
 # -- equalities ----------------------------------------------------------------
@@ -194,6 +197,36 @@ def _solved_exponents(claim: SolvedExponents, parts: Parts) -> None:
     )
 
 
+@deny.register
+def _no_unit(claim: Unit, parts: Parts) -> None:
+    """A row that holds with the corrected unit, at a point where it fails with the printed one."""
+    for row in _rows(claim, parts):
+        space = parts.space(claim.scene)
+        sides = space.sides(row)
+        if any(not element.is_zero for element in space.difference(sides)):
+            parts.differ(space, sides)
+            return
+    raise CertificateError("no row tells the units apart")
+
+
+@state.register
+def _unit(claim: Unit, parts: Parts) -> None:
+    space = parts.space(claim.scene)
+    parts.equal(space, *(space.sides(row) for row in _rows(claim, parts)))
+    parts.notes.append("no other unit makes more rows hold: this is not part of the certificate")
+
+
+def _rows(claim: Unit, parts: Parts) -> list[Printed]:
+    """The rows that hold with the corrected unit."""
+    stage = parts.mended.stage(claim.scene)
+    return [row for row in claim.rows if equation(row, stage).is_zero]
+
+
+@state.register
+def _scaling(claim: Scaling, parts: Parts) -> None:
+    scale(claim, parts)
+
+
 # -- combinations ----------------------------------------------------------------
 
 
@@ -207,9 +240,8 @@ def _first_integral(claim: FirstIntegral, parts: Parts) -> None:
     if not claim.on:
         parts.equal(space, sides)
         return
-    row = combination(
-        parts.bench, claim.scene, claim.id, claim.rate, claim.generators, claim.main
-    )
+    bench = parts.bench.finder
+    row = combination(bench, claim.scene, claim.id, claim.rate, claim.generators, claim.main)
     parts.follows(space, [sides], _equations(space, claim.on), [_found(row)])
     parts.differ(space, sides)
 
@@ -236,7 +268,8 @@ def _equivalence(claim: Equivalence, parts: Parts) -> None:
 def _implication(claim: Implication, parts: Parts) -> None:
     space, bench = parts.space(claim.scene), parts.bench.finder
     formula = space.stage.texts.formula(_printed(claim))
-    own = space.sides(_printed(claim)) if isinstance(formula, Relation) else [space.tree(formula), 0]
+    is_equation = isinstance(formula, Relation)
+    own = space.sides(_printed(claim)) if is_equation else [space.tree(formula), 0]
     equations = [*_equations(space, claim.together), own]
     targets = [element for sides in equations for element in space.difference(sides)]
     if claim.root is not None:
@@ -339,10 +372,12 @@ def _independence(claim: Independence, parts: Parts) -> None:
     _rank(claim, parts, claim.functions, None)
 
 
-def _rank(claim: Set, parts: Parts, functions: tuple[str, ...], dimension: int | None) -> None:
+def _rank(claim: Set, parts: Parts, functions: tuple[Printed, ...], dimension: int | None) -> None:
     space = parts.space(claim.scene)
-    levels = [space.tree(members(space.stage.relation(p))[0]) for p in claim.levels]
-    trees = [space.tex(tex) for tex in functions]
+    levels, trees = (
+        [space.tree(members(space.stage.relation(printed))[0]) for printed in places]
+        for places in (claim.levels, functions)
+    )
     parts.rank(space, levels, trees, _equations(space, claim.equations), dimension)
 
 

@@ -49,5 +49,7 @@ def build(ring, neutral):
     return element
 
 
-simple = st.dictionaries(st.integers(0, 3), terms(1, 1), min_size=1, max_size=2).map(lambda parts: (parts, []))
+simple = st.dictionaries(st.integers(0, 3), terms(1, 1), min_size=1, max_size=2).map(
+    lambda parts: (parts, [])
+)
 """Elements with i and s only, one term each: norms of others are long."""

@@ -55,7 +55,9 @@ def test_ranks_are_those_of_flint_and_sympy(ring, matrix):
 def test_ranks_of_complex_matrices_are_those_of_sympy(ring, matrix):
     i = ring.generator("i")
     found = rank([[ring.number(re) + ring.number(im) * i for re, im in row] for row in matrix])
-    numbers = [[sympy.Rational(re) + sympy.I * sympy.Rational(im) for re, im in row] for row in matrix]
+    numbers = [
+        [sympy.Rational(re) + sympy.I * sympy.Rational(im) for re, im in row] for row in matrix
+    ]
     assert found == sympy.Matrix(numbers).rank(simplify=True)
 
 
@@ -82,7 +84,9 @@ def test_the_value_at_a_point_is_a_homomorphism(name, a, b, at):
 
 def test_roots_become_rational_where_their_squares_are_squares(name):
     ring, numbers = tower(name), number_ring(load(name))
-    at = Substitution(ring, {"x": numbers.number(2), "y": numbers.number(8), "z": numbers.number(5)}, numbers)
+    at = Substitution(
+        ring, {"x": numbers.number(2), "y": numbers.number(8), "z": numbers.number(5)}, numbers
+    )
     assert rational(at(ring.generator("s"))) == 4
     assert rational(at(ring.generator("r"))) == 3
     assert rational(at(ring.generator("i"))) is None

@@ -76,7 +76,9 @@ def test_a_partial_derivative_is_a_derivation(ring, a, b, number, k):
 def test_partial_derivatives_of_generators_are_the_unit_matrix(ring):
     for j in range(3):
         for k in range(3):
-            assert ring.terms(ring.derivative(ring.generator(j), k)) == ({(0, 0, 0): 1} if j == k else {})
+            assert ring.terms(ring.derivative(ring.generator(j), k)) == (
+                {(0, 0, 0): 1} if j == k else {}
+            )
 
 
 @given(terms(), terms(), st.integers(0, 2))
@@ -106,5 +108,7 @@ def test_a_power_of_a_sum_has_binomial_coefficients(ring):
 
 
 def test_an_unknown_arithmetic_is_refused_with_the_known_ones():
-    with pytest.raises(ValueError, match="unknown arithmetic “maple”; there are flint, symengine, sympy"):
+    with pytest.raises(
+        ValueError, match="unknown arithmetic “maple”; there are flint, symengine, sympy"
+    ):
         load("maple")

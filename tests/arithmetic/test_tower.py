@@ -92,7 +92,9 @@ def test_fractions_remember_their_denominators(ring):
     x, y = ring.generator("x"), ring.generator("y")
     quotient = (x * x) / x
     assert same(quotient, x)
-    assert [ring.polynomials.terms(ring.divisors[k]) for k in quotient.denominator] == [{(1, 0, 0): 1}]
+    assert [ring.polynomials.terms(ring.divisors[k]) for k in quotient.denominator] == [
+        {(1, 0, 0): 1}
+    ]
     total = ring.one / x + ring.one / (x + y)
     below = {frozenset(ring.polynomials.terms(ring.divisors[k])) for k in total.denominator}
     assert below == {frozenset({(1, 0, 0)}), frozenset({(1, 0, 0), (0, 1, 0)})}
@@ -103,7 +105,9 @@ def test_fractions_remember_their_denominators(ring):
 def test_a_monomial_is_divided_by_generator_by_generator(ring):
     x, y, s = map(ring.generator, "xys")
     inverse = ring.one / (ring.number(6) * x * x * y)
-    found = {tuple(ring.polynomials.terms(ring.divisors[k])): e for k, e in inverse.denominator.items()}
+    found = {
+        tuple(ring.polynomials.terms(ring.divisors[k])): e for k, e in inverse.denominator.items()
+    }
     assert found == {((1, 0, 0),): 2, ((0, 1, 0),): 1}
     assert same(ring.one / s, s / (x * y))
 

@@ -57,7 +57,10 @@ class Dual:
         return Dual(value, (self.rate - value * other.rate) / other.value)
 
     def __pow__(self, exponent):
-        return Dual(self.value**exponent, exponent * self.value ** (exponent - 1) * self.rate if exponent else 0)
+        return Dual(
+            self.value**exponent,
+            exponent * self.value ** (exponent - 1) * self.rate if exponent else 0,
+        )
 
     def root(self):
         value = self.value**0.5
@@ -132,7 +135,9 @@ def complex_motion(point):
         "w_1": -(w1 * w3 + z1) / 2, "w_2": (w2 * w3 + z2) / 2, r"\omega_3": (y2 - y1) / 2,
     }  # fmt: skip
     names = {name: Dual(v, rates.get(name, 0)) for name, v in n.items()}
-    X1, X2, Z1, Z2, W1, W2, W3 = (names[k] for k in ("x_1", "x_2", "z_1", "z_2", "w_1", "w_2", r"\omega_3"))
+    X1, X2, Z1, Z2, W1, W2, W3 = (
+        names[k] for k in ("x_1", "x_2", "z_1", "z_2", "w_1", "w_2", r"\omega_3")
+    )
     names["i"] = Dual(1j)
     names[r"\theta"] = X1 * X2
     names["Q_1"] = X2 * Z1 * W1 + X1 * Z2 * W2
@@ -170,7 +175,10 @@ def motion(point):
     K = J1**2 + J2**2
     H = W[0] ** 2 + W[1] ** 2 + W[2] ** 2 / 2 - A[0] - B[1]
     L = A[0] * W[0] + A[1] * W[1] + A[2] * W[2] / 2
-    aa, bb, ab = (sum((p * q for p, q in zip(P, Q, strict=True)), Dual(0)) for P, Q in ((A, A), (B, B), (A, B)))
+    aa, bb, ab = (
+        sum((p * q for p, q in zip(P, Q, strict=True)), Dual(0))
+        for P, Q in ((A, A), (B, B), (A, B))
+    )
     names |= {
         r"\xi_1": xi1, r"\xi_2": xi2, "J_1": J1, "J_2": J2, "K": K, "H": H, "L": L, r"\ell": L,
         "J_3": (W[0] ** 2 + W[1] ** 2) * W[2] + 2 * (W[0] * A[2] + W[1] * B[2]),

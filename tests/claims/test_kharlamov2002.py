@@ -48,7 +48,12 @@ RECORD = load_record(find("kharlamov2002"))
 
 def test_every_claim_of_the_list_has_its_verdict(outcomes):
     assert set(IDS) <= set(outcomes)
-    assert set(outcomes) - set(IDS) <= {"appelrot-squares.1", "appelrot-squares.2", "appelrot-area"}
+    assert set(outcomes) - set(IDS) <= {
+        "eq1",
+        "appelrot-squares.1",
+        "appelrot-squares.2",
+        "appelrot-area",
+    }
     assert len(IDS) == len(set(IDS)) == 64
 
 

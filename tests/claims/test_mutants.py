@@ -63,7 +63,10 @@ def on_by_hand(claim):
     kinds = (Identity, ChangedEquation, FirstIntegral, Equivalence, Implication)
     if not isinstance(claim, kinds) or isinstance(claim, Coefficient) or claim.id in NEVER_REFUTED:
         return False
-    return claim.scene.name not in {"any body", "general body"} and getattr(claim, "root", None) is None
+    return (
+        claim.scene.name not in {"any body", "general body"}
+        and getattr(claim, "root", None) is None
+    )
 
 
 @pytest.mark.parametrize("id", [id for id, claim in CLAIMS.items() if on_by_hand(claim)])
@@ -76,6 +79,7 @@ def test_the_two_values_are_those_that_plain_python_finds(session, id):
         names = by_hand(point)
         if "w_3" in point:
             names["w_3"] = value(point["w_3"]) + names["i"] * 0
+        names |= {k: value(tex) + names["i"] * 0 for k, tex in point.items() if k not in names}
         formula = neighbour.texts.formula(neighbour.printed)
         members = formula.members if isinstance(formula, Relation) else (formula,)
         members = [m for m in members if not isinstance(m, Constant)]

@@ -15,10 +15,18 @@ def places(derivation, id):
     ("id", "some", "none"),
     [
         ("eq4.1", {"eq4.1", "eq3.1", "eq3.2"}, {"eq2.1", "eq9.i.1"}),
-        ("eq5.1", {"eq5.1", "eq2.1", "inertia.1", "kowalevski-case.1", "kowalevski-case.2", "A3.1"}, {"eq9.i.1"}),
+        (
+            "eq5.1",
+            {"eq5.1", "eq2.1", "inertia.1", "kowalevski-case.1", "kowalevski-case.2", "A3.1"},
+            {"eq9.i.1"},
+        ),
         ("eq12", {"eq12.1", "F1.1", "eq9.1", "eq9.i.1", "tau.1"}, {"eq14.1", "eq17.1"}),
         ("area", {"area.1", "beta.1"}, {"eq9.1"}),
-        ("critical-set", {"combined-integral.1", "eq18.1", "eq19.1", "norm.1", "area.1", "eq17.1"}, {"eq9.1"}),
+        (
+            "critical-set",
+            {"combined-integral.1", "eq18.1", "eq19.1", "norm.1", "area.1", "eq17.1"},
+            {"eq9.1"},
+        ),
     ],
 )
 def test_foundations(derivation, id, some, none):

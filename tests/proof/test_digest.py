@@ -34,7 +34,9 @@ def test_every_edit_of_a_formula_changes_the_digest(derivation, id):
 def test_spaces_do_not_change_a_statement(derivation):
     claim = next(c for c in derivation.claims if c.id == "theta-prime")
     texts = derivation.texts()
-    assert digest(claim, texts) == digest(claim, derivation.texts({"theta-prime": r"\theta'  =   Q_{2}"}))
+    assert digest(claim, texts) == digest(
+        claim, derivation.texts({"theta-prime": r"\theta'  =   Q_{2}"})
+    )
 
 
 def test_what_a_scene_rests_on_is_part_of_the_statement(derivation):
@@ -47,8 +49,12 @@ def test_parameters_are_part_of_the_statement(derivation):
     texts = derivation.texts()
     claim = next(c for c in derivation.claims if c.id == "N4-dimension")
     assert digest(claim, texts) != digest(replace(claim, dimension=5), texts)
-    assert digest(claim, texts) != digest(replace(claim, scene=replace(claim.scene, nonzero=("x_1",))), texts)
-    assert digest(claim, texts) != digest(replace(claim, scene=replace(claim.scene, loci=())), texts)
+    assert digest(claim, texts) != digest(
+        replace(claim, scene=replace(claim.scene, nonzero=("x_1",))), texts
+    )
+    assert digest(claim, texts) != digest(
+        replace(claim, scene=replace(claim.scene, loci=())), texts
+    )
 
 
 def test_different_claims_have_different_digests(run):
@@ -59,4 +65,6 @@ def test_different_claims_have_different_digests(run):
 
 def test_the_digest_is_the_same_from_run_to_run(derivation):
     claims = derivation.claims[:20]
-    assert [digest(c, derivation.texts()) for c in claims] == [digest(c, derivation.texts()) for c in claims]
+    assert [digest(c, derivation.texts()) for c in claims] == [
+        digest(c, derivation.texts()) for c in claims
+    ]

@@ -15,7 +15,9 @@ def recorded(run, tmp_path):
 
 
 def with_outcome(run, id, **changes):
-    return replace(run, outcomes=tuple(replace(o, **changes) if o.claim == id else o for o in run.outcomes))
+    return replace(
+        run, outcomes=tuple(replace(o, **changes) if o.claim == id else o for o in run.outcomes)
+    )
 
 
 def test_a_record_is_the_run_that_wrote_it(run, recorded):
@@ -51,7 +53,9 @@ def test_no_record_is_none(tmp_path):
     assert load_record(tmp_path) is None
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"claims": 3}', '{"claims": {"eq1": 7}}', "\x00"])
+@pytest.mark.parametrize(
+    "text", ["", "{", "[]", "{}", '{"claims": 3}', '{"claims": {"eq1": 7}}', "\x00"]
+)
 def test_an_unreadable_record_says_what_to_do(tmp_path, text):
     (tmp_path / "record.json").write_text(text)
     with pytest.raises(RecordError) as raised:

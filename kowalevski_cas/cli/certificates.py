@@ -1,0 +1,51 @@
+"""Write the certificates of a derivation: one file a claim, in its folder `certificates`.
+
+Each one is read back and accepted by the checker before it is written.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from kowalevski_cas.cli import session
+from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
+from kowalevski_cas.proof.certificate import certificates
+from kowalevski_cas.proof.committed import FOLDER, certificate_files
+from kowalevski_cas.proof.evidence import load_evidence
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    parser.add_argument(
+        "derivations",
+        nargs="*",
+        metavar="DERIVATION",
+        help="name in the library, or folder; all of the library if none is named",
+    )
+    parser.add_argument(
+        "-o", "--output", type=Path, metavar="DIR", help="write there instead of the derivation"
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run the command and return its exit code."""
+    for folder, derivation in session.derivations(arguments.derivations):
+        with session.progress_bar() as progress:
+            written = certificates(derivation, load_evidence(folder), progress=progress)
+        target = arguments.output or folder / FOLDER
+        texts = {f"{one.claim}.json": one.text for one in written if one.text}
+        if not texts:
+            raise CommandError(f"no claim of {derivation.name} has a certificate", NOTHING)
+        for name, text in texts.items():
+            session.write_whole(target / name, text)
+        if arguments.output is None:
+            for path in certificate_files(folder):
+                if path.name not in texts:
+                    path.unlink()
+        for one in written:
+            if one.reason:
+                print(f"{one.claim}: no certificate: {one.reason}", file=sys.stderr)
+        print(f"{target}: {len(texts)} of {len(written)} claims have a certificate")
+    return AS_RECORDED

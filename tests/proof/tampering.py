@@ -1,0 +1,85 @@
+"""Ways to tamper with a certificate: every leaf, every operation, every list of its JSON."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from copy import deepcopy
+
+OTHERS = {
+    "+": ("*",), "*": ("+", "/"), "/": ("*",), "-": ("conj", "D"), "D": ("-",), "conj": ("-",),
+    "dot": ("cross",), "cross": ("dot",), "sqrt": ("-",), "vector": ("diag",), "diag": ("vector",),
+    "d": (), "^": (), "let": ("root",), "root": ("let",), "where": ("let",),
+    "follows": ("differ", "rank"), "rank": ("follows",), "differ": ("follows",),
+}  # fmt: skip
+
+
+def seal(data):
+    """The text of a certificate, with the digest that belongs to it."""
+    canonical = json.dumps({**data, "digest": ""}, sort_keys=True)
+    return json.dumps({**data, "digest": hashlib.sha256(canonical.encode()).hexdigest()})
+
+
+def names_in(data):
+    """All names that occur in a certificate."""
+    if isinstance(data, str):
+        return {data}
+    if isinstance(data, list):
+        return {name for item in data for name in names_in(item)}
+    if isinstance(data, dict):
+        return {name for item in data.values() for name in names_in(item)}
+    return set()
+
+
+def places(data, path=()):
+    """The paths to everything below a value."""
+    if isinstance(data, dict):
+        for key, item in data.items():
+            yield (*path, key)
+            yield from places(item, (*path, key))
+    elif isinstance(data, list):
+        for k, item in enumerate(data):
+            yield (*path, k)
+            yield from places(item, (*path, k))
+
+
+def at(data, path):
+    for step in path:
+        data = data[step]
+    return data
+
+
+def changed(data, path, value):
+    """A copy of the data with another value at the end of a path; ``None`` takes it away."""
+    data = deepcopy(data)
+    if value is None:
+        del at(data, path[:-1])[path[-1]]
+    else:
+        at(data, path[:-1])[path[-1]] = value
+    return data
+
+
+def mutants(data, path, names):
+    """Certificates that differ at one place, with words for the change."""
+    value = at(data, path)
+    if path[0] not in ("spaces", "parts"):
+        return
+    new = []
+    if isinstance(value, bool):
+        new = [not value]
+    elif isinstance(value, int):
+        new = [value + 1, value - 1, -value, 2 * value, 0, True, 0.5]
+    elif isinstance(value, str):
+        new = list(OTHERS.get(value, ())) if value in OTHERS else [n for n in names if n != value]
+    elif isinstance(value, list) and value:
+        new = [value[:-1], value[1:], [*value, value[-1]]]
+        if len(value) > 1:
+            new += [[value[1], value[0], *value[2:]], [*value[:-2], value[-1], value[-2]]]
+        if isinstance(value[0], str):
+            new += [["-", value], ["+", value, 1], ["*", 2, value], ["/", value, 0], 0]
+    elif isinstance(value, dict):
+        new = [{**value, "note": 1}]
+    for item in new:
+        if type(item) is not type(value) or item != value:
+            yield f"{path} = {str(item)[:60]}", changed(data, path, item)
+    yield f"{path} deleted", changed(data, path, None)

@@ -1,0 +1,142 @@
+"""What is searched for has the property for which it is searched."""
+
+from fractions import Fraction
+from itertools import islice
+
+import pytest
+from flint import Ordering, fmpq, fmpq_mpoly_ctx
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from kowalevski_cas.claims import Identity
+from kowalevski_cas.search.cofactors import cofactors, pseudo_divide
+from kowalevski_cas.search.exact_solutions import value
+from kowalevski_cas.search.points import constant, points
+from kowalevski_cas.search.squares import sum_of_squares
+from kowalevski_cas.search.weights import weights
+from tests.arithmetic.strategies import nonzero, simple, terms, tower
+from tests.claims.small import Oscillator, decide
+
+RING = tower("flint")
+CONTEXT = fmpq_mpoly_ctx.get(("x", "y", "z"), Ordering.lex)
+
+
+def polynomial(a):
+    return CONTEXT.from_dict({e: fmpq(v.numerator, v.denominator) for e, v in a.items()})
+
+
+@given(simple, simple, simple, simple)
+def test_cofactors_of_a_combination_are_cofactors(a, b, g, h):
+    a, b, g, h = (RING.from_terms(parts) for parts, _ in (a, b, g, h))
+    assume(not g.is_zero and not h.is_zero)
+    target = a * g + b * h
+    found = cofactors(target, [g, h], [("x",), ("y",)])
+    if found is not None:
+        assert (target - found[0] * g - found[1] * h).is_zero
+
+
+@given(simple, terms(2, 1))
+def test_a_multiple_of_one_generator_is_recognised(a, g):
+    a, g = RING.from_terms(a[0]), RING.from_terms({0: g})
+    found = cofactors(a * g, [g], [])
+    assert found is not None and (a * g - found[0] * g).is_zero
+
+
+def test_no_combination_is_none():
+    x, y = RING.generator("x"), RING.generator("y")
+    assert cofactors(x, [y], [("x",), ("y",)]) is None
+    assert cofactors(RING.one, [x, y], []) is None
+
+
+@given(terms(3), terms(2, 1), terms(2, 1))
+def test_pseudo_division_is_an_identity(a, g, h):
+    p, q, r = map(polynomial, (a, g, h))
+    for main in ((0, 1, 2), (0,), (1, 2)):
+        unit, (s, t), rest = pseudo_divide(p, [q, r], main)
+        assert unit * p == s * q + t * r + rest
+        assert not any(unit.degrees()[k] for k in main)
+
+
+@given(terms(3, 1), terms(3, 1))
+def test_points_lie_on_their_constraints_and_off_what_they_avoid(a, b):
+    p, q = polynomial(a), polynomial(b)
+    for at in islice(points([p], range(3), [q]), 3):
+        assert constant(p, at) == 0 != constant(q, at)
+
+
+def test_points_of_a_sphere_and_of_nothing():
+    x, y, z = CONTEXT.gens()
+    found = list(islice(points([x**2 + y**2 + z**2 - 1, x * y - z**2 + z], range(3)), 2))
+    assert all(
+        constant(x**2 + y**2 + z**2 - 1, p) == 0 == constant(x * y - z**2 + z, p) for p in found
+    )
+    assert any(True for _ in points([x**2 + y**2 + z**2 - 1], range(3)))
+    assert list(islice(points([x**2 + y**2 + z**2 + 1], range(3)), 1)) == []
+    assert list(points([x - x + 1], range(3))) == []
+
+
+@given(st.lists(st.tuples(nonzero.map(abs), terms(3, 1)), min_size=1, max_size=3))
+def test_a_sum_of_squares_is_one(squares):
+    total = sum(
+        (fmpq(f.numerator, f.denominator) * polynomial(base) ** 2 for f, base in squares),
+        CONTEXT.constant(0),
+    )
+    sum_terms = {e: Fraction(int(v.p), int(v.q)) for e, v in total.to_dict().items()}
+    found = sum_of_squares({tuple(map(int, e)): v for e, v in sum_terms.items()})
+    if found is not None:
+        assert all(factor > 0 for factor, _ in found)
+        again = sum(
+            (fmpq(f.numerator, f.denominator) * polynomial(b) ** 2 for f, b in found),
+            CONTEXT.constant(0),
+        )
+        assert again == total
+
+
+def test_what_is_negative_somewhere_is_no_sum_of_squares():
+    one = Fraction(1)
+    assert sum_of_squares({(2, 0): one, (0, 2): -one}) is None
+    assert sum_of_squares({(2, 0): one, (1, 1): 3 * one, (0, 2): one}) is None
+    assert sum_of_squares({(1, 0): one}) is None
+
+
+def test_weights_make_polynomials_homogeneous():
+    one = Fraction(1)
+    assert weights([{(2, 0, 0): one, (0, 1, 0): one}, {(1, 1, 0): one, (0, 0, 1): one}]) == (
+        1,
+        2,
+        3,
+    )
+    assert weights([{(1, 0): one}]) is None
+    assert weights([{(1, 0): one, (2, 0): one}]) is None
+
+
+def test_the_value_of_a_polynomial():
+    assert value({(2, 1): Fraction(3), (0, 0): Fraction(1)}, (Fraction(1, 2), 4)) == 4
+
+
+@pytest.mark.parametrize(
+    ("wrong", "right"),
+    [
+        (r"\dot x = -v", r"\dot{x} = v"),
+        (r"\dot x = x", r"\dot{x} = v"),
+        (r"2E = x^2 - v^2", "2E = x^2 + v^2"),
+        (r"2E = x^2 + v", "2E = x^2 + v^2"),
+        (r"2E = x^3 + v^2", "2E = x^2 + v^2"),
+        (r"3E = x^2 + v^2", "2E = x^2 + v^2"),
+        (r"E = x^2 + v^2", None),
+        (r"\frac{d}{dt}(xv) = v^2 - x", r"\frac{d}{dt}(xv) = v^2 - x^2"),
+    ],
+)
+def test_a_single_slip_is_mended(wrong, right):
+    small = Oscillator()
+    (outcome,) = decide(small.section, Identity("t", small.scene, small(wrong), ""))
+    assert outcome.verdict == "refuted"
+    assert outcome.correction is not None and outcome.correction.verdict.green
+    if right is not None:
+        assert outcome.correction.printed.replace(" ", "") == right.replace(" ", "")
+
+
+def test_a_hopeless_formula_has_no_correction():
+    small = Oscillator()
+    (outcome,) = decide(small.section, Identity("t", small.scene, small("x^5+7=v^3-x+2"), ""))
+    assert outcome.verdict == "refuted" and outcome.correction is None

@@ -1,0 +1,260 @@
+"""A scene in an arithmetic: evaluation, derivatives, conjugation, changes of variables."""
+
+import random
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kowalevski_cas.arithmetic import EXACT, load
+from kowalevski_cas.library import load as load_derivation
+from kowalevski_cas.notation import (
+    Conjugate,
+    Derivative,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    read,
+    to_latex,
+)
+from kowalevski_cas.stage import Stage, StageError, evaluate, scalar
+from kowalevski_cas.stage.residues import PRIME, Jet, ResidueStage
+from tests.stage.formulas import COMPLEX, REAL, formulas
+
+DERIVATION = load_derivation("kharlamov2002")
+SOURCES = {"eq9.i": "i^2=-1"}  # as corrected
+TEXTS = DERIVATION.texts(SOURCES)
+SCENES = {scene.name: scene for scene in DERIVATION.scenes()}
+STAGES: dict = {}
+
+
+def stage(scene, arithmetic="flint"):
+    if (scene, arithmetic) not in STAGES:
+        STAGES[scene, arithmetic] = Stage(SCENES[scene], load(arithmetic), TEXTS)
+    return STAGES[scene, arithmetic]
+
+
+def same(a, b):
+    return (a - b).is_zero
+
+
+every_arithmetic = pytest.mark.parametrize("name", EXACT)
+real, complex_ = formulas(REAL), formulas(COMPLEX)
+
+
+@every_arithmetic
+@given(real, real)
+def test_evaluation_is_a_homomorphism(name, f, g):
+    on = stage("Kowalevski case", name)
+    a, b = scalar(f, on), scalar(g, on)
+    assert same(scalar(Sum((f, g)), on), a + b)
+    assert same(scalar(Product((f, g)), on), a * b)
+    assert same(scalar(Negative(f), on), -a)
+    assert same(scalar(Power(f, Number(3)), on), a * a * a)
+    if not b.is_zero:
+        assert same(scalar(Quotient(f, g), on) * b, a)
+
+
+@given(real)
+def test_what_is_printed_has_the_same_value(f):
+    on = stage("Kowalevski case")
+    assert same(scalar(read(to_latex(f), TEXTS.vocabulary), on), scalar(f, on))
+
+
+@every_arithmetic
+@given(real, real, st.integers(-3, 3))
+def test_the_dot_is_a_derivation(name, f, g, n):
+    on = stage("Kowalevski case", name)
+
+    def dot(h):
+        return scalar(Derivative(h, "dot"), on)
+
+    a, b, k = scalar(f, on), scalar(g, on), on.ring.number(n)
+    assert same(dot(Product((f, g))), dot(f) * b + a * dot(g))
+    assert same(on.derivative(a + k * b), dot(f) + k * dot(g))
+    assert dot(Number(5)).is_zero
+
+
+@given(real)
+def test_the_arithmetics_agree(f):
+    terms = [scalar(Derivative(f, "dot"), stage("Kowalevski case", name)).terms() for name in EXACT]
+    assert terms[0] == terms[1] == terms[2]
+
+
+@every_arithmetic
+@given(complex_)
+def test_a_change_of_variables_commutes_with_the_derivative(name, f):
+    new, old = stage("complex variables", name), stage("initial variables", name)
+    differentiated_then_substituted = old.carry(scalar(Derivative(f, "prime"), new))
+    substituted_then_differentiated = scalar(Derivative(f, r"\tau"), old)
+    assert same(differentiated_then_substituted, substituted_then_differentiated)
+    # and tau = it: the derivative by t is i times the one by tau
+    i = old.ring.generator("i")
+    assert same(scalar(Derivative(f, "dot"), old), i * substituted_then_differentiated)
+
+
+@pytest.mark.parametrize("name", REAL)
+def test_the_old_variables_are_known_through_the_new_ones(name):
+    old, again = stage("initial variables"), stage("complex variables, all constants")
+    printed = {"x_1": r"(\alpha_1-\beta_2)+i(\alpha_2+\beta_1)", "w_2": r"\omega_1-i\omega_2"}
+    for new, tex in printed.items():
+        assert same(scalar(TEXTS.expression(tex), again), again.value(new))
+        assert same(scalar(TEXTS.expression(tex), old), scalar(TEXTS.expression(new), old))
+    assert same(again.value(name, False), scalar(Conjugate(TEXTS.expression(name)), again))
+
+
+@given(complex_, complex_)
+def test_conjugation_is_an_involution_and_commutes_with_everything(f, g):
+    on = stage("complex variables, all constants")
+    bar = Conjugate
+    assert same(scalar(bar(bar(f)), on), scalar(f, on))
+    assert same(scalar(bar(Sum((f, g))), on), scalar(bar(f), on) + scalar(bar(g), on))
+    assert same(scalar(bar(Product((f, g))), on), scalar(bar(f), on) * scalar(bar(g), on))
+    # tau is imaginary on real motions: conjugation changes the sign of the prime
+    assert same(scalar(bar(Derivative(f, "prime")), on), -scalar(Derivative(bar(f), "prime"), on))
+
+
+@given(complex_)
+def test_conjugation_commutes_with_the_change(f):
+    new, old = stage("complex variables"), stage("initial variables")
+    assert same(old.carry(scalar(f, new, True)), scalar(f, old, True))
+
+
+@given(complex_)
+def test_real_and_imaginary_parts(f):
+    on = stage("complex variables, all constants")
+    i = on.ring.generator("i")
+    re, im = (
+        scalar(read(rf"\mathop{{\rm {op}}}\nolimits ({to_latex(f)})", TEXTS.vocabulary), on)
+        for op in ("Re", "Im")
+    )
+    assert same(re + i * im, scalar(f, on))
+    assert same(re - i * im, scalar(f, on, True))
+
+
+def value(tex, scene="Kowalevski case"):
+    return evaluate(TEXTS.expression(tex), stage(scene))
+
+
+@pytest.mark.parametrize(
+    "tex",
+    [
+        r"({\bs\alpha}\times{\bs\beta},{\bs\alpha})",
+        r"({\bs\alpha}\times{\bs\beta},{\bs\omega})+({\bs\beta}\times{\bs\alpha},{\bs\omega})",
+        r"({\bs\alpha}\times{\bs\beta},{\bs\alpha}\times{\bs\beta})-({\bs\alpha},{\bs\alpha})({\bs\beta},{\bs\beta})+({\bs\alpha},{\bs\beta})^2",
+        r"({\bs\alpha}\times({\bs\beta}\times{\bs\omega}),{\bs\omega})-({\bs\alpha},{\bs\omega})({\bs\beta},{\bs\omega})+({\bs\alpha},{\bs\beta})({\bs\omega},{\bs\omega})",
+        r"({\bs\alpha},{\bs\beta})-\alpha_1\beta_1-\alpha_2\beta_2-\alpha_3\beta_3",
+    ],
+)
+def test_identities_of_vectors(tex):
+    assert value(tex).is_zero
+
+
+def test_vectors_move_by_components():
+    rates = value(r"\dot{\bs\alpha}")
+    assert [same(a, value(rf"\dot\alpha_{k}")) for k, a in enumerate(rates, 1)] == [True] * 3
+    assert all(
+        same(a, b) for a, b in zip(value(r"{\bs\alpha}\times{\bs\omega}"), rates, strict=True)
+    )
+
+
+def test_the_printed_equations_of_the_complex_variables():
+    on = stage("complex variables")
+    for row in (
+        r"2z'_1-x_1w_2+y_2w_1",
+        r"2w'_1+w_1\omega_3+z_1",
+        r"x_1'+x_1\omega_3-z_1w_1",
+        r"2\omega_3'-y_2+y_1",
+    ):
+        assert scalar(TEXTS.expression(row), on).is_zero
+
+
+@pytest.mark.parametrize(
+    ("tex", "scene", "message"),
+    [
+        ("x_1", "Kowalevski case", "x_1 has no meaning on the scene “Kowalevski case”"),
+        (r"\frac{1}{\alpha_1-\alpha_1}", "Kowalevski case", r"division by \alpha_1 - \alpha_1, which vanishes identically"),
+        (r"(\alpha_1-\alpha_1)^{-1}", "Kowalevski case", r"division by \alpha_1 - \alpha_1, which vanishes identically"),
+        (r"\sqrt{\alpha_1}", "Kowalevski case", r"the scene “Kowalevski case” declares no root of \alpha_1"),
+        (r"\sqrt{x_1}", "complex variables with the root", "the scene “complex variables with the root” declares no root of x_1"),
+        (r"\alpha_1'", "Kowalevski case", "no derivative is printed as “prime” on “Kowalevski case”"),
+        (r"\alpha_1^{\alpha_2}", "Kowalevski case", r"the power \alpha_1^\alpha_2 is not declared"),
+        (r"\dots", "Kowalevski case", r"\ldots has no value of its own"),
+    ],
+)  # fmt: skip
+def test_what_has_no_meaning_says_so(tex, scene, message):
+    with pytest.raises(StageError) as raised:
+        value(tex, scene)
+    assert str(raised.value).replace("{", "").replace("}", "") == message.replace("{", "").replace(
+        "}", ""
+    )
+
+
+def test_the_name_to_blame_is_told():
+    with pytest.raises(StageError) as raised:
+        value("x_1")
+    assert raised.value.name == "x_1"
+
+
+def test_relations_of_the_scene_hold():
+    on = stage("complex variables with the root")
+    assert scalar(TEXTS.expression(r"(\sqrt{x_1x_2})^2-x_1x_2"), on).is_zero
+    assert scalar(TEXTS.expression("z_1^2+x_1y_2-c_1"), on).is_zero
+    assert scalar(TEXTS.expression("(z_1^2+x_1y_2)'"), on).is_zero
+
+
+def test_what_is_set_to_zero_is_zero():
+    assert value(r"\beta_1", "one field").is_zero
+    assert all(b.is_zero for b in value(r"{\bs\beta}", "one field"))
+    assert same(value(r"\xi_1", "one field"), value(r"\alpha_1", "one field"))
+
+
+SCREENED = ["Kowalevski case", "complex variables", "complex variables with the root", "one field"]
+
+
+@pytest.mark.parametrize("scene", SCREENED)
+@pytest.mark.parametrize("seed", [1, 2])
+def test_at_a_point_modulo_a_prime_everything_is_as_it_is_exactly(scene, seed):
+    exact = stage(scene)
+    residues = ResidueStage(exact, seed)
+    choose = random.Random(seed)
+    names = list(exact.scene.variables)
+    mark = "dot" if exact.scene.time == "t" else "prime"
+    for _ in range(20):
+        a, b, c = (read(choose.choice(names), TEXTS.vocabulary) for _ in range(3))
+        f = Sum((Product((a, b)), Negative(Quotient(c, Sum((a, Number(1)))))))
+        for formula in (f, Derivative(f, mark)):
+            expected = residues.jet(scalar(formula, exact)).value
+            assert scalar(formula, residues).value == expected
+            assert scalar(Sum((formula, Negative(formula))), residues).is_zero
+
+
+@given(
+    st.integers(0, PRIME - 1),
+    st.integers(0, PRIME - 1),
+    st.integers(1, PRIME - 1),
+    st.integers(0, PRIME - 1),
+)
+def test_residues_with_rates_obey_leibniz_and_inverse(a, da, b, db):
+    p, q = Jet(a, da), Jet(b, db)
+    assert (p * q).rate == (a * db + b * da) % PRIME
+    assert (q * q.inverse() - Jet(1, 0)).is_zero and (q * q.inverse()).rate == 0
+    assert (p**2).rate == 2 * a * da % PRIME
+    assert ((p - p).value, (p - p).rate) == (0, 0)
+
+
+def test_a_second_derivative_is_not_screened():
+    residues = ResidueStage(stage("Kowalevski case"))
+    with pytest.raises(StageError, match="only first derivatives are screened"):
+        scalar(TEXTS.expression(r"\frac{d}{dt}\dot\alpha_1"), residues)
+
+
+def test_an_image_takes_the_values_that_it_is_given():
+    on = stage("Kowalevski case")
+    image = {name: on.ring.number(Fraction(k, 2)) for k, name in enumerate(REAL)}
+    at = Stage(on.scene, on.arithmetic, TEXTS, on.ring, image)
+    assert same(scalar(TEXTS.expression(r"\omega_2\alpha_1"), at), on.ring.number(Fraction(3, 4)))

@@ -1,0 +1,57 @@
+"""Derivations are found by name or by path, and loaded from their folders."""
+
+import pytest
+
+from kowalevski_cas.library import LibraryError, available, find, library, load
+
+
+def test_the_library_has_the_paper():
+    assert "kharlamov2002" in available()
+    assert find("kharlamov2002") == library() / "kharlamov2002"
+    assert load("kharlamov2002").author == "M. P. Kharlamov"
+
+
+def test_a_path_is_as_good_as_a_name():
+    assert load(str(library() / "kharlamov2002")).name == "kharlamov2002"
+
+
+def test_what_is_loaded_twice_is_loaded_anew(tmp_path):
+    initial = tmp_path / "__init__.py"
+    source = "from kowalevski_cas.derivation import Derivation\nderivation = Derivation({!r}, '', '', '', ())\n"
+    initial.write_text(source.format("first"))
+    assert load(str(tmp_path)).name == "first"
+    initial.write_text(source.format("the second"))
+    assert load(str(tmp_path)).name == "the second"
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "{file} does not define `derivation = Derivation(...)`"),
+        ("1 +", "{file}:1: SyntaxError: invalid syntax"),
+        ("x = 1\nx.y", "{file}:2: AttributeError: 'int' object has no attribute 'y'"),
+        ("from . import nothing", "{file}:1: ImportError"),
+    ],
+)
+def test_the_message_names_file_and_line(tmp_path, text, message):
+    initial = tmp_path / "__init__.py"
+    initial.write_text(text)
+    with pytest.raises(LibraryError) as raised:
+        load(str(tmp_path))
+    assert str(raised.value).startswith(message.format(file=initial))
+
+
+def test_what_is_not_there_is_said_with_what_is():
+    with pytest.raises(
+        LibraryError, match="there is no derivation “euler1758”; the library has: kharlamov2002"
+    ):
+        find("euler1758")
+
+
+def test_a_file_is_no_derivation(tmp_path):
+    file = tmp_path / "paper.tex"
+    file.write_text("")
+    with pytest.raises(
+        LibraryError, match=r"is no derivation: a folder with an __init__\.py is expected"
+    ):
+        find(str(file))
