@@ -101,7 +101,7 @@ class AuditSession(Session):
     ) -> None:
         derivation = memory.derivation
         super().__init__(
-            derivation, memory.arithmetics, False, dict(memory.evidence), memory.timeout
+            derivation, memory.arithmetics, False, _evidence(memory, sources or {}), memory.timeout
         )
         self.memory = memory
         self.stages = memory.stages
@@ -220,6 +220,16 @@ class AuditSession(Session):
         bench = Bench(self.arithmetics[0], texts, False, {}, self.stages, refute=not green)
         verdict = self._decide(claim, bench).verdict
         return verdict.green if green else verdict is expected.verdict
+
+
+def _evidence(memory: Memory, sources: Iterable[Display]) -> dict[str, Evidence]:
+    """The evidence that was kept, without corrections of displays that are typed otherwise."""
+    typed = {display.id for display in sources}
+    kept = dict(memory.evidence)
+    for claim, entry in memory.evidence.items():
+        if entry.correction is not None and entry.correction.place.rpartition(".")[0] in typed:
+            kept[claim] = Evidence(entry.digest, entry.found)
+    return kept
 
 
 def _changed(texts: Texts, own: Texts, sources: Iterable[Display]) -> frozenset[Printed]:

@@ -243,7 +243,7 @@ class Space:
         values = [self.value(part) for part in tree[1:]]
         if op in ("vector", "diag"):
             return tuple(value for (value,) in values)
-        if op in ("+", "*", "/", "dot", "cross") and rest:
+        if rest and op in ("+", "*", "/", "dot", "cross")[: 5 if len(rest) == 1 else 3]:
             return reduce(partial(self.binary, op), values)
         need(not rest, f"{op} is not understood")
         return tuple(self.unary(op, value) for value in values[0])

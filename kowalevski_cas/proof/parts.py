@@ -31,17 +31,20 @@ class Parts:
         self.bench = self.mended = bench
         self.spaces: list[SpaceWriter] = []
         self.parts: list[dict[str, Any]] = []
+        self._known: dict[object, SpaceWriter] = {}
         self.notes: list[str] = []
 
-    def space(self, scene: Scene, fresh: bool = False) -> SpaceWriter:
-        """The space of a scene under the texts of the bench."""
-        stage = self.bench.finder.stage(scene)
-        for known in self.spaces:
-            if known.stage is stage and not fresh:
-                return known
-        source = self.space(scene.field.source) if isinstance(scene.field, Change) else None
-        self.spaces.append(SpaceWriter(stage, len(self.spaces), source))
-        return self.spaces[-1]
+    def space(self, scene: Scene) -> SpaceWriter:
+        """The space of a scene; shared by the printed and the corrected texts if they agree on it."""
+        bench = self.bench.finder
+        stage = bench.stage(scene)
+        key = (scene, bench.texts.changes(frozenset(scene.places())))
+        if key not in self._known:
+            source = self.space(scene.field.source) if isinstance(scene.field, Change) else None
+            self._known[key] = SpaceWriter(stage, len(self.spaces), source)
+            self.spaces.append(self._known[key])
+        self._known[key].stage = stage
+        return self._known[key]
 
     # -- equations ---------------------------------------------------------------
 

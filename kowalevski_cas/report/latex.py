@@ -8,43 +8,20 @@ from typing import TYPE_CHECKING, Final
 
 from kowalevski_cas.proof.outcome import Outcome, Point, Run, Verdict
 from kowalevski_cas.report import mathematics
-from kowalevski_cas.report.context import Report, listed, number, report
-from kowalevski_cas.report.graph import anchor
+from kowalevski_cas.report.context import Report, report
+from kowalevski_cas.report.escaping import ascii_only, escaped, quoted, words
+from kowalevski_cas.report.graph.svg import svg
+from kowalevski_cas.report.graph.tikz import tikz
 from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.names import anchor
+from kowalevski_cas.report.sentences import listed, number
 
 if TYPE_CHECKING:
     from jinja2 import Environment
 
 TEMPLATES: Final = Path(__file__).parent / "templates"
 
-_SPECIAL: Final = {
-    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#",
-    "%": r"\%", "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}",
-    "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}",
-    "–": "--", "—": "---", "…": r"\dots{}", "“": "``", "”": "''", "‘": "`", "’": "'",
-    "§": r"\S{}", "\u00a0": "~", "\u202f": r"\,", "\u2009": r"\,",
-}  # fmt: skip
-_GREEK: Final = dict(
-    zip(
-        "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ",
-        "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma "
-        "tau upsilon varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi "
-        "Omega".split(),
-        strict=True,
-    )
-)
-_SIGNS: Final = {
-    "−": "-", "×": r"\times ", "·": r"\cdot ", "′": "'", "″": "''", "≠": r"\ne ", "≤": r"\le ",
-    "≥": r"\ge ", "≡": r"\equiv ", "≈": r"\approx ", "→": r"\to ", "∈": r"\in ", "∞": r"\infty ",
-    "√": r"\surd ", "∂": r"\partial ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
-    "½": r"\tfrac12 ", "¼": r"\tfrac14 ", "⟨": r"\langle ", "⟩": r"\rangle ", "ℓ": r"\ell ",
-    "⇒": r"\Rightarrow ", "⇔": r"\Leftrightarrow ", "∧": r"\land ", "∨": r"\lor ",
-    "∪": r"\cup ", "∩": r"\cap ", "⊂": r"\subset ", "∅": r"\emptyset ", "∇": r"\nabla ",
-    "ℝ": r"\mathbf{R}", "ℂ": r"\mathbf{C}", "ℚ": r"\mathbf{Q}", "ℤ": r"\mathbf{Z}",
-    "✓": r"\checkmark ", "✗": r"\times ",
-}  # fmt: skip
-_RAISED: Final = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺ⁿ", "0123456789-+n")
-_LOWERED: Final = str.maketrans("₀₁₂₃₄₅₆₇₈₉₋₊ₙᵢⱼₖ", "0123456789-+nijk")
+_LINES: Final = 12  # longer displays of the program's own steps are shortened by dots
 
 
 def render_latex(run: Run) -> str:
@@ -68,7 +45,7 @@ def render_typst(run: Run, body: str) -> str:
 
 def render_picture(run: Run) -> str:
     """The picture of which claim rests on which, as SVG."""
-    return report(run).picture.svg()
+    return svg(report(run).picture)
 
 
 def _render(arranged: Report, target: str) -> str:
@@ -99,9 +76,10 @@ def _environment() -> Environment:
         words=words,
         inline=inline,
         plain=mathematics.plain,
-        ascii=_ascii,
+        ascii=ascii_only,
         anchor=anchor,
-        typst=_typst,
+        tikz=tikz,
+        typst=quoted,
         display=display,
         displays=displays,
         number=number,
@@ -123,51 +101,6 @@ def _environment() -> Environment:
 # ---------------------------------------------------------------------- filters
 
 
-def words(text: str) -> str:
-    r"""Plain text with mathematics between dollars, as LaTeX.
-
-    >>> words("50% of $x_1$ & the_rest, ω₁ ≠ 0")
-    '50\\% of $x_1$ \\& the\\_rest, $\\omega _1$ $\\ne $ 0'
-    """
-    parts = text.split("$")
-    if len(parts) % 2 == 0:  # a dollar too many: none of them means mathematics
-        return _escaped(text)
-    return "".join(
-        f"${mathematics.plain(part)}$" if k % 2 else _escaped(part) for k, part in enumerate(parts)
-    )
-
-
-def _escaped(text: str) -> str:
-    text = re.sub(r'"([^"\n]*)"', "“\\1”", text)
-    return "".join(map(_letter, text)).replace("$$", "")
-
-
-def _letter(letter: str) -> str:
-    if letter in _SPECIAL:
-        return _SPECIAL[letter]
-    if letter in _GREEK:
-        return f"$\\{_GREEK[letter]} $"
-    if letter in _SIGNS:
-        return f"${_SIGNS[letter]}$"
-    if (plain := letter.translate(_RAISED)) != letter:
-        return f"$^{plain}$"
-    if (plain := letter.translate(_LOWERED)) != letter:
-        return f"$_{plain}$"
-    if letter.isascii() or "À" <= letter <= "ſ":
-        return letter if letter.isprintable() or letter in "\n\t" else ""
-    return f"[U+{ord(letter):04X}]"
-
-
-def _ascii(text: str) -> str:
-    """A text for the properties of a PDF, where LaTeX means nothing."""
-    return re.sub(r"[^ -~]|[\\\\{}$&#%_^~]", "", text)
-
-
-def _typst(text: str) -> str:
-    """A text between double quotes in Typst."""
-    return text.replace("\\", "\\\\").replace('"', '\\"')
-
-
 def inline(tex: str) -> str:
     """A formula within a sentence."""
     return f"${mathematics.plain(tex)}$"
@@ -180,11 +113,11 @@ def display(tex: str, room: float) -> str:
 
 def displays(formulas: tuple[str, ...], room: float) -> str:
     """What belongs to one step: in one display if that is not too high for a page."""
-    if 1 < len(formulas) <= mathematics.LINES:
+    if 1 < len(formulas) <= _LINES:
         together = mathematics.displays(formulas, room)
-        if together.count("\\\\\n") < mathematics.LINES:
+        if together.count("\\\\\n") < _LINES:
             return _displayed(together)
-    inside = [mathematics.display(tex, room, lines=mathematics.LINES) for tex in formulas]
+    inside = [mathematics.display(tex, room, lines=_LINES) for tex in formulas]
     return "\n".join(map(_displayed, inside))
 
 
@@ -229,11 +162,11 @@ def sentence(text: str, end: str = ".") -> str:
 
 def link(claim: str) -> str:
     """A claim's id, leading to the place where it is treated."""
-    return rf"\hyperlink{{claim.{anchor(claim)}}}{{\texttt{{{_escaped(claim)}}}}}"
+    return rf"\hyperlink{{claim.{anchor(claim)}}}{{\texttt{{{escaped(claim)}}}}}"
 
 
 def links(claims: tuple[str, ...]) -> str:
-    """Several ids; consecutive rows of one display are drawn together."""
+    """Several ids, as a list in words."""
     return listed([link(claim) for claim in claims])
 
 

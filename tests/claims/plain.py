@@ -188,6 +188,7 @@ def motion(point):
         "w_1": W[0] + i * W[1], "w_2": W[0] - i * W[1],
         "c_1": aa - bb + 2 * i * ab, "c_2": aa - bb - 2 * i * ab,
     }  # fmt: skip
+    names["j"] = names["J_3"]
     names["a"] = Dual(n["a"]) if "a" in n else aa.root()
     names["b"] = Dual(n["b"]) if "b" in n else Dual(0) if not any(b) else bb.root()
     names["k"] = Dual(n["k"]) if "k" in n else K

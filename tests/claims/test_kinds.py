@@ -142,8 +142,15 @@ def test_dimension_and_independence(top):
         )
 
     def independence(*functions):
+        printed = tuple(top(f"{function}=1") for function in functions)
         return Independence(
-            "i" + functions[-1], top.scene, None, "", levels=(), equations=(), functions=functions
+            f"i{len(functions[-1])}",
+            top.scene,
+            None,
+            "",
+            levels=(),
+            equations=(),
+            functions=printed,
         )
 
     sphere = rf"{MOMENTUM}=1"
@@ -358,10 +365,9 @@ def test_functions_of_low_rank_at_a_few_points_may_be_independent():
     f = section.display("f", r"\dot x=0,\quad \dot y=0")
     scene = Scene("plane", "", variables=("x", "y"), field=(f[1], f[2]))
     special = "".join(f"(y-{n})(y+{n})" for n in range(1, 7))
-    claim = Independence(
-        "t", scene, None, "", levels=(), equations=(), functions=("x", f"[{special}]^2")
-    )
-    assert verdicts(section, claim) != ["refuted"]
+    g = section.display("g", rf"x=0,\quad [{special}]^2=0")
+    claim = Independence("t", scene, None, "", levels=(), equations=(), functions=(g[1], g[2]))
+    assert verdicts(section, claim) not in (["refuted"], ["error"])
 
 
 @known

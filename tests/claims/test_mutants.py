@@ -1,6 +1,6 @@
 """Mutants: a sign, an index, a power changed. False ones are refuted at points that are checked here."""
 
-from itertools import islice
+from itertools import islice, pairwise
 
 import pytest
 
@@ -89,7 +89,7 @@ def test_the_two_values_are_those_that_plain_python_finds(session, id):
             assert value(found.right) == 0 != value(found.left)
         elif isinstance(claim, Identity):
             values = [evaluate(member, names).value for member in members]
-            pairs = [*zip(values, values[1:], strict=False)]
+            pairs = [*pairwise(values)]
             if isinstance(formula.members[-1], Constant):
                 pairs.append((evaluate(members[0], names).rate, 0))
             shown = value(found.left), value(found.right)

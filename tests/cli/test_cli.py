@@ -371,7 +371,6 @@ def test_seconds_are_a_finite_number(cli, write, seconds):
         't = s.display("t", "x=v")\ns.claim(FirstIntegral("bad", osc, t[1], ""))',
         't = s.display("t", "x")\ns.claim(Coefficient("bad", osc, t[1], "", variable="x"))',
         claim('"x = 5^{100000}"'),
-        't = s.display("t", "x=x")\ns.claim(InvariantRelations("bad", osc, None, "", relations=(t[1],), names=("x",)))',
     ],
 )
 def test_a_claim_that_makes_no_sense_is_an_error(cli, write, body):

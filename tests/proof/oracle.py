@@ -10,8 +10,9 @@ from __future__ import annotations
 import random
 
 from flint import nmod, nmod_mat
+from flint.utils.flint_exceptions import DomainError
 
-PRIME = 2**61 - 259  # 5 modulo 8: -1 has a square root
+PRIME = 2305843009213423681  # 1 modulo 8, 3, 5, 7, 11, 13: small numbers have square roots
 POINTS = 2
 
 
@@ -29,11 +30,10 @@ def number(value):
 
 
 def square_root(value):
-    value = int(value)
-    root = pow(value, (PRIME + 3) // 8, PRIME)
-    if root * root % PRIME != value:
-        root = root * pow(2, (PRIME - 1) // 4, PRIME) % PRIME
-    return number(root) if root * root % PRIME == value else None
+    try:
+        return nmod(int(value), PRIME).sqrt()
+    except (ValueError, ZeroDivisionError, DomainError):
+        return None
 
 
 def part(tree, k):
@@ -92,11 +92,14 @@ class Names:
         rest = [self.open(x) for x in rest]
         if op == "dot":
             a, b = rest
-            return ["+", *(["*", part(a, k), part(b, k)] for k in range(3))]
+            require(self.wide(a) and self.wide(b) and len(a) == len(b), "no vectors")
+            return ["+", *(["*", part(a, k), part(b, k)] for k in range(len(a) - 1))]
         if op == "cross":
             return ["vector", *(part(["cross", *rest], k) for k in range(3))]
         if op in ("*", "/", "+", "-", "D", "conj") and any(self.wide(x) for x in rest):
-            return ["vector", *(self.open([op, *(part(x, k) if self.wide(x) else x for x in rest)]) for k in range(3))]
+            (size,) = {len(x) - 1 for x in rest if self.wide(x)}
+            rows = ([part(x, k) if self.wide(x) else x for x in rest] for k in range(size))
+            return ["vector", *(self.open([op, *row]) for row in rows)]
         if op == "D":
             return self.along(rest[0])
         if op == "conj":

@@ -4,6 +4,7 @@ from xml.etree import ElementTree
 
 from kowalevski_cas.proof.outcome import Outcome, Verdict
 from kowalevski_cas.report.graph import WIDTH, picture
+from kowalevski_cas.report.graph.svg import svg
 from tests.report.fixtures import P, R, claim, outcomes
 
 
@@ -60,6 +61,6 @@ def test_boxes_do_not_overlap_and_layers_are_no_wider_than_the_page() -> None:
 
 
 def test_svg_is_well_formed_and_self_contained() -> None:
-    root = ElementTree.fromstring(picture(outcomes()).svg())
+    root = ElementTree.fromstring(svg(picture(outcomes())))
     assert root.tag.endswith("svg")
     assert len(root.findall("{*}rect")) == len(picture(outcomes()).boxes)

@@ -17,7 +17,8 @@ from kowalevski_cas.proof.outcome import (
 )
 from kowalevski_cas.report import render_latex
 from kowalevski_cas.report.context import report
-from kowalevski_cas.report.latex import point, sentence, thousands, words
+from kowalevski_cas.report.escaping import words
+from kowalevski_cas.report.latex import point, sentence, thousands
 from tests.report.fixtures import P, R, claim, run
 
 

@@ -97,6 +97,25 @@ def test_a_change_of_variables_commutes_with_the_derivative(name, f):
     assert same(scalar(Derivative(f, "dot"), old), i * substituted_then_differentiated)
 
 
+def old_in_new(name, on):
+    """The change (9), inverted by hand."""
+    half, i = on.half, on.ring.generator("i")
+    v = {n: on.value(n) for n in COMPLEX}
+    x, y, z, w = ((v[f"{n}_1"], v[f"{n}_2"]) for n in "xyzw")
+    quarter = half * half
+    return {
+        r"\omega_1": half * (w[0] + w[1]),
+        r"\omega_2": half * (w[0] - w[1]) / i,
+        r"\omega_3": v[r"\omega_3"],
+        r"\alpha_1": quarter * (x[0] + x[1] + y[0] + y[1]),
+        r"\beta_2": quarter * (y[0] + y[1] - x[0] - x[1]),
+        r"\alpha_2": quarter * (x[0] - x[1] + y[0] - y[1]) / i,
+        r"\beta_1": quarter * (x[0] - x[1] - y[0] + y[1]) / i,
+        r"\alpha_3": half * (z[0] + z[1]),
+        r"\beta_3": half * (z[0] - z[1]) / i,
+    }[name]
+
+
 @pytest.mark.parametrize("name", REAL)
 def test_the_old_variables_are_known_through_the_new_ones(name):
     old, again = stage("initial variables"), stage("complex variables, all constants")
@@ -104,7 +123,7 @@ def test_the_old_variables_are_known_through_the_new_ones(name):
     for new, tex in printed.items():
         assert same(scalar(TEXTS.expression(tex), again), again.value(new))
         assert same(scalar(TEXTS.expression(tex), old), scalar(TEXTS.expression(new), old))
-    assert same(again.value(name, False), scalar(Conjugate(TEXTS.expression(name)), again))
+    assert same(scalar(TEXTS.expression(name), again), old_in_new(name, again))
 
 
 @given(complex_, complex_)

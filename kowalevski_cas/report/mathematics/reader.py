@@ -118,9 +118,7 @@ class _Reader:
         r"""Pass over a length in brackets, as after ``\\``."""
         if self.peek() == "[" and "]" in self.tokens[self.at :]:
             end = self.tokens.index("]", self.at) + 1
-            if re.fullmatch(
-                r"\[[\d.\s-]*(mm|pt|em|ex|cm)\]", "".join(self.tokens[self.at : end])
-            ):
+            if re.fullmatch(r"\[[\d.\s-]*(mm|pt|em|ex|cm)\]", "".join(self.tokens[self.at : end])):
                 self.at = end
 
     def nodes(self, *stops: str) -> list[Node]:
@@ -156,7 +154,10 @@ class _Reader:
         return inside
 
     def argument(self) -> list[Node]:
+        """The nodes of an argument: a group, or whatever comes next."""
         token = self.next()
+        if token == "{":
+            return self.group()
         return self.node(token) if token and token not in "}^_&" else []
 
     def node(self, token: str) -> list[Node]:
@@ -264,8 +265,7 @@ class _Reader:
         rows = tuple(row for row in rows if any(row))
         count = max((len(row) for row in rows), default=0)
         widths = [
-            max((measured(row[k]) for row in rows if k < len(row)), default=0)
-            for k in range(count)
+            max((measured(row[k]) for row in rows if k < len(row)), default=0) for k in range(count)
         ]
         body_tex = r" \\ ".join(" & ".join(map(joined, row)) for row in rows)
         tex = rf"\begin{{{name}}}{columns} {body_tex} \end{{{name}}}"

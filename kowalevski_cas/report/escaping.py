@@ -1,0 +1,81 @@
+"""Plain text as LaTeX and as Typst, where some letters mean something else."""
+
+from __future__ import annotations
+
+import re
+from typing import Final
+
+from kowalevski_cas.report.mathematics import plain
+
+_SPECIAL: Final = {
+    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#",
+    "%": r"\%", "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}",
+    "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}",
+    "–": "--", "—": "---", "…": r"\dots{}", "“": "``", "”": "''", "‘": "`", "’": "'",
+    "§": r"\S{}", "\u00a0": "~", "\u202f": r"\,", "\u2009": r"\,",
+}  # fmt: skip
+_GREEK: Final = dict(
+    zip(
+        "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ",
+        "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma "
+        "tau upsilon varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi "
+        "Omega".split(),
+        strict=True,
+    )
+)
+_SIGNS: Final = {
+    "−": "-", "×": r"\times ", "·": r"\cdot ", "′": "'", "″": "''", "≠": r"\ne ", "≤": r"\le ",
+    "≥": r"\ge ", "≡": r"\equiv ", "≈": r"\approx ", "→": r"\to ", "∈": r"\in ", "∞": r"\infty ",
+    "√": r"\surd ", "∂": r"\partial ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
+    "½": r"\tfrac12 ", "¼": r"\tfrac14 ", "⟨": r"\langle ", "⟩": r"\rangle ", "ℓ": r"\ell ",
+    "⇒": r"\Rightarrow ", "⇔": r"\Leftrightarrow ", "∧": r"\land ", "∨": r"\lor ",
+    "∪": r"\cup ", "∩": r"\cap ", "⊂": r"\subset ", "∅": r"\emptyset ", "∇": r"\nabla ",
+    "ℝ": r"\mathbf{R}", "ℂ": r"\mathbf{C}", "ℚ": r"\mathbf{Q}", "ℤ": r"\mathbf{Z}",
+    "✓": r"\checkmark ", "✗": r"\times ",
+}  # fmt: skip
+_RAISED: Final = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺ⁿ", "0123456789-+n")
+_LOWERED: Final = str.maketrans("₀₁₂₃₄₅₆₇₈₉₋₊ₙᵢⱼₖ", "0123456789-+nijk")
+
+
+def words(text: str) -> str:
+    r"""Plain text with mathematics between dollars, as LaTeX.
+
+    >>> words("50% of $x_1$ & the_rest, ω₁ ≠ 0")
+    '50\\% of $x_1$ \\& the\\_rest, $\\omega _1$ $\\ne $ 0'
+    """
+    parts = text.split("$")
+    if len(parts) % 2 == 0:  # a dollar too many: none of them means mathematics
+        return escaped(text)
+    return "".join(f"${plain(part)}$" if k % 2 else escaped(part) for k, part in enumerate(parts))
+
+
+def escaped(text: str) -> str:
+    """Plain text as LaTeX; a dollar is a dollar."""
+    text = re.sub(r'"([^"\n]*)"', "“\\1”", text)
+    return "".join(map(_letter, text)).replace("$$", "")
+
+
+def _letter(letter: str) -> str:
+    if letter in _SPECIAL:
+        return _SPECIAL[letter]
+    if letter in _GREEK:
+        return f"$\\{_GREEK[letter]} $"
+    if letter in _SIGNS:
+        return f"${_SIGNS[letter]}$"
+    if (digit := letter.translate(_RAISED)) != letter:
+        return f"$^{digit}$"
+    if (digit := letter.translate(_LOWERED)) != letter:
+        return f"$_{digit}$"
+    if letter.isascii() or "À" <= letter <= "ſ":
+        return letter if letter.isprintable() or letter in "\n\t" else ""
+    return f"[U+{ord(letter):04X}]"
+
+
+def ascii_only(text: str) -> str:
+    """A text for the properties of a PDF, where LaTeX means nothing."""
+    return re.sub(r"[^ -~]|[\\\\{}$&#%_^~]", "", text)
+
+
+def quoted(text: str) -> str:
+    """A text between double quotes in Typst."""
+    return text.replace("\\", "\\\\").replace('"', '\\"')

@@ -1,0 +1,80 @@
+"""The claims in the order of the paper: its sections, and in them the displays."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from kowalevski_cas.proof.outcome import Outcome, Run, Verdict
+from kowalevski_cas.report.evidence import Evidence, evidence
+from kowalevski_cas.report.names import display_of
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """A claim, or the rows of one display, with what is to be said about them."""
+
+    name: str
+    rows: tuple[Outcome, ...]
+    words: str
+    evidence: tuple[Evidence, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A section of the paper: its groups in order, and how many claims have which verdict."""
+
+    number: str
+    title: str
+    groups: tuple[Group, ...]
+    counts: dict[Verdict, int]
+    total: int
+
+
+def sections(run: Run) -> tuple[Section, ...]:
+    """The sections that have claims; one that was not announced comes last."""
+    known = dict(run.sections)
+    numbers = [number for number, _ in run.sections]
+    numbers += [s for s in dict.fromkeys(o.section for o in run.outcomes) if s not in known]
+    found = []
+    for number in numbers:
+        outcomes = [o for o in run.outcomes if o.section == number]
+        if outcomes:
+            found.append(
+                Section(
+                    number,
+                    known.get(number, ""),
+                    tuple(_groups(outcomes)),
+                    count(outcomes),
+                    len(outcomes),
+                )
+            )
+    return tuple(found)
+
+
+def _groups(outcomes: Sequence[Outcome]) -> Iterable[Group]:
+    """Rows of one display that follow one another are one group."""
+    runs: list[list[Outcome]] = []
+    for outcome in outcomes:
+        name = display_of(outcome.claim)
+        if runs and name != outcome.claim and display_of(runs[-1][-1].claim) == name:
+            runs[-1].append(outcome)
+        else:
+            runs.append([outcome])
+    for rows in runs:
+        name = display_of(rows[0].claim) if len(rows) > 1 else rows[0].claim
+        words = {row.words for row in rows}
+        yield Group(
+            name,
+            tuple(rows),
+            words.pop() if len(words) == 1 else "",
+            tuple(evidence(rows)),
+        )
+
+
+def count(outcomes: Iterable[Outcome]) -> dict[Verdict, int]:
+    """How many outcomes have which verdict."""
+    counts = dict.fromkeys(Verdict, 0)
+    for outcome in outcomes:
+        counts[outcome.verdict] += 1
+    return counts
