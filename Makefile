@@ -5,6 +5,7 @@ VENV  := .venv
 PY    := $(VENV)/bin/python
 RUN   := $(PY) -m kowalevski_cas
 SLOW  ?=
+PAPER ?= $(firstword $(wildcard ../shared/paper/*.txt ../shared/paper/*.tex))
 JUNIT ?=
 
 # The first Python that is new enough. `make PYTHON=...` chooses another.
@@ -14,7 +15,7 @@ PYTHON = $(shell for p in python3.13 python3.12 python3.11 python3; do \
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help verify report test lint record benchmark clean
+.PHONY: help verify report mutants test lint record benchmark clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -27,6 +28,9 @@ report: $(VENV)/.installed ## Write reports/*.tex and reports/*.pdf
 
 record: $(VENV)/.installed ## Write the record of verdicts anew
 	@$(RUN) record
+
+mutants: $(VENV)/.installed ## Change one token at a time: what does an audit notice? (PAPER=, SAMPLE=, SEED=)
+	@$(RUN) mutants $(PAPER) $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED))
 
 test: $(VENV)/.dev ## Run the tests (SLOW=1: also the slow ones; JUNIT=file: results as XML)
 	@$(PY) -m pytest -q $(if $(SLOW),,-m "not slow") $(if $(JUNIT),--junit-xml="$(JUNIT)")

@@ -32,8 +32,11 @@ class Section:
         return self._add(Display(id, tex, self.number, source=source))
 
     def claim(self, *claims: Claim) -> None:
-        """Statements that the paper makes here."""
-        self.claims.extend(claims)
+        """Statements that the paper makes here; raises ``TypeError`` for anything else."""
+        for claim in claims:
+            if not isinstance(claim, Claim):
+                raise TypeError(f"a claim is expected, not {claim!r}")
+            self.claims.append(claim)
 
     def _add(self, display: Display) -> Display:
         self.displays.append(display)
@@ -49,6 +52,16 @@ class Derivation:
     author: str
     source: str
     sections: tuple[Section, ...]
+
+    def __post_init__(self) -> None:
+        """Refuse ids that are given twice, for everything goes by them."""
+        for kind, ids in (
+            ("claims", [claim.id for claim in self.claims]),
+            ("displays", [display.id for display in self.displays()]),
+        ):
+            twice = sorted({id for id in ids if ids.count(id) > 1})
+            if twice:
+                raise ValueError(f"two {kind} are called {twice[0]}")
 
     @property
     def claims(self) -> tuple[Claim, ...]:

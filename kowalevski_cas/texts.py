@@ -106,7 +106,7 @@ class Texts:
         """The statement at a place, as it stands before edits."""
         display = printed.display
         if display.id not in self._read:
-            tex = self.sources.get(display.id, display.tex)
+            tex = self.source(display)
             try:
                 self._read[display.id] = read_display(tex, self.vocabulary)
             except NotationError as error:
@@ -121,6 +121,10 @@ class Texts:
                 0,
             )
         return statements[printed.number - 1]
+
+    def source(self, display: Display) -> str:
+        """The TeX of a display."""
+        return self.sources.get(display.id, display.tex)
 
     def changes(self, places: Collection[Printed]) -> frozenset[object]:
         """What differs from the derivation at these places, as a key."""

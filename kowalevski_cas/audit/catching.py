@@ -11,7 +11,7 @@ from time import perf_counter
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.equivalence import equivalence
 from kowalevski_cas.audit.mutants import Mutant
-from kowalevski_cas.audit.session import Memory
+from kowalevski_cas.audit.session import AS_BEFORE, Memory
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.proof.outcome import Outcome
 
@@ -27,7 +27,8 @@ class Caught:
     named: bool
     """Whether the changed place is among the causes."""
     repair: str
-    """For a claim that was true: ``restored``, ``true`` (another true formula) or ``none``."""
+    """For a claim that was true: what a search found is ``restored`` or ``true`` (another true
+    formula), what the derivation has is ``derivation``, nothing is ``none``."""
     equivalent: str
     seconds: float
 
@@ -102,8 +103,9 @@ class Measure:
         causes = found.session.causes.values()
         if any(mutant.printed in places for places in causes):
             return True
+        verdicts = {formula.place: formula.verdict for formula in self.base.formulas}
         return any(
-            formula.wrong
+            formula.wrong or formula.verdict != verdicts.get(formula.place)
             for formula in found.formulas
             if formula.place == mutant.printed or formula.id == mutant.printed.display.id
         )
@@ -120,6 +122,8 @@ class Measure:
             return ""
         if any(o.correction is None or not o.correction.verdict.green for o in broken):
             return "none"
+        if any(o.correction is not None and o.correction.words == AS_BEFORE for o in broken):
+            return "derivation"
         texts = found.session.texts
         return "restored" if texts.formula(mutant.printed) == mutant.before else "true"
 
@@ -141,7 +145,7 @@ def _of(outcome: Outcome) -> object:
     return (
         outcome.verdict,
         tuple(condition.tex for condition in outcome.conditions),
-        None if correction is None else correction.printed,
+        None if correction is None else (correction.printed, correction.words),
     )
 
 

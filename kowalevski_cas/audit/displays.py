@@ -30,7 +30,9 @@ _MARK = re.compile(
 )
 _LABEL = re.compile(r"\\label\s*\{([^{}]*)\}")
 _UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
-_ROW = re.compile(r"\\begin(?![A-Za-z])|\\end(?![A-Za-z])|\\\\\s*\*?(?:\s*\[[^\]\n]{0,20}\])?|\\.|[{}]", re.DOTALL)
+_ROW = re.compile(
+    r"\\begin(?![A-Za-z])|\\end(?![A-Za-z])|\\\\\s*\*?(?:\s*\[[^\]\n]{0,20}\])?|\\.|[{}]", re.DOTALL
+)
 _COLUMNS = re.compile(r"\s*\{\s*\d+\s*\}")
 
 

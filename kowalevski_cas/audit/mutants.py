@@ -11,7 +11,6 @@ from random import Random
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.places import Place
-
 from kowalevski_cas.notation import Formula, NotationError, Statement, Vocabulary, read_display
 from kowalevski_cas.notation.lexer import Token, scan
 from kowalevski_cas.texts import Printed
@@ -137,9 +136,7 @@ def _difference(old: tuple[Statement, ...], new: tuple[Statement, ...]) -> int |
     return next((k for k, (a, b) in enumerate(pairs, 1) if a.formula != b.formula), None)
 
 
-def _changes(
-    tokens: list[Token], at: int, tex: str, letters: list[str]
-) -> Iterator[Change]:
+def _changes(tokens: list[Token], at: int, tex: str, letters: list[str]) -> Iterator[Change]:
     """The kind of a change, the interval and what is typed there instead."""
     token = tokens[at]
     if token.kind == "sign":
@@ -177,5 +174,3 @@ def _number(tokens: list[Token], at: int) -> str:
         elif depth == 0 and token is not tokens[at - 1] and token.kind in ("letter", "close"):
             break
     return "coefficient"
-
-

@@ -44,7 +44,7 @@ class Roles:
         for claim in derivation.claims:
             for part in fields(claim):
                 own = part.name in OWN
-                if part.name == "printed" and claim.printed not in claim.establishes():
+                if part.name == "printed" and claim.printed not in set(claim.establishes()):
                     own = False
                 for printed in _printed(getattr(claim, part.name)):
                     role = self.at(printed.place)

@@ -7,90 +7,24 @@ the definition is the cause, and the claim is not corrected to fit it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
+from kowalevski_cas.audit.differences import changed_places, spliced, usable_evidence
+from kowalevski_cas.audit.memory import Base, Decided, Key, Memory
 from kowalevski_cas.audit.reach import Reach
-from kowalevski_cas.audit.roles import places_of
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.derivation import Derivation
-from kowalevski_cas.notation import Formula, NotationError
+from kowalevski_cas.notation import NotationError, to_latex
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.evidence import Evidence
 from kowalevski_cas.proof.limits import time_limit
 from kowalevski_cas.proof.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.proof.verify import Session
-from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Display, Printed, Texts
 
-Key = tuple[object, ...]
-
-
-@dataclass(slots=True)
-class Memory:
-    """What runs of one derivation share: stages, and outcomes by the texts they rest on."""
-
-    derivation: Derivation
-    arithmetics: Sequence[str] = ("flint",)
-    evidence: dict[str, Evidence] = field(default_factory=dict)
-    timeout: float | None = None
-    patience: float = 5.0
-    """Seconds that a correction is sought for."""
-    stages: dict[object, Stage] = field(default_factory=dict)
-    outcomes: dict[Key, Decided] = field(default_factory=dict)
-    kept: Base | None = None
-    rests: dict[Claim, frozenset[Printed]] = field(default_factory=dict)
-
-    def places(self, claim: Claim) -> frozenset[Printed]:
-        """Every place on which the verdict of a claim can depend."""
-        if claim not in self.rests:
-            self.rests[claim] = frozenset(places_of(claim))
-        return self.rests[claim]
-
-    @contextmanager
-    def kept_small(self) -> Iterator[None]:
-        """Forget, at the end, what a run under other texts has added."""
-        sizes = [(table, len(table)) for table in (self.outcomes, self.stages)]
-        try:
-            yield
-        finally:
-            for table, size in sizes:
-                while len(table) > size:
-                    table.popitem()
-
-    @property
-    def base(self) -> Base:
-        """The derivation as it stands, decided once."""
-        if self.kept is None:
-            session = AuditSession(self)
-            own = session.texts
-            outcomes = {outcome.claim: outcome for outcome in session.run().outcomes}
-            self.kept = Base(own, session.texts, outcomes)
-        return self.kept
-
-
-@dataclass(frozen=True, slots=True)
-class Base:
-    """The texts of a derivation, those with all corrections, and the outcomes in between."""
-
-    own: Texts
-    texts: Texts
-    outcomes: Mapping[str, Outcome]
-
-    def corrected(self, display: Display) -> str:
-        """The corrected source of a display."""
-        return self.texts.sources.get(display.id, display.tex)
-
-
-@dataclass(frozen=True, slots=True)
-class Decided:
-    """An outcome, the corrections that became part of the texts, and the causes."""
-
-    outcome: Outcome
-    corrected: tuple[tuple[Display, str], ...]
-    causes: tuple[Printed, ...]
+AS_BEFORE = "as the derivation has it"
+"""The words for a correction that restores what the author has changed."""
 
 
 class AuditSession(Session):
@@ -101,7 +35,7 @@ class AuditSession(Session):
     ) -> None:
         derivation = memory.derivation
         super().__init__(
-            derivation, memory.arithmetics, False, _evidence(memory, sources or {}), memory.timeout
+            derivation, memory.arithmetics, False, usable_evidence(memory, sources or {}), memory.timeout
         )
         self.memory = memory
         self.stages = memory.stages
@@ -115,7 +49,7 @@ class AuditSession(Session):
             self.dependencies = Dependencies(self.texts)
         self.reach = Reach(self.texts)
         if base is not None:
-            self.changed = _changed(self.texts, base.own, sources or {})
+            self.changed = changed_places(self.texts, base.own, sources or {})
 
     def needed(self, chosen: Sequence[Claim]) -> list[Claim]:
         """All claims: an audit leaves none out."""
@@ -152,6 +86,9 @@ class AuditSession(Session):
     def _decided(self, claim: Claim) -> Decided:
         before = self.texts.sources
         outcome = super().decide(claim)
+        own = self._own(claim)
+        if own and not outcome.verdict.green and outcome.correction is None:
+            outcome = replace(outcome, correction=self._as_before(claim, own))
         corrected = tuple(
             (place.display, self.texts.sources[place.display.id])
             for place in claim.establishes()
@@ -159,7 +96,7 @@ class AuditSession(Session):
         )
         causes = self.causes.get(claim.id, ())
         if not causes and not outcome.verdict.green:
-            causes = self._own(claim) or self._to_blame(claim)
+            causes = own or self._to_blame(claim)
         return Decided(outcome, corrected, causes)
 
     def _own(self, claim: Claim) -> tuple[Printed, ...]:
@@ -177,6 +114,25 @@ class AuditSession(Session):
                 return super()._correct(claim, kept)
         except Exception:
             return None
+
+    def _as_before(self, claim: Claim, own: Sequence[Printed]) -> Correction | None:
+        """What the derivation has at changed places, if that is true under these texts."""
+        assert self.base is not None
+        texts = self.texts
+        try:
+            for printed in own:
+                texts = texts.with_source(
+                    printed.display, spliced(texts, self.base.texts, printed)
+                )
+            bench = Bench(self.arithmetics[0], texts, False, {}, self.stages, refute=False)
+            finding = self._decide(claim, bench)
+            printed_so = ",\\ ".join(to_latex(texts.formula(printed)) for printed in own)
+        except NotationError:
+            return None
+        if not finding.verdict.green:
+            return None
+        self.texts = texts
+        return Correction(printed_so, AS_BEFORE, finding.verdict, finding.conditions)
 
     def _to_blame(self, claim: Claim) -> tuple[Printed, ...]:
         """The changed places without whose changes the claim would come out as in the base."""
@@ -218,36 +174,7 @@ class AuditSession(Session):
         corrected = expected.correction is not None and expected.correction.verdict.green
         green = corrected or expected.verdict.green
         bench = Bench(self.arithmetics[0], texts, False, {}, self.stages, refute=not green)
-        verdict = self._decide(claim, bench).verdict
-        return verdict.green if green else verdict is expected.verdict
-
-
-def _evidence(memory: Memory, sources: Iterable[Display]) -> dict[str, Evidence]:
-    """The evidence that was kept, without corrections of displays that are typed otherwise."""
-    typed = {display.id for display in sources}
-    kept = dict(memory.evidence)
-    for claim, entry in memory.evidence.items():
-        if entry.correction is not None and entry.correction.place.rpartition(".")[0] in typed:
-            kept[claim] = Evidence(entry.digest, entry.found)
-    return kept
-
-
-def _changed(texts: Texts, own: Texts, sources: Iterable[Display]) -> frozenset[Printed]:
-    """The statements of the sources that are not those of the derivation."""
-    changed: set[Printed] = set()
-    for display in sources:
-        new, old = formulas(texts, display), formulas(own, display)
-        for number in range(1, max(len(new), len(old)) + 1):
-            if new[number - 1 : number] != old[number - 1 : number]:
-                changed.add(display[number])
-    return frozenset(changed)
-
-
-def formulas(texts: Texts, display: Display) -> tuple[Formula, ...]:
-    """The statements of a display as they are read; none if it cannot be read."""
-    found: list[Formula] = []
-    try:
-        while True:
-            found.append(texts.statement(display[len(found) + 1]).formula)
-    except NotationError:
-        return tuple(found)
+        finding = self._decide(claim, bench)
+        if green:
+            return finding.verdict.green
+        return (finding.verdict, finding.message) == (expected.verdict, expected.message)

@@ -163,7 +163,7 @@ _CONDITIONAL = re.compile(r"\\(if[a-zA-Z]*|fi)(?![A-Za-z])|\\(?:newif|\\)")
 
 
 def _after_fi(text: str, at: int) -> int:
-    """The offset behind the ``\\fi`` of a conditional that is never taken."""
+    r"""The offset behind the ``\fi`` of a conditional that is never taken."""
     depth = 1
     for match in _CONDITIONAL.finditer(text, at):
         if match[1] and match[1] not in ("iff",):

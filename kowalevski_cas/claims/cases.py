@@ -38,7 +38,7 @@ class System:
             )
         (split,) = case.reductions
         return (
-            any(split.content.values())
+            _is_number(split.content)
             and self.reduces(split, self.targets, case)
             and all(
                 self._opens(factor, squares, case, child) and self.holds(child)
@@ -73,6 +73,11 @@ class System:
     def element(self, terms: Terms) -> Element:
         """A polynomial as an element."""
         return self.ring.from_terms({0: terms})
+
+
+def _is_number(content: Terms) -> bool:
+    """Whether a polynomial is a number other than zero."""
+    return len(content) == 1 and not any(next(iter(content))) and any(content.values())
 
 
 def is_sum(ring: Ring, element: Element, squares: Squares) -> bool:

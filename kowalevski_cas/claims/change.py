@@ -98,9 +98,9 @@ class InvertibleChange(Claim):
         yield from (self.scene, self.old)
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
-        (first, _), (_, other), *_ = self.pairs
-        claim = replace(self, pairs=((first, other),))
-        yield Neighbour(f"{other} as the conjugate of {first}", claim, texts)
+        first = self.pairs[0][0]
+        claim = replace(self, pairs=((first, first),))
+        yield Neighbour(f"{first} as its own conjugate", claim, texts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,7 +120,7 @@ class Unit(Claim):
         best = max((self._rows_that_hold(other) for other in others), key=len, default=[])
         if own and len(own) >= len(best):
             return green(())
-        for row in best:
+        for row in best or self.rows:
             finding = self._row(row).decide(bench)
             if finding.counterexample is not None:
                 words = f"the two sides of {row.place} after the change with this unit"

@@ -60,8 +60,10 @@ class Coefficient(Claim):
         """Coefficients that have to be equal, the generated one first."""
         chain = members(formula) if isinstance(formula, Relation) else [formula]
         if self.derivative_of is None:
-            left, right = (self._partial(scalar(_written(m), stage), stage) for m in chain)
-            return [(left, right)]
+            left, right = (scalar(_written(member), stage) for member in chain)
+            if not any(_has_unwritten(member) for member in chain):
+                return [(left, right)]
+            return [(self._partial(left, stage), self._partial(right, stage))]
         expression = stage.texts.formula(self.derivative_of)
         generated = self._partial(stage.derivative(scalar(expression, stage)), stage)
         pairs = [(generated, scalar(member, stage)) for member in chain]
@@ -74,6 +76,10 @@ class Coefficient(Claim):
         yield from super().places()
         if self.derivative_of is not None:
             yield self.derivative_of
+
+
+def _has_unwritten(formula: Formula) -> bool:
+    return isinstance(formula, Sum) and any(isinstance(t, Unwritten) for t in formula.terms)
 
 
 def _written(formula: Formula) -> Formula:

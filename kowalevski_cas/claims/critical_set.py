@@ -110,7 +110,15 @@ class CriticalSet(Claim):
         def products(stage: Stage) -> list[Element]:
             return [a * b for a, b in combinations_with_replacement(problem.goals(stage), 2)]
 
-        return combination(bench, self.scene, (self.id, "forward"), target, products, self.main)
+        return combination(
+            bench,
+            self.scene,
+            (self.id, "forward"),
+            target,
+            products,
+            self.main,
+            problem.goals,
+        )
 
     def _cases(self, bench: Bench, problem: CriticalEquations) -> Case:
         def search(finder: Bench) -> Case:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import islice
+from itertools import combinations, islice
 
 from kowalevski_cas.arithmetic.derivation import gradient
 from kowalevski_cas.arithmetic.numbers import rank
@@ -196,12 +196,23 @@ class Independence(Set):
         stage = bench.stage(self.scene)
         full = len(self.levels) + len(self.equations) + len(self.functions)
         if value < full:
-            words = "the rank of the differentials, and the rank for independence"
+            # A low rank at a few points proves nothing; that two functions differ by a number does.
+            if not self._is_redundant(stage):
+                return Finding(Verdict.UNDECIDED, message="dependent at the points tried")
+            words = "the rank of the differentials, here as everywhere, and that for independence"
             return refuted(Counterexample(at.shown(), str(value), str(full), words))
         steps = [Step(
             f"At {_values(at)}, all {full} differentials are independent",
         )] if bench.explain else []  # fmt: skip
         return green(conditions_of(self.constraints(stage), stage), steps)
+
+    def _is_redundant(self, stage: Stage) -> bool:
+        """Whether two of the functions and levels differ by a constant."""
+        functions = [*self.extra(stage), *self.level_functions(stage)]
+        return any(
+            all(partial.is_zero for partial in gradient(a - b, self.scene.variables))
+            for a, b in combinations(functions, 2)
+        )
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         first, *_ = self.functions

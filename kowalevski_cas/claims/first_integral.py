@@ -20,7 +20,7 @@ from kowalevski_cas.claims.claim import (
     show,
 )
 from kowalevski_cas.claims.membership import combination, combination_steps
-from kowalevski_cas.notation import Formula, Name, Relation
+from kowalevski_cas.notation import Formula, Name, Power, Relation
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.texts import Printed
@@ -60,10 +60,10 @@ class FirstIntegral(Claim):
         return green(conditions_of(found, stage), steps)
 
     def rate(self, stage: Stage) -> Element:
-        """The derivative of the printed expression."""
+        """The derivative of the printed expression; of a member that moves, if one does."""
         assert self.printed is not None
-        (rate,) = self.residuals(stage.texts.formula(self.printed), stage)
-        return rate
+        rates = self.residuals(stage.texts.formula(self.printed), stage)
+        return next((rate for rate in rates if not rate.is_zero), rates[0])
 
     def _everywhere(self, bench: Bench, rate: Element, stage: Stage) -> Finding:
         """The finding when no set is named, or none is needed."""
@@ -91,6 +91,13 @@ class FirstIntegral(Claim):
         return equations(self.on, stage)
 
     def residuals(self, formula: Formula, stage: Stage) -> list[Element]:
-        if isinstance(formula, Relation):
-            formula = next(m for m in members(formula) if not isinstance(m, Name))
-        return [stage.derivative(scalar(formula, stage))]
+        chain = members(formula) if isinstance(formula, Relation) else [formula]
+        known = [member for member in chain if not _is_level(member, stage)]
+        return [stage.derivative(scalar(member, stage)) for member in known or chain]
+
+
+def _is_level(formula: Formula, stage: Stage) -> bool:
+    """Whether a member is a name, or its power, for the value of the integral only."""
+    if isinstance(formula, Power):
+        formula = formula.base
+    return isinstance(formula, Name) and not stage.knows(formula.name)

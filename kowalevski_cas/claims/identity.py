@@ -50,6 +50,8 @@ class Identity(Claim):
         """What has to be equal, component by component."""
         if not isinstance(formula, Relation):
             raise StageError(f"an equation is expected instead of {to_latex(formula)}")
+        if r"\ne" in formula.signs:
+            raise StageError(f"an equality is expected instead of {to_latex(formula)}")
         values = [components(evaluate(member, stage)) for member in members(formula)]
         pairs = [pair for left, right in pairwise(values) for pair in zip(left, right, strict=True)]
         if isinstance(formula.members[-1], Constant):

@@ -19,7 +19,7 @@ from kowalevski_cas.claims.claim import (
     refuted,
     show,
 )
-from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.claims.membership import combination, is_inhabited
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Printed
@@ -45,6 +45,8 @@ class InvariantRelations(Claim):
         if matrix is None:
             found = self._point_of_failure(bench, "refuted", ())
             return refuted(found) if found else Finding(Verdict.UNDECIDED)
+        if bench.refute and not is_inhabited(bench, self.scene, (self.id, "set"), self.functions):
+            return Finding(Verdict.UNDECIDED, message="no exact point of the set was found")
         entries = [entry for row in matrix for entry in row]
         conditions = tuple(
             self._where_it_fails(bench, condition)

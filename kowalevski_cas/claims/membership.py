@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from fractions import Fraction
+from itertools import islice
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench, Key
-from kowalevski_cas.claims.claim import show
+from kowalevski_cas.claims.claim import AtPoint, show
 from kowalevski_cas.proof.outcome import Step
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage
+
+TRIES = 20
+"""How many points of a set are looked at for one where a condition holds."""
 
 
 def combination(
@@ -19,11 +24,15 @@ def combination(
     target: Callable[[Stage], Element],
     generators: Callable[[Stage], Sequence[Element]],
     main: Sequence[tuple[str, ...]] = (),
+    zero: Callable[[Stage], Sequence[Element]] | None = None,
 ) -> list[Element] | None:
     """Cofactors with which ``target`` is a combination of ``generators``, checked.
 
     They are found by division, with FLINT, and the identity is checked in the
-    arithmetic of the bench. ``None`` if none were found or the check fails.
+    arithmetic of the bench. If they have denominators, an exact point where the
+    generators vanish (or ``zero`` does, which makes them vanish) and these do not
+    shows that the condition is not empty.
+    ``None`` if nothing was found or a check fails.
     """
 
     def search(stage: Stage) -> list[Element] | None:
@@ -38,7 +47,51 @@ def combination(
     rest = target(stage)
     for cofactor, generator in zip(found, generators(stage), strict=True):
         rest = rest - cofactor * generator
-    return found if rest.is_zero else None
+    if not rest.is_zero:
+        return None
+    own = {index for g in generators(stage) for index in g.denominator}
+    divided = {index for cofactor in found for index in cofactor.denominator} - own
+    if divided and not is_inhabited(bench, scene, key, zero or generators, sorted(divided)):
+        return None
+    return found
+
+
+def is_inhabited(
+    bench: Bench,
+    scene: Scene,
+    key: Key,
+    generators: Callable[[Stage], Sequence[Element]],
+    divisors: Sequence[int] = (),
+) -> bool:
+    """Whether the generators vanish together at an exact point where the divisors do not."""
+    neutral = [
+        bench.stage(scene).ring.polynomials.terms(bench.stage(scene).ring.divisors[index])
+        for index in divisors
+    ]
+
+    def nonzero(stage: Stage) -> list[Element]:
+        return [stage.ring.from_terms({0: terms}) for terms in neutral]
+
+    def fits(stage: Stage, at: AtPoint) -> bool:
+        try:
+            return all(at(g).is_zero for g in generators(stage)) and not any(
+                at(element).is_zero for element in nonzero(stage)
+            )
+        except ZeroDivisionError:
+            return False
+
+    def search(finder: Bench) -> dict[str, tuple[Fraction, Fraction]] | None:
+        from kowalevski_cas.search.real import real_points
+
+        stage = finder.stage(scene)
+        points = islice(real_points(stage, generators(stage), nonzero(stage)), TRIES)
+        return next((point for point in points if fits(stage, AtPoint(stage, point))), None)
+
+    point = bench.found(("inhabited", key), search)
+    if point is None:
+        return False
+    stage = bench.stage(scene)
+    return fits(stage, AtPoint(stage, point))
 
 
 def combination_steps(

@@ -33,6 +33,7 @@ from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.library import available
 from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.proof.verify import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -105,7 +106,7 @@ def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
 def exit_code(found: Audit) -> int:
     """The exit code that an audit asks for."""
     outcomes = found.outcomes.values()
-    if any(len(set(outcome.verdicts.values())) > 1 for outcome in outcomes):
+    if any(disagreement(outcome.verdicts) for outcome in outcomes):
         return DISAGREEMENT
     if all(formula.line == 0 for formula in found.formulas):
         return NOTHING

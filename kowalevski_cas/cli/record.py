@@ -13,6 +13,7 @@ from kowalevski_cas.cli.exits import AS_RECORDED, DISAGREEMENT, UNDECIDED, USAGE
 from kowalevski_cas.proof import evidence as kept
 from kowalevski_cas.proof import record
 from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.proof.verify import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -31,7 +32,7 @@ def run(arguments: argparse.Namespace) -> int:
         evidence: dict[str, kept.Evidence] = {}
         found = session.run(folder, derivation, EXACT, evidence=evidence)
         for outcome in found.outcomes:
-            if len(set(outcome.verdicts.values())) > 1:
+            if disagreement(outcome.verdicts):
                 raise CommandError(f"{outcome.claim}: {outcome.message}", DISAGREEMENT)
             if outcome.verdict is Verdict.ERROR:
                 raise CommandError(f"{outcome.claim}: {outcome.message}", USAGE)
@@ -43,7 +44,11 @@ def run(arguments: argparse.Namespace) -> int:
             old = None
         for change in record.differences(found, old) if old is not None else ():
             print(f"{change.claim}: {change.recorded} -> {change.found}")
-        session.write_whole(folder / record.FILE, record.dump_record(found))
-        session.write_whole(folder / kept.FILE, kept.dump_evidence(evidence))
+        session.write_whole(
+            {
+                folder / record.FILE: record.dump_record(found),
+                folder / kept.FILE: kept.dump_evidence(evidence),
+            }
+        )
         print(f"{folder / record.FILE}: {len(found.outcomes)} claims recorded")
     return AS_RECORDED

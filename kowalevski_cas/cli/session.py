@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from kowalevski_cas.cli.exits import NOTHING, CommandError
@@ -44,6 +44,8 @@ def run(
             near = get_close_matches(id, ids, 3, 0.4)
             hint = f"; did you mean {' or '.join(near)}?" if near else ""
             raise CommandError(f"{derivation.name} has no claim “{id}”{hint}", NOTHING)
+    if not ids:
+        raise CommandError(f"{derivation.name} makes no claims", NOTHING)
     if evidence is None:
         evidence = load_evidence(folder)
     with progress_bar() as progress:
@@ -74,8 +76,23 @@ class progress_bar:
         self._stop()
 
 
-def write_whole(path: Path, text: str) -> None:
-    """Write a file so that it appears whole or not at all."""
+def write_whole(files: Mapping[Path, str]) -> None:
+    """Write files so that all of them appear, whole, or none does."""
+    before = {path: path.read_text(encoding="utf-8") for path in files if path.exists()}
+    try:
+        for path, text in files.items():
+            _write(path, text)
+    except BaseException:
+        for path in files:
+            if path in before and path.read_text(encoding="utf-8") != before[path]:
+                _write(path, before[path])
+            elif path not in before:
+                path.unlink(missing_ok=True)
+        raise
+
+
+def _write(path: Path, text: str) -> None:
+    """Write one file under another name and move it into place."""
     import tempfile
 
     try:

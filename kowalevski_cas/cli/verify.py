@@ -22,6 +22,7 @@ from kowalevski_cas.cli.exits import (
 )
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.proof.verify import disagreement
 from kowalevski_cas.proof.record import RecordError, differences, load_record
 
 
@@ -85,7 +86,7 @@ def run(arguments: argparse.Namespace) -> int:
 def exit_code(result: Result) -> int:
     """The exit code that a result asks for."""
     outcomes = result.run.outcomes
-    if any(len(set(o.verdicts.values())) > 1 for o in outcomes):
+    if any(disagreement(o.verdicts) for o in outcomes):
         return DISAGREEMENT
     if any(o.verdict is Verdict.ERROR for o in outcomes):
         return USAGE
@@ -101,6 +102,6 @@ _URGENCY = (AS_RECORDED, DIFFERENT, UNDECIDED, USAGE, DISAGREEMENT)
 
 def _positive(text: str) -> float:
     value = float(text)
-    if value <= 0:
+    if not 0 < value < 1e8:
         raise argparse.ArgumentTypeError("a positive number of seconds is expected")
     return value

@@ -148,3 +148,28 @@ def replace(formula: Formula, path: Path, new: Formula) -> Formula:
     if first >= count:
         raise IndexError(f"no child {first} in {type(formula).__name__}")
     return type(formula)(*values)
+
+
+LARGEST_CHANGE = 4
+"""By how many nodes a formula may grow or shrink in one edit."""
+
+
+def is_small_change(before: Formula, after: Formula) -> bool:
+    """Whether two formulas differ in one subtree only, and there by a few nodes.
+
+    >>> words = Vocabulary(frozenset({"x", "y"}))
+    >>> formulas = [read_display(tex, words)[0].formula for tex in ("x+y=1", "x-y=1", "x+y=x+y")]
+    >>> [is_small_change(formulas[0], other) for other in formulas]
+    [False, True, False]
+    """
+    while type(before) is type(after):
+        old, new = tuple(before.children()), tuple(after.children())
+        different = [k for k, pair in enumerate(zip(old, new, strict=False)) if pair[0] != pair[1]]
+        if len(old) != len(new) or len(different) != 1:
+            break
+        before, after = old[different[0]], new[different[0]]
+    return before != after and abs(_size(before) - _size(after)) <= LARGEST_CHANGE
+
+
+def _size(formula: Formula) -> int:
+    return 1 + sum(map(_size, formula.children()))

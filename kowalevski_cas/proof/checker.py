@@ -89,11 +89,10 @@ class Element:
 
     def vanishes(self) -> bool:
         """Whether the element is zero wherever the divisors are not: times them, it is zero."""
-        value = self
+        value, zero = self, self.space.number(0)
         for name, divisor in self.space.divisors.items():
             parts = value.split(name)
-            each = (part * divisor ** (max(parts) - e) for e, part in parts.items())
-            value = sum(each, self.space.number(0))
+            value = sum((p * divisor ** (max(parts) - e) for e, p in parts.items()), zero)
         return not value.terms
 
     def inverse(self) -> Element:
@@ -255,6 +254,7 @@ class Space:
         if op == "cross":
             (p, q, r), (x, y, z) = a, b
             return (q * z - r * y, r * x - p * z, p * y - q * x)
+        need(op != "dot" or len(a) == len(b) > 1, "a scalar product is one of two vectors")
         b = tuple(divisor.inverse() for divisor in b) if op == "/" else b
         a, b = (a * len(b) if len(a) == 1 else a), (b * len(a) if len(b) == 1 else b)
         products = tuple(x * y for x, y in zip(a, b, strict=True))
@@ -314,15 +314,15 @@ class Space:
         """Differentials are independent at a point, so that a set has a dimension near it."""
         images, numbers = self.point(given, **point)
         chosen = [*map(self.scalar, [*levels, *functions]), *self.differences(given)]
-        one, names = self.number(1), self.variables
-        rows = [[f.along({v: one}).image(images, numbers) for v in names] for f in chosen]
+        one, v = self.number(1), self.variables
+        rows = [[f.along({n: one}).image(images, numbers) for n in v] for f in chosen]
         while rows:
             row = rows.pop()
             k = next((k for k, entry in enumerate(row) if entry.terms), 0)
             over = row[k].inverse()
             rows = [[a - r[k] * over * b for a, b in zip(r, row, strict=True)] for r in rows]
-        size = len(names) - len(chosen)
-        need(dimension in (None, size), "the dimension is another one")
+        size = len(v) - len(chosen)
+        need(dimension in (None, size), f"the dimension is {size}")
         shown = ", ".join(map(say, [*levels, *functions, *(["-", *sides] for sides in given)]))
         near = f"where {say_all(point['values'])} the differentials of {shown} are independent"
         return f"{near}, and their level through this point has dimension {size} near it"
@@ -331,10 +331,10 @@ class Space:
         """An equation fails at a point, perhaps one where given equations hold."""
         images, numbers = self.point(given, **point)
         sides = ([x.image(images, numbers) for x in self.value(side)] for side in equation)
-        a, b = next((a, b) for a, b in zip(*sides, strict=True) if (a - b).terms)
-        (a - b).inverse()
-        where = f"{say_all([*given, *point['values']])}: {a} is not {b}"
-        return f"it is false that {say_all([equation])} where {where}"
+        a, b = next(ab for ab in zip(*sides, strict=True) if (ab[0] - ab[1]).terms)
+        need((a - b).inverse().terms, "the two sides may be equal")
+        where = f"where {say_all([*given, *point['values']])}: {a} is not {b}"
+        return f"it is false that {say_all([equation])} {where}"
 
 
 def say(tree: Json) -> str:

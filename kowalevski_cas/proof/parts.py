@@ -35,7 +35,7 @@ class Parts:
         self.notes: list[str] = []
 
     def space(self, scene: Scene) -> SpaceWriter:
-        """The space of a scene; shared by the printed and the corrected texts if they agree on it."""
+        """The space of a scene; one for all texts that agree on it."""
         bench = self.bench.finder
         stage = bench.stage(scene)
         key = (scene, bench.texts.changes(frozenset(scene.places())))

@@ -8,7 +8,7 @@ from time import perf_counter
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.derivation import Derivation
-from kowalevski_cas.notation import NotationError, to_latex
+from kowalevski_cas.notation import NotationError, is_small_change, read_display, to_latex
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.digest import Digester, combined
 from kowalevski_cas.proof.evidence import Evidence, Mended
@@ -42,6 +42,14 @@ def verify(
     """
     kept = {} if evidence is None else evidence
     return Session(derivation, arithmetics, explain, kept, timeout, sources).run(only, progress)
+
+
+DECIDED = (Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED)
+
+
+def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
+    """Whether two arithmetics decided differently; one that could not decide disagrees with none."""
+    return len({verdict for verdict in verdicts.values() if verdict in DECIDED}) > 1
 
 
 class Session:
@@ -127,15 +135,19 @@ class Session:
         before = self._products()
         for arithmetic in self.arithmetics:
             start = perf_counter()
-            findings[arithmetic] = self._decide(claim, self._bench(arithmetic, self.texts))
+            findings[arithmetic] = self._find(claim, arithmetic, kept)
             seconds[arithmetic] = perf_counter() - start
         products = self._products() - before
         first = findings[self.arithmetics[0]]
         verdicts = {name: finding.verdict for name, finding in findings.items()}
         verdict, message = first.verdict, first.message
-        if len(set(verdicts.values())) > 1:
+        if disagreement(verdicts):
             shown = ", ".join(f"{name}: {v}" for name, v in verdicts.items())
             verdict, message = Verdict.ERROR, f"the arithmetics disagree ({shown})"
+        else:
+            open_ones = [f for f in findings.values() if f.verdict not in DECIDED]
+            if open_ones:
+                verdict, message = open_ones[0].verdict, open_ones[0].message
         kept.found = {label: value for label, value in self.shelf.items() if label not in known}
         printed = self._printed(claim) if digest else ""
         mended = first.correction
@@ -186,20 +198,35 @@ class Session:
             return Finding(Verdict.TIMEOUT, message=message)
         except (NotationError, StageError) as error:
             return Finding(Verdict.ERROR, message=str(error))
+        except Exception as error:
+            # Evidence of the wrong shape, or a claim that makes no sense: said, never a traceback.
+            shown = f"{type(claim).__name__} {claim.id}: {type(error).__name__}: {error}"
+            return Finding(Verdict.ERROR, message=shown)
+
+    def _find(self, claim: Claim, arithmetic: str, kept: Evidence) -> Finding:
+        """The finding in one arithmetic; evidence that does not help is searched for anew."""
+        finding = self._decide(claim, self._bench(arithmetic, self.texts))
+        if finding.verdict in DECIDED or not kept.found:
+            return finding
+        for label in kept.found:
+            self.shelf.pop(label, None)
+        kept.found = {}
+        return self._decide(claim, self._bench(arithmetic, self.texts))
 
     def _correct(self, claim: Claim, kept: Evidence) -> Correction | None:
         """The nearest true statement, decided in every arithmetic."""
         if kept.hopeless:
             return None
-        if kept.correction is None:
+        if kept.correction is None or not self._is_edit(claim, kept.correction):
             bench = self._bench(self.arithmetics[0], self.texts)
             neighbour = correction(claim, bench)
             if neighbour is None or neighbour.printed is None or neighbour.edit is None:
                 kept.hopeless = True
                 return None
             kept.correction = Mended(neighbour.printed.place, neighbour.edit.tex, neighbour.words)
-        place = next(p for p in claim.establishes() if p.place == kept.correction.place)
-        texts = self.texts.with_source(place.display, kept.correction.tex)
+        mended = kept.correction
+        place = next(p for p in claim.establishes() if p.place == mended.place)
+        texts = self.texts.with_source(place.display, mended.tex)
         self.shelf = {}
         findings = [
             self._decide(claim, self._bench(arithmetic, texts)) for arithmetic in self.arithmetics
@@ -210,9 +237,27 @@ class Session:
             self.texts = texts
         return Correction(
             printed=to_latex(texts.formula(place)),
-            words=kept.correction.words,
+            words=mended.words,
             verdict=verdict,
             conditions=findings[0].conditions,
+        )
+
+    def _is_edit(self, claim: Claim, mended: Mended) -> bool:
+        """Whether a kept correction is what it has to be: one small change of one statement."""
+        place = next((p for p in claim.establishes() if p.place == mended.place), None)
+        if place is None:
+            return False
+        try:
+            before = read_display(self.texts.source(place.display), self.texts.vocabulary)
+            after = read_display(mended.tex, self.texts.vocabulary)
+        except NotationError:
+            return False
+        old, new = ([statement.formula for statement in side] for side in (before, after))
+        own = place.number - 1
+        return (
+            len(old) == len(new)
+            and all(a == b for k, (a, b) in enumerate(zip(old, new, strict=True)) if k != own)
+            and is_small_change(old[own], new[own])
         )
 
     def _printed(self, claim: Claim) -> str:

@@ -32,9 +32,8 @@ def render_latex(run: Run) -> str:
 def render_for_pandoc(run: Run) -> str:
     """The same document in the LaTeX that pandoc reads."""
     text = _render(report(run), "pandoc").replace(r"\begin{aligned}[t]", r"\begin{aligned}")
-    return re.sub(
-        r"\{\}(?= (?:[+-]|\\pm|\\mp) )", r"\\text{}", text
-    )  # a sign at the beginning of a line
+    # a sign at the beginning of a line
+    return re.sub(r"\{\}(?= (?:[+-]|\\pm|\\mp) )", r"\\text{}", text)
 
 
 def render_typst(run: Run, body: str) -> str:

@@ -33,23 +33,21 @@ class Section:
 
 def sections(run: Run) -> tuple[Section, ...]:
     """The sections that have claims; one that was not announced comes last."""
-    known = dict(run.sections)
-    numbers = [number for number, _ in run.sections]
-    numbers += [s for s in dict.fromkeys(o.section for o in run.outcomes) if s not in known]
-    found = []
-    for number in numbers:
-        outcomes = [o for o in run.outcomes if o.section == number]
-        if outcomes:
-            found.append(
-                Section(
-                    number,
-                    known.get(number, ""),
-                    tuple(_groups(outcomes)),
-                    count(outcomes),
-                    len(outcomes),
-                )
-            )
-    return tuple(found)
+    titles = dict(run.sections)
+    by_number: dict[str, list[Outcome]] = {number: [] for number in titles}
+    for outcome in run.outcomes:
+        by_number.setdefault(outcome.section, []).append(outcome)
+    return tuple(
+        Section(
+            number,
+            titles.get(number, ""),
+            tuple(_groups(outcomes)),
+            count(outcomes),
+            len(outcomes),
+        )
+        for number, outcomes in by_number.items()
+        if outcomes
+    )
 
 
 def _groups(outcomes: Sequence[Outcome]) -> Iterable[Group]:
@@ -64,12 +62,8 @@ def _groups(outcomes: Sequence[Outcome]) -> Iterable[Group]:
     for rows in runs:
         name = display_of(rows[0].claim) if len(rows) > 1 else rows[0].claim
         words = {row.words for row in rows}
-        yield Group(
-            name,
-            tuple(rows),
-            words.pop() if len(words) == 1 else "",
-            tuple(evidence(rows)),
-        )
+        said = words.pop() if len(words) == 1 else ""
+        yield Group(name, tuple(rows), said, tuple(evidence(rows)))
 
 
 def count(outcomes: Iterable[Outcome]) -> dict[Verdict, int]:

@@ -125,6 +125,8 @@ def _divide_in_turn(
     if dividend.is_zero():
         return dividend.context().constant(1), [dividend] * len(divisors)
     for k, divisor in enumerate(divisors):
+        if divisor.is_zero():
+            continue
         quotient, remainder = divmod(dividend, divisor)
         if remainder.is_zero():
             zero = dividend.context().constant(0)
@@ -156,7 +158,7 @@ def pseudo_divide(
     """
     context = dividend.context()
     split = [_split(g, main) for g in divisors]
-    leads = [max(s) for s in split]
+    leads = [max(s, default=(0,) * len(main)) for s in split]
     unit = context.constant(1)
     quotients = [context.constant(0)] * len(divisors)
     rest, remainder = _split(dividend, main), context.constant(0)

@@ -12,13 +12,13 @@ from kowalevski_cas.arithmetic.numbers import square_root
 
 Assignment = dict[int, Fraction]
 
-ATTEMPTS = 200
+ATTEMPTS = 400
 """How many starting values are tried with each choice of variables."""
 
 CHOICES = 6
 """How many choices of variables to be solved for are tried."""
 
-DENOMINATORS = (1, 2, 3, 1, 7)
+DENOMINATORS = (1, 2, 3, 3, 7)
 """Denominators of the coordinates that are chosen, in turn."""
 
 
@@ -160,7 +160,8 @@ def _value(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> fmpq_mpoly
 def _small_numbers() -> Iterator[Iterator[Fraction]]:
     """Sequences of small non-zero rationals, irregular and the same in every run.
 
-    Each sequence has one denominator: points of spheres and cones lie there.
+    Each sequence has one denominator, sometimes doubled: points of spheres and
+    cones lie there.
     """
     state = 1
     for attempt in count():
@@ -174,4 +175,5 @@ def _sequence(state: int, denominator: int, largest: int) -> Iterator[Fraction]:
         state = state * 1103515245 + 12345 & 0x7FFFFFFF
         numerator = (state >> 16) % (2 * largest + 1) - largest
         if numerator:
-            yield Fraction(numerator, denominator)
+            half = denominator > 2 and state >> 12 & 1
+            yield Fraction(numerator, 2 * denominator if half else denominator)

@@ -28,12 +28,15 @@ RATIONAL_ROOTS = 40
 class RealCoordinates:
     """Real coordinates for the generators of a stage, and its elements in them."""
 
-    def __init__(self, stage: Stage) -> None:
+    def __init__(self, stage: Stage, constraints: Sequence[Element] = ()) -> None:
         self.stage = stage
         ring = stage.ring
         pairs = dict(stage.scene.conjugates)
         partners = {b: a for a, b in pairs.items()}
+        # A root is a coordinate of its own if others rest on it, or if a constraint
+        # has terms with it and without it.
         inner = {bit for r in ring.radicands for mask in r.parts for bit in _bits(mask)}
+        inner |= {bit for element in constraints for bit in _mixed(element)}
         self.moving = [
             name
             for bit, name in enumerate(ring.roots)
@@ -132,11 +135,18 @@ def _bits(mask: int) -> Iterator[int]:
     return (bit for bit in range(mask.bit_length()) if mask >> bit & 1)
 
 
+def _mixed(element: Element) -> Iterator[int]:
+    """The roots that stand in some parts of an element and not in others."""
+    for bit in range(len(element.ring.roots)):
+        if len({mask >> bit & 1 for mask in element.parts}) == 2:
+            yield bit
+
+
 def real_points(
     stage: Stage, zero: Sequence[Element] = (), nonzero: Sequence[Element] = ()
 ) -> Iterator[ExactPoint]:
     """Exact points where some elements vanish and others do not, with rational roots first."""
-    coordinates = RealCoordinates(stage)
+    coordinates = RealCoordinates(stage, zero)
     constraints = [e for element in zero for e in coordinates.equations(element)]
     constraints = _distinct([*constraints, *coordinates.relations()])
     avoid = [

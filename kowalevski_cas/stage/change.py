@@ -51,6 +51,16 @@ class Carrier:
             field[name] = self._transfer(total * per_time, name)
         return field
 
+    def time_sign(self) -> int:
+        """1 if the new time is real, -1 if it is imaginary."""
+        image = self._image(self.inverse())
+        scale = time_scale(self.change.time, image)
+        conjugate = time_scale(self.change.time, image, conjugated=True)
+        for sign in (1, -1):
+            if (conjugate - scale * self.bridge.number(sign)).is_zero:
+                return sign
+        raise StageError("the new time is neither real nor imaginary")
+
     def old_variables(self) -> dict[str, Element]:
         """The old variables on the stage of the new scene, which needs the unit."""
         return {name: self._transfer(value, name) for name, value in self.inverse().items()}

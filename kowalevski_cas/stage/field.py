@@ -41,6 +41,8 @@ def printed_field(equations: tuple[Printed, ...], stage: Stage) -> dict[str, Ele
         above = evaluate(relation.members[1], stage)
         belows = below if isinstance(below, Triple) else (below,)
         aboves = above if isinstance(above, Triple) else (above,)
+        if not len(components) == len(aboves) == len(belows):
+            raise StageError(f"vectors and scalars are mixed up in the equation at {printed.place}")
         for component, numerator, divisor in zip(components, aboves, belows, strict=True):
             field[component] = numerator / divisor
     for component in [name for name in field if name not in stage.scene.variables]:

@@ -9,7 +9,7 @@ from fractions import Fraction
 from kowalevski_cas.arithmetic.derivation import Field, along
 from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
 from kowalevski_cas.arithmetic.tower import Element, Ring
-from kowalevski_cas.notation import Constant, Formula, Name, Relation, Root, to_latex
+from kowalevski_cas.notation import Constant, Formula, Name, Number, Relation, Root, to_latex
 from kowalevski_cas.scene import Change, Scene
 from kowalevski_cas.stage.change import Carrier
 from kowalevski_cas.stage.evaluate import StageError, Triple, Value, evaluate, scalar
@@ -98,17 +98,45 @@ class Stage:
                 radicand = self.square(name, printed)
             value = self.ring.zero if radicand.is_zero else self.ring.adjoin(name, radicand)
             self._roots.append((radicand, value))
-            for conjugated in (False, True):
-                self._values[name, conjugated] = value
+            self._values[name, False] = value
+            if (self._conjugate(radicand) - radicand).is_zero:
+                self._values[name, True] = value  # the root of something real is taken as real
         for name, partner in self._conjugates.items():
             if name in self.scene.roots:
                 self._values[name, True] = self._values[partner, False]
 
+    def _conjugate(self, element: Element) -> Element:
+        """The conjugate of an element, by the conjugates of the generators."""
+        ring = self.ring
+        bases = [scalar(Name(name), self, True) for name in self.generators]
+        total = ring.zero
+        for mask, terms in element.terms().items():
+            value = self._substituted(terms, bases)
+            for bit, name in enumerate(ring.roots):
+                if mask >> bit & 1:
+                    value = value * scalar(self.formula(name), self, True)
+            total = total + value
+        for index, exponent in element.denominator.items():
+            divisor = self._substituted(ring.polynomials.terms(ring.divisors[index]), bases)
+            total = total * divisor**-exponent
+        return total
+
     def _zero_names(self) -> Iterator[str]:
         for printed in self.scene.zero:
-            for member in self.relation(printed).members:
+            members = self.relation(printed).members
+            if Number(0) not in members:
+                raise StageError(f"the equation at {printed.place} sets nothing to zero")
+            for member in members:
                 if isinstance(member, Name):
                     yield from self.scene.vectors.get(member.name, (member.name,))
+
+    def knows(self, name: str) -> bool:
+        """Whether a name has a meaning on the scene."""
+        try:
+            self.value(name)
+        except StageError:
+            return False
+        return True
 
     def value(self, name: str, conjugated: bool = False) -> Value:
         """The value of a name; raises :class:`StageError` if it has none on the scene."""
@@ -274,6 +302,9 @@ class Stage:
                 found = Carrier(field, self).field()
             else:
                 found = printed_field(field, self)
+            still = [name for name in self.scene.variables if name not in found]
+            if still:
+                raise StageError(f"no equation of motion for {still[0]}", still[0])
             for (base, exponent), power in self.powers.items():
                 value = scalar(self.formula(base), self)
                 rate = along(value, found) * value.inverse()
@@ -290,8 +321,9 @@ class Stage:
         """By what a derivative with this mark differs from the one by the scene's time."""
         scene = self.scene
         if mark == ("dot" if scene.time == "t" else "prime") or mark == scene.time:
-            imaginary = conjugated and isinstance(scene.field, Change)
-            return self.ring.number(-1 if imaginary else 1)
+            if conjugated and isinstance(scene.field, Change):
+                return self.ring.number(Carrier(scene.field, self).time_sign())
+            return self.ring.one
         if scene.clock is None:
             raise StageError(f"no derivative is printed as “{mark}” on “{scene.name}”")
         return time_scale(scene.clock, self, conjugated).inverse()

@@ -39,6 +39,11 @@ def test_rows_stay_apart_where_one_rests_on_another_by_way_of_a_third() -> None:
     assert [box.label for box in drawn.boxes] == ["eq1.1", "m", "eq1.2"]
 
 
+def test_a_display_and_one_of_its_rows_stay_apart() -> None:
+    drawn = picture(chain(("eq1", ()), ("eq1.1", ("eq1",))))
+    assert [box.label for box in drawn.boxes] == ["eq1", "eq1.1"]
+
+
 def test_circles_and_unknown_names_do_no_harm() -> None:
     drawn = picture(chain(("a", ("b", "nowhere")), ("b", ("a",)), ("c", ("c",))))
     assert {box.name for box in drawn.boxes} == {"a", "b"}

@@ -25,6 +25,8 @@ FORMULAS = [o.printed for o in outcomes() if o.printed] + [
         (r"[\frac{a}{b}]^2", r"\left[ \frac{a}{b} \right]^2"),
         (r"a &= b \cr c &= d", r"a = b\quad c = d"),
         (r"$x$", "x"),
+        (r"\left\langle x\right\rangle y", r"\langle x\rangle y"),
+        (r"\bigl\langle x\bigr\rangle y", r"\bigl\langle x\bigr\rangle y"),
         ("{ x = y", "x = y"),
         ("", ""),
     ],
@@ -89,6 +91,13 @@ def test_noise_is_set_with_balanced_braces(noise: str, room: float) -> None:
         assert level == 0
 
 
-@pytest.mark.parametrize("opening", ["{", r"\sqrt{", r"\frac{", r"\left(", "_{"])
+def test_a_fraction_taken_apart_keeps_its_denominator() -> None:
+    body = display(r"z = \frac{\bigl(a+b\bigr)(c+d+e+f+g+h+i+j+k+l+m+n+o+p)(q+r)}{\sqrt{u}}", 16)
+    assert r"\frac{1}{\sqrt{u}}\Bigl(\bigl(a + b\bigr)" in body
+
+
+@pytest.mark.parametrize(
+    "opening", [r"\sqrt", r"\frac", "x^", "{", r"\sqrt{", r"\frac{", r"\left(", "_{"]
+)
 def test_depth_is_no_trouble(opening: str) -> None:
     display(opening * 1000 + "x", 40)

@@ -46,7 +46,8 @@ def _line(formula: Audited, colour: bool) -> str:
     line = f"{formula.line:>5}" if formula.line else "    -"
     text = _short(plain(formula.tex))
     notes = " (moved)" if formula.moved else ""
-    return f"{line}  {formula.id:<20} {_head(formula.verdict, colour)} {formula.role:<12} {text}{notes}"
+    head = _head(formula.verdict, colour)
+    return f"{line}  {formula.id:<20} {head} {formula.role:<12} {text}{notes}"
 
 
 def _short(text: str) -> str:

@@ -22,7 +22,7 @@ def render(results: Sequence[Result]) -> str:
 def _suite(result: Result) -> ElementTree.Element:
     changed = {d.claim: d for d in result.differences or ()}
     outcomes = result.run.outcomes
-    suite = ElementTree.Element("testsuite", name=result.run.derivation, tests=str(len(outcomes)))
+    suite = ElementTree.Element("testsuite", name=result.run.derivation)
     failures = errors = 0
     for outcome in outcomes:
         case = ElementTree.SubElement(
@@ -43,6 +43,12 @@ def _suite(result: Result) -> ElementTree.Element:
             ElementTree.SubElement(case, "failure", message=_clean(message))
         output = ElementTree.SubElement(case, "system-out")
         output.text = _clean(f"{outcome.verdict}: {outcome.printed or outcome.words}")
+    for claim in changed.keys() - {outcome.claim for outcome in outcomes}:
+        failures += 1
+        case = ElementTree.SubElement(suite, "testcase", classname=result.run.derivation, name=claim)
+        message = f"recorded: {changed[claim].recorded}; found: {changed[claim].found}"
+        ElementTree.SubElement(case, "failure", message=_clean(message))
+    suite.set("tests", str(len(suite)))
     suite.set("failures", str(failures))
     suite.set("errors", str(errors))
     return suite

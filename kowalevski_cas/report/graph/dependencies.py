@@ -45,7 +45,8 @@ def _collapsed(outcomes: Sequence[Outcome]) -> dict[str, list[str]]:
 
     found: dict[str, list[str]] = {}
     for name, claims in members.items():
-        if len(claims) > 1 and any(reaches(claim, set(claims)) for claim in claims):
+        tangled = name in claims or any(reaches(claim, set(claims)) for claim in claims)
+        if len(claims) > 1 and tangled:
             found.update({claim: [claim] for claim in claims})
         else:
             found[name if len(claims) > 1 else claims[0]] = claims

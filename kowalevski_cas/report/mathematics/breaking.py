@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from kowalevski_cas.report.mathematics.nodes import Node, joined, measured, trimmed
+from kowalevski_cas.report.mathematics.nodes import Node, joined, measured, spaced, trimmed
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,26 +53,33 @@ def broken(nodes: Sequence[Node], room: float, *, first: bool) -> list[Line]:
 
 
 def _loosened(nodes: Sequence[Node], room: float, part: float) -> list[Node]:
-    r"""The nodes, with pairs that take more than a part of the line, and wide fractions, apart."""
-    loose: list[Node] = []
-    for node in nodes:
-        if node.pair and node.width > part * room:
-            opening, *inside, closing = node.inner
-            if opening.tex != "." and not closing.tex.startswith("."):
-                left, right = (r"\Bigl", r"\Bigr") if node.tall else ("", "")
-                loose.append(Node(f"{left}{opening.tex.strip()}", opening.width, "open"))
-                loose += _loosened(inside, room, part)
-                loose.append(Node(f"{right}{closing.tex.strip()}", closing.width, "close"))
-                continue
-        elif node.inner and node.width > 0.9 * room and measured(node.below) < 0.6 * room:
-            below = rf"\frac{{1}}{{{joined(node.below)}}}"
-            loose.append(Node(below, measured(node.below) + 0.24, tall=True))
-            loose.append(Node(r"\Bigl(", 0.6, "open"))
-            loose += _loosened(node.inner, room, part)
-            loose.append(Node(r"\Bigr)", 0.6, "close"))
-            continue
-        loose.append(node)
-    return loose
+    """The nodes, with pairs that take more than a part of the line, and wide fractions, apart."""
+    return [piece for node in nodes for piece in _apart(node, room, part)]
+
+
+def _apart(node: Node, room: float, part: float) -> list[Node]:
+    """The pieces of a node that is too wide to stay whole; else the node."""
+    if node.pair:
+        if node.width <= part * room:
+            return [node]
+        opening, *inside, closing = node.inner
+        if opening.tex == "." or closing.tex.startswith("."):
+            return [node]
+        left, right = (r"\Bigl", r"\Bigr") if node.tall else ("", "")
+        return [
+            Node(f"{left}{spaced(opening.tex.strip())}", opening.width, "open"),
+            *_loosened(inside, room, part),
+            Node(f"{right}{spaced(closing.tex.strip())}", closing.width, "close"),
+        ]
+    if node.inner and node.width > 0.9 * room and measured(node.below) < 0.6 * room:
+        below = rf"\frac{{1}}{{{joined(node.below)}}}"
+        return [
+            Node(below, measured(node.below) + 0.24, tall=True),
+            Node(r"\Bigl(", 0.6, "open"),
+            *_loosened(node.inner, room, part),
+            Node(r"\Bigr)", 0.6, "close"),
+        ]
+    return [node]
 
 
 def _cuts(nodes: Sequence[Node], room: float, first: bool) -> tuple[float, list[_Break]]:

@@ -24,11 +24,12 @@ class Node:
     rows: tuple[tuple[tuple[Node, ...], ...], ...] = ()
     tall: bool = False
     scripted: bool = False
+    fraction: bool = False
 
     @property
     def pair(self) -> bool:
         """Whether ``inner`` begins and ends with brackets."""
-        return bool(self.inner) and self.inner[0].kind == "open"
+        return bool(self.inner) and not self.fraction
 
 
 def bracketed(opening: str, inside: Sequence[Node], closing: str) -> Node:
@@ -37,7 +38,7 @@ def bracketed(opening: str, inside: Sequence[Node], closing: str) -> Node:
     if tall or "." in {opening, closing}:
         tex = rf"\left{opening} {joined(inside)} \right{closing}"
     else:
-        tex = f"{opening}{joined(inside)}{closing}"
+        tex = f"{spaced(opening)}{joined(inside)}{spaced(closing)}"
     return Node(
         tex,
         measured(inside) + (1.5 if tall else 0.8),

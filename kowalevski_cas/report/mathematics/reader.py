@@ -98,6 +98,11 @@ class _Reader:
         self.at += 1
         return token
 
+    def deeper(self) -> None:
+        self.depth += 1
+        if self.depth > _DEEP:
+            raise _TooDeepError
+
     def delimiter(self) -> str:
         return self.next() if self.peek() in DELIMITERS else ""
 
@@ -123,9 +128,7 @@ class _Reader:
 
     def nodes(self, *stops: str) -> list[Node]:
         """The nodes up to one of the stops (which is left standing) or the end."""
-        self.depth += 1
-        if self.depth > _DEEP:
-            raise _TooDeepError
+        self.deeper()
         found: list[Node] = []
         while (token := self.peek()) and token not in stops:
             self.at += 1
@@ -158,7 +161,10 @@ class _Reader:
         token = self.next()
         if token == "{":
             return self.group()
-        return self.node(token) if token and token not in "}^_&" else []
+        self.deeper()
+        found = self.node(token) if token and token not in "}^_&" else []
+        self.depth -= 1
+        return found
 
     def node(self, token: str) -> list[Node]:
         """The node that begins with a token; none where nothing is set."""
@@ -208,7 +214,7 @@ class _Reader:
             if not (delimiter := self.delimiter()):
                 return []
             side = {"l": "open", "r": "close"}.get(sized[1]) or kind(delimiter)
-            return [Node(f"{token}{delimiter}", 0.6, side)]
+            return [Node(f"{token}{spaced(delimiter)}", 0.6, side)]
         if _FUNCTION.match(token):
             return [Node(token + " ", 0.5 * (len(token) - 1) + 0.17)]
         return [symbol(token)]
@@ -219,9 +225,10 @@ class _Reader:
         inside = self.argument()
         raised = joined(inside)
         raised = f"{token}{raised}" if len(raised) == 1 else f"{token}{{{raised}}}"
-        width = base.width + _SCRIPT * measured(inside)
+        wider = _SCRIPT * measured(inside)
+        width = base.width + wider
         if base.scripted and not base.rows:  # one above the other
-            width = max(base.width, width - 0.4)
+            width = max(base.width, base.width - 0.4 + wider)
         inner: tuple[Node, ...] = ()
         if base.pair:
             last = base.inner[-1]
@@ -237,6 +244,7 @@ class _Reader:
             inner=tuple(above),
             below=tuple(below),
             tall=True,
+            fraction=True,
         )
 
     def root(self) -> Node:

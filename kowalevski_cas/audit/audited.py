@@ -1,0 +1,54 @@
+"""A formula of a source and what an audit says about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Verdict
+from kowalevski_cas.texts import Printed
+
+GIVEN = "given"
+SUSPECT = "suspect"
+MISSING = "missing"
+UNREADABLE = "unreadable"
+NEW = "new"
+
+WORST = (
+    Verdict.ERROR, Verdict.REFUTED, Verdict.TIMEOUT, Verdict.UNDECIDED, Verdict.PROBABLE,
+    Verdict.ENCLOSED, Verdict.CONDITIONAL, Verdict.PROVED,
+)  # fmt: skip
+WRONG = frozenset({str(Verdict.REFUTED), str(Verdict.ERROR), SUSPECT, MISSING, UNREADABLE})
+"""Verdicts of formulas that an author has to look at."""
+
+
+@dataclass(slots=True)
+class Audited:
+    """A formula of the source, or one that is missing from it.
+
+    ``verdict`` is the worst of the verdicts on the claims that are about the
+    formula; without claims it is ``given``, or ``suspect`` if its change makes
+    claims false. ``causes`` are the places to blame for a claim that is not true.
+    """
+
+    id: str
+    label: str
+    line: int
+    column: int
+    tex: str
+    role: str
+    verdict: str
+    claims: tuple[str, ...] = ()
+    conditions: tuple[Condition, ...] = ()
+    counterexample: Counterexample | None = None
+    correction: Correction | None = None
+    causes: tuple[str, ...] = ()
+    breaks: tuple[str, ...] = ()
+    """The claims that are not true because of this formula."""
+    moved: bool = False
+    message: str = ""
+    place: Printed | None = field(default=None, repr=False)
+
+    @property
+    def wrong(self) -> bool:
+        """Whether the author has to look at it."""
+        return self.verdict in WRONG

@@ -1,0 +1,153 @@
+"""What a run found, place by place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from kowalevski_cas.audit.audited import (
+    GIVEN,
+    MISSING,
+    NEW,
+    SUSPECT,
+    UNREADABLE,
+    WORST,
+    WRONG,
+    Audited,
+)
+from kowalevski_cas.audit.displays import Typed
+from kowalevski_cas.audit.macros import Expanded
+from kowalevski_cas.audit.places import Place
+from kowalevski_cas.audit.roles import Role, Roles, undefined
+from kowalevski_cas.audit.session import AuditSession
+from kowalevski_cas.audit.source import Source
+from kowalevski_cas.notation import NotationError, split_display
+from kowalevski_cas.proof.outcome import Outcome
+from kowalevski_cas.texts import Display, Printed, Texts
+
+
+class _Describer:
+    """Says what a run found about each place."""
+
+    def __init__(
+        self, audit: Audit, roles: Roles, texts: Texts, refused: dict[Display, str]
+    ) -> None:
+        self.audit = audit
+        self.roles = roles
+        self.texts = texts
+        self.refused = refused
+        self.broken: dict[str, list[str]] = {}
+        for claim, causes in audit.session.causes.items():
+            for printed in causes:
+                self.broken.setdefault(printed.place, []).append(claim)
+
+    def formulas(self, place: Place) -> Iterator[Audited]:
+        """The statements of one display."""
+        display, typed = place.display, place.typed
+        if typed is None:
+            yield Audited(
+                display.id, _label(display), 0, 0, display.tex.strip(), self._role(display),
+                MISSING, claims=tuple(self._claims(display)),
+                message="the derivation has this formula and the source has not",
+            )  # fmt: skip
+            return
+        try:
+            if display in self.refused:
+                raise NotationError(self.refused[display], typed.tex, 0)
+            intervals = split_display(typed.tex)
+            expected = len(split_display(display.tex))
+            self.texts.statement(display[1])
+        except NotationError as error:
+            message = typed.trouble or str(error)
+            yield self._audited(
+                display.id, typed, (0, len(typed.tex)), display, UNREADABLE, message
+            )
+            return
+        for number, interval in enumerate(intervals, 1):
+            printed = display[number]
+            id = printed.place if len(intervals) > 1 or expected > 1 else display.id
+            audited = self._audited(id, typed, interval, display, GIVEN, typed.trouble)
+            audited.moved = place.moved
+            self._judge(audited, printed)
+            yield audited
+        for number in range(len(intervals) + 1, expected + 1):
+            audited = self._audited(
+                display[number].place, typed, (0, len(typed.tex)), display, MISSING,
+                f"{expected} statements are expected here, {len(intervals)} are found",
+            )  # fmt: skip
+            yield audited
+
+    def new(self, typed: Sequence[Typed]) -> Iterator[Audited]:
+        """Displays of the source for which the derivation has no place."""
+        known = {id(place.typed) for place in self.audit.places}
+        for formula in typed:
+            if not formula.inline and id(formula) not in known:
+                label = formula.labels[0] if formula.labels else ""
+                name = label or f"line {self._position(formula, 0, len(formula.tex))[0]}"
+                whole = (0, len(formula.tex))
+                found = self._audited(name, formula, whole, None, NEW, "the derivation has none")
+                found.label = label
+                yield found
+
+    def _audited(
+        self,
+        id: str,
+        typed: Typed,
+        interval: tuple[int, int],
+        display: Display | None,
+        verdict: str,
+        message: str,
+    ) -> Audited:
+        line, column = self._position(typed, *interval)
+        start, end = self.audit.expanded.origin(*(typed.start + offset for offset in interval))
+        tex = self.audit.source.text[start:end].strip()
+        role = self._role(display) if display else "none"
+        label = typed.labels[0] if typed.labels else ""
+        return Audited(id, label, line, column, tex, role, verdict, message=message)
+
+    def _position(self, typed: Typed, start: int, end: int) -> tuple[int, int]:
+        while start < end and typed.tex[start].isspace():
+            start += 1
+        at = self.audit.expanded.origin(typed.start + start, typed.start + start + 1)[0]
+        return self.audit.source.line(at), self.audit.source.column(at)
+
+    def _role(self, display: Display) -> str:
+        return self.roles.at(display[1].place).name
+
+    def _claims(self, display: Display) -> Iterator[str]:
+        for place, role in self.roles.places.items():
+            if place.rpartition(".")[0] == display.id:
+                yield from role.claims
+
+    def _judge(self, audited: Audited, printed: Printed) -> None:
+        """The verdict on a statement, with its evidence."""
+        role = self.roles.at(printed.place)
+        audited.place = printed
+        audited.role = role.name
+        audited.claims = tuple(role.claims)
+        outcomes = [self.audit.outcomes[claim] for claim in role.claims]
+        if outcomes:
+            worst = min(outcomes, key=lambda outcome: _WORST.index(outcome.verdict))
+            audited.verdict = str(worst.verdict)
+            audited.conditions = worst.conditions
+            audited.counterexample = worst.counterexample
+            audited.correction = worst.correction
+            audited.message = worst.message or audited.message
+            causes = self.audit.session.causes.get(worst.claim, ())
+            audited.causes = tuple(cause.place for cause in causes)
+        self._blame(audited, printed, role)
+
+    def _blame(self, audited: Audited, printed: Printed, role: Role) -> None:
+        """What a changed statement makes false, and what it no longer defines."""
+        audited.breaks = tuple(self.broken.get(printed.place, ()))
+        if printed not in self.audit.session.changed:
+            return
+        lost = undefined(role, self.texts.formula(printed))
+        if lost:
+            audited.message = f"it does not define {', '.join(lost)}"
+        if lost or audited.breaks:
+            if audited.verdict not in WRONG:
+                audited.verdict = SUSPECT
+
+
+def _label(display: Display) -> str:
+    return "" if display.inline else display.id

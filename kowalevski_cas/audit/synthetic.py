@@ -1,0 +1,22 @@
+"""A source made of a derivation, for when the paper's own is not at hand."""
+
+from __future__ import annotations
+
+from kowalevski_cas.audit.source import Source
+from kowalevski_cas.derivation import Derivation
+
+
+def synthetic(derivation: Derivation) -> Source:
+    """The displays of a derivation as a LaTeX article."""
+    lines = [r"\documentclass{article}", r"\newcommand{\bs}{\boldsymbol}", r"\begin{document}"]
+    for display in derivation.displays():
+        if display.source:
+            continue
+        tex = display.tex.strip()
+        if display.inline:
+            lines += [f"Here ${tex}$.", ""]
+        else:
+            label = rf"\label{{{display.id}}}"
+            lines += [rf"\begin{{equation}}{label}", tex, r"\end{equation}", ""]
+    lines += [r"\end{document}", ""]
+    return Source(f"{derivation.name}.tex", "\n".join(lines))

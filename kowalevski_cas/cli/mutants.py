@@ -1,0 +1,139 @@
+"""Change one token of one formula at a time, and count what an audit notices.
+
+A mutant is a sign, an index, an exponent, a coefficient or a letter changed, in a
+definition, a vector field, a condition or a claim, so that the formula can still
+be read. The seed of the sample is printed; --seed repeats it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import random
+import sys
+from collections import Counter
+from pathlib import Path
+
+from kowalevski_cas.audit.audit import audit
+from kowalevski_cas.audit.catching import Caught, Measurement, measure
+from kowalevski_cas.audit.mutants import every, sample
+from kowalevski_cas.audit.session import Memory
+from kowalevski_cas.audit.source import SourceError, read_source
+from kowalevski_cas.audit.synthetic import synthetic
+from kowalevski_cas.cli import session
+from kowalevski_cas.cli.audit import chosen
+from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
+from kowalevski_cas.proof.evidence import load_evidence
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    parser.add_argument(
+        "source",
+        nargs="?",
+        type=Path,
+        metavar="PAPER.tex",
+        help="the source to change (if it is not there, the formulas of the derivation)",
+    )
+    parser.add_argument("--derivation", metavar="NAME", help="name in the library, or folder")
+    parser.add_argument("--sample", type=int, default=300, metavar="N", help="how many (300)")
+    parser.add_argument("--all", action="store_true", help="every mutant instead of a sample")
+    parser.add_argument("--seed", type=int, metavar="N", help="seed of the sample")
+    parser.add_argument(
+        "--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes"
+    )
+    parser.add_argument(
+        "--timeout", type=float, default=5.0, metavar="SECONDS", help="for each claim (5)"
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run the command and return its exit code."""
+    seed = random.SystemRandom().randrange(10**6) if arguments.seed is None else arguments.seed
+    if arguments.source is not None and arguments.source.exists():
+        try:
+            source = read_source(arguments.source)
+        except SourceError as error:
+            raise CommandError(str(error)) from None
+        folder, derivation = chosen(source, arguments.derivation)
+    else:
+        name = [arguments.derivation] if arguments.derivation else []
+        folder, derivation = session.derivations(name)[0]
+        source = synthetic(derivation)
+    print(f"{source.path} by {derivation.name}, seed {seed}", flush=True)
+    memory = Memory(derivation, evidence=load_evidence(folder), timeout=arguments.timeout)
+    base = audit(source, memory)
+    chosen_ones = (
+        list(every(base)) if arguments.all else sample(base, arguments.sample, random.Random(seed))
+    )
+    if not chosen_ones:
+        raise CommandError("no mutants can be made of this source", NOTHING)
+    shown = _Progress(len(chosen_ones))
+    found = measure(source, memory, chosen_ones, arguments.jobs, shown)
+    print(report(found), end="")
+    return DIFFERENT if found.missed else AS_RECORDED
+
+
+class _Progress:
+    """A line on stderr that counts, if that is a terminal."""
+
+    def __init__(self, total: int) -> None:
+        self.total = total
+        self.done = 0
+
+    def __call__(self, result: Caught) -> None:
+        """Count one more."""
+        self.done += 1
+        if sys.stderr.isatty():
+            end = "\n" if self.done == self.total else ""
+            print(f"\r{self.done}/{self.total} mutants", end=end, file=sys.stderr, flush=True)
+
+
+def report(found: Measurement) -> str:
+    """The share that was caught, by role and kind; survivors with reasons; repairs."""
+    caught, of = found.share()
+    lines = [
+        f"{len(found.results)} mutants in {found.seconds:.1f} s; "
+        f"{caught} of {of} that are not equivalent are caught ({_percent(caught, of)})"
+    ]
+    named = sum(result.named for result in found.results if result.caught)
+    lines.append(f"the changed place is named for {named} of {caught} ({_percent(named, caught)})")
+    lines.append(f"by role: {_by(found, [result.role for result in found.results])}")
+    lines.append(f"by kind: {_by(found, [result.mutant.kind for result in found.results])}")
+    lines += _repairs(found)
+    for result in found.survivors:
+        if result.equivalent:
+            lines.append(f"  equivalent  {result.mutant.words}: {result.equivalent}")
+    lines += [f"  MISSED      {result.mutant.words}" for result in found.missed]
+    unnamed = [result for result in found.results if result.caught and not result.named]
+    lines += [f"  not named   {r.mutant.words}: {', '.join(r.changed[:3])}" for r in unnamed]
+    return "\n".join(lines) + "\n"
+
+
+def _by(found: Measurement, names: list[str]) -> str:
+    """How many are caught or equivalent, of how many, for each name."""
+    pairs = zip(names, found.results, strict=True)
+    counts = Counter((name, r.caught or bool(r.equivalent)) for name, r in pairs)
+    return ", ".join(
+        f"{n} {counts[n, True]}/{counts[n, True] + counts[n, False]}" for n in sorted(set(names))
+    )
+
+
+def _repairs(found: Measurement) -> list[str]:
+    """How often a mutated claim is repaired, by what, and how long it takes."""
+    counts = found.repairs()
+    total = sum(counts.values())
+    if not total:
+        return []
+    times = sorted(result.seconds for result in found.results if result.repair)
+    searched = counts["restored"] + counts["true"]
+    return [
+        f"repairs of {total} claims: {searched} by search ({counts['restored']} as printed, "
+        f"{counts['true']} another true formula), {counts['derivation']} by what the derivation "
+        f"has, {counts['none']} none",
+        f"seconds for one: median {times[total // 2]:.2f}, most {times[-1]:.2f}",
+    ]
+
+
+def _percent(part: int, whole: int) -> str:
+    return f"{100 * part / whole:.1f} %" if whole else "none"
