@@ -14,12 +14,12 @@ from kowalevski_cas.audit.limits import excess
 from kowalevski_cas.audit.macros import Expanded, expand
 from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.places import Place, find_places
-from kowalevski_cas.audit.roles import Roles
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.audit.tokens import words
 from kowalevski_cas.proof.outcome import Outcome
 from kowalevski_cas.texts import Display
+
 
 @dataclass(slots=True)
 class Audit:
@@ -70,15 +70,11 @@ def audit(source: Source, memory: Memory) -> Audit:
     session = AuditSession(memory, memory.base, sources)
     given = session.texts
     outcomes = {outcome.claim: outcome for outcome in session.run().outcomes}
-    notes = [(source.line(offset), words) for offset, words in expanded.notes]
-    result = Audit(source, expanded, places, [], outcomes, session, notes)
-    roles = Roles(memory.derivation)
-    describe = _Describer(result, roles, given, refused)
-    for place in places:
-        result.formulas += describe.formulas(place)
-    result.formulas += describe.new(typed)
-    result.seconds = perf_counter() - start
-    return result
+    notes = [(source.line(offset), reason) for offset, reason in expanded.notes]
+    describe = Describer(source, expanded, session, outcomes, given, refused)
+    found = [formula for place in places for formula in describe.formulas(place)]
+    found += describe.new(typed, places)
+    return Audit(source, expanded, places, found, outcomes, session, notes, perf_counter() - start)
 
 
 def _excess(display: Display, tex: str, memory: Memory) -> str:

@@ -10,8 +10,9 @@ from time import perf_counter
 
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.equivalence import equivalence
+from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.mutants import Mutant
-from kowalevski_cas.audit.session import AS_BEFORE, Memory
+from kowalevski_cas.audit.session import AS_BEFORE
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.proof.outcome import Outcome
 

@@ -25,18 +25,27 @@ from kowalevski_cas.proof.outcome import Outcome
 from kowalevski_cas.texts import Display, Printed, Texts
 
 
-class _Describer:
+class Describer:
     """Says what a run found about each place."""
 
     def __init__(
-        self, audit: Audit, roles: Roles, texts: Texts, refused: dict[Display, str]
+        self,
+        source: Source,
+        expanded: Expanded,
+        session: AuditSession,
+        outcomes: Mapping[str, Outcome],
+        given: Texts,
+        refused: Mapping[Display, str],
     ) -> None:
-        self.audit = audit
-        self.roles = roles
-        self.texts = texts
+        self.source = source
+        self.expanded = expanded
+        self.session = session
+        self.outcomes = outcomes
+        self.texts = given
         self.refused = refused
+        self.roles = Roles(session.derivation)
         self.broken: dict[str, list[str]] = {}
-        for claim, causes in audit.session.causes.items():
+        for claim, causes in session.causes.items():
             for printed in causes:
                 self.broken.setdefault(printed.place, []).append(claim)
 
@@ -76,9 +85,9 @@ class _Describer:
             )  # fmt: skip
             yield audited
 
-    def new(self, typed: Sequence[Typed]) -> Iterator[Audited]:
+    def new(self, typed: Sequence[Typed], places: Sequence[Place]) -> Iterator[Audited]:
         """Displays of the source for which the derivation has no place."""
-        known = {id(place.typed) for place in self.audit.places}
+        known = {id(place.typed) for place in places}
         for formula in typed:
             if not formula.inline and id(formula) not in known:
                 label = formula.labels[0] if formula.labels else ""
@@ -98,8 +107,8 @@ class _Describer:
         message: str,
     ) -> Audited:
         line, column = self._position(typed, *interval)
-        start, end = self.audit.expanded.origin(*(typed.start + offset for offset in interval))
-        tex = self.audit.source.text[start:end].strip()
+        start, end = self.expanded.origin(*(typed.start + offset for offset in interval))
+        tex = self.source.text[start:end].strip()
         role = self._role(display) if display else "none"
         label = typed.labels[0] if typed.labels else ""
         return Audited(id, label, line, column, tex, role, verdict, message=message)
@@ -107,8 +116,8 @@ class _Describer:
     def _position(self, typed: Typed, start: int, end: int) -> tuple[int, int]:
         while start < end and typed.tex[start].isspace():
             start += 1
-        at = self.audit.expanded.origin(typed.start + start, typed.start + start + 1)[0]
-        return self.audit.source.line(at), self.audit.source.column(at)
+        at = self.expanded.origin(typed.start + start, typed.start + start + 1)[0]
+        return self.source.line(at), self.source.column(at)
 
     def _role(self, display: Display) -> str:
         return self.roles.at(display[1].place).name
@@ -124,22 +133,22 @@ class _Describer:
         audited.place = printed
         audited.role = role.name
         audited.claims = tuple(role.claims)
-        outcomes = [self.audit.outcomes[claim] for claim in role.claims]
+        outcomes = [self.outcomes[claim] for claim in role.claims]
         if outcomes:
-            worst = min(outcomes, key=lambda outcome: _WORST.index(outcome.verdict))
+            worst = min(outcomes, key=lambda outcome: WORST.index(outcome.verdict))
             audited.verdict = str(worst.verdict)
             audited.conditions = worst.conditions
             audited.counterexample = worst.counterexample
             audited.correction = worst.correction
             audited.message = worst.message or audited.message
-            causes = self.audit.session.causes.get(worst.claim, ())
+            causes = self.session.causes.get(worst.claim, ())
             audited.causes = tuple(cause.place for cause in causes)
         self._blame(audited, printed, role)
 
     def _blame(self, audited: Audited, printed: Printed, role: Role) -> None:
         """What a changed statement makes false, and what it no longer defines."""
         audited.breaks = tuple(self.broken.get(printed.place, ()))
-        if printed not in self.audit.session.changed:
+        if printed not in self.session.changed:
             return
         lost = undefined(role, self.texts.formula(printed))
         if lost:

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.roles import places_of
-from kowalevski_cas.audit.session import Memory
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import components
 from kowalevski_cas.notation import Constant, Formula, NotationError, Relation

@@ -35,7 +35,11 @@ class AuditSession(Session):
     ) -> None:
         derivation = memory.derivation
         super().__init__(
-            derivation, memory.arithmetics, False, usable_evidence(memory, sources or {}), memory.timeout
+            derivation,
+            memory.arithmetics,
+            False,
+            usable_evidence(memory, sources or {}),
+            memory.timeout,
         )
         self.memory = memory
         self.stages = memory.stages
@@ -121,9 +125,7 @@ class AuditSession(Session):
         texts = self.texts
         try:
             for printed in own:
-                texts = texts.with_source(
-                    printed.display, spliced(texts, self.base.texts, printed)
-                )
+                texts = texts.with_source(printed.display, spliced(texts, self.base.texts, printed))
             bench = Bench(self.arithmetics[0], texts, False, {}, self.stages, refute=False)
             finding = self._decide(claim, bench)
             printed_so = ",\\ ".join(to_latex(texts.formula(printed)) for printed in own)

@@ -14,7 +14,7 @@ from kowalevski_cas.claims.bench import Bench, Key
 from kowalevski_cas.notation import Constant, Edit, Formula, Relation, Vocabulary, edits, to_latex
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Point, Step, Verdict
 from kowalevski_cas.scene import Locus, Scene
-from kowalevski_cas.stage import Stage, scalar
+from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.evaluate import Triple, Value
 from kowalevski_cas.texts import Printed, Texts
 
@@ -117,9 +117,11 @@ def differences(left: Value, right: Value) -> list[Element]:
 
 
 def equation(printed: Printed, stage: Stage) -> Element:
-    """The left side minus the right side of a printed equation."""
+    """The left side minus the right side of a printed equation, which has these two only."""
     relation = stage.relation(printed)
-    left, right = relation.members[:2]
+    if len(relation.members) != 2 or r"\ne" in relation.signs:
+        raise StageError(f"an equation with two sides is expected at {printed.place}")
+    left, right = relation.members
     return scalar(left, stage) - scalar(right, stage)
 
 

@@ -24,11 +24,13 @@ from kowalevski_cas.claims.claim import (
 )
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
-from kowalevski_cas.stage import Stage, scalar
+from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.change import solve
 
 ExactPoint = dict[str, tuple[Fraction, Fraction]]
 Guess = list[Fraction]
+Sample = tuple[ExactPoint, list[Fraction], list[Fraction]]
+"""A point, the two roots there, and the values of the basis."""
 
 SPARE = 3
 """At how many further points a combination has to fit before it is tried as an identity."""
@@ -84,7 +86,7 @@ class ConstantRoot(Claim):
         linear = first - quadratic * unknown - quadratic * unknown
         return full - linear * unknown - quadratic * unknown * unknown, linear, quadratic
 
-    def _samples(self, stage: Stage) -> Iterator[tuple[ExactPoint, list[Fraction], list[Fraction]]]:
+    def _samples(self, stage: Stage) -> Iterator[Sample]:
         """Points where both roots are rational, the two roots, and the values of the basis."""
         from kowalevski_cas.search.real import real_points
 
@@ -104,36 +106,51 @@ class ConstantRoot(Claim):
                 yield point, [(-b - root) / (2 * a), (-b + root) / (2 * a)], known
 
     def _search(self, finder: Bench) -> Guess | None:
+        """A combination that fits more points than are needed to determine it."""
         stage = finder.stage(self.scene)
-        size = len(self.basis)
-        samples = list(islice(self._samples(stage), size + SPARE))
+        samples = list(islice(self._samples(stage), len(self.basis) + SPARE))
+        guesses = self._guesses(stage, samples)
+        return next((guess for guess, misfit in guesses if misfit is None), None)
+
+    def _guesses(
+        self, stage: Stage, samples: list[Sample]
+    ) -> Iterator[tuple[Guess, Sample | None]]:
+        """The combinations through roots at the first points, each with a point that it misses."""
+        size, ring = len(self.basis), stage.ring
         if len(samples) < size + SPARE:
-            return None
-        ring = stage.ring
+            return
         for roots in product(*(roots for _, roots, _ in samples[:size])):
             rows = [[ring.number(v) for v in known] for _, _, known in samples[:size]]
             try:
                 solution = solve(rows, [ring.number(root) for root in roots])
-            except ValueError:
-                return None
+            except StageError:
+                return
             guess = [rational(value) or Fraction(0) for value in solution]
-            if all(_fits(guess, roots, known) for _, roots, known in samples[size:]):
-                return guess
-        return None
+            missed = (s for s in samples[size:] if _value(guess, s[2]) not in s[1])
+            yield guess, next(missed, None)
 
     def _inconsistent(self, bench: Bench) -> Counterexample | None:
-        """A point with two roots through which no combination passes that fits the others."""
-        stage = bench.stage(self.scene)
-        sample = next(self._samples(bench.finder.stage(self.scene)), None)
-        if sample is None or not bench.refute:
+        """A point where a combination is no root, if each combination misses some point.
+
+        At the first points one of the two roots has to be the combination; so
+        all choices are tried, and every one has to fail.
+        """
+        stage = bench.finder.stage(self.scene)
+        samples = list(islice(self._samples(stage), len(self.basis) + SPARE))
+        guesses = list(self._guesses(stage, samples))
+        if not bench.refute or not guesses or any(missed is None for _, missed in guesses):
             return None
-        point, roots, _ = sample
-        numbers = [to_latex(fraction_formula(root)) for root in roots]
+        guess, missed = guesses[0]
+        assert missed is not None
+        point, roots, known = missed
         words = (
-            "the two roots at this point; no combination of the constants is one of them throughout"
+            "a combination that is a root at other points, and a root here; "
+            f"none of the {len(guesses)} possible ones fits all points"
         )
-        return Counterexample(AtPoint(stage, point).shown(), numbers[0], numbers[1], words)
+        left, right = fraction_formula(_value(guess, known)), fraction_formula(roots[0])
+        shown = AtPoint(bench.stage(self.scene), point).shown()
+        return Counterexample(shown, to_latex(left), to_latex(right), words)
 
 
-def _fits(guess: Guess, roots: list[Fraction], known: list[Fraction]) -> bool:
-    return sum((g * v for g, v in zip(guess, known, strict=True)), Fraction(0)) in roots
+def _value(guess: Guess, known: list[Fraction]) -> Fraction:
+    return sum((g * v for g, v in zip(guess, known, strict=True)), Fraction(0))

@@ -138,9 +138,7 @@ class CriticalSet(Claim):
 
     # -- points where it fails -------------------------------------------------
 
-    def _moving_point(
-        self, bench: Bench, problem: CriticalEquations
-    ) -> Counterexample | None:
+    def _moving_point(self, bench: Bench, problem: CriticalEquations) -> Counterexample | None:
         """A point of the set, off the loci, that is not critical."""
 
         def off(stage: Stage) -> list[Element]:
@@ -154,9 +152,7 @@ class CriticalSet(Claim):
             sections=problem.sections,
         )  # fmt: skip
 
-    def _where_it_fails(
-        self, bench: Bench, problem: CriticalEquations, tex: str
-    ) -> Condition:
+    def _where_it_fails(self, bench: Bench, problem: CriticalEquations, tex: str) -> Condition:
         """A condition with a point of its locus that lies on the set and is not critical."""
         condition = Condition(tex, "the formulas divide by it")
         locus = locus_of(condition, bench.stage(self.scene))

@@ -196,7 +196,7 @@ class Independence(Set):
         stage = bench.stage(self.scene)
         full = len(self.levels) + len(self.equations) + len(self.functions)
         if value < full:
-            # A low rank at a few points proves nothing; that two functions differ by a number does.
+            # A low rank at a few points proves nothing; parallel differentials do.
             if not self._is_redundant(stage):
                 return Finding(Verdict.UNDECIDED, message="dependent at the points tried")
             words = "the rank of the differentials, here as everywhere, and that for independence"
@@ -207,11 +207,12 @@ class Independence(Set):
         return green(conditions_of(self.constraints(stage), stage), steps)
 
     def _is_redundant(self, stage: Stage) -> bool:
-        """Whether two of the functions and levels differ by a constant."""
+        """Whether the differentials of two functions or levels are parallel everywhere."""
         functions = [*self.extra(stage), *self.level_functions(stage)]
+        rows = [gradient(function, self.scene.variables) for function in functions]
         return any(
-            all(partial.is_zero for partial in gradient(a - b, self.scene.variables))
-            for a, b in combinations(functions, 2)
+            all((f[i] * g[j] - f[j] * g[i]).is_zero for i, j in combinations(range(len(f)), 2))
+            for f, g in combinations(rows, 2)
         )
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:

@@ -21,7 +21,7 @@ from kowalevski_cas.claims.claim import (
 from kowalevski_cas.claims.membership import combination, combination_steps
 from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.proof.outcome import Condition, Step, Verdict
-from kowalevski_cas.stage import Stage, scalar
+from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.texts import Printed
 
 
@@ -78,7 +78,9 @@ class Implication(Claim):
         formula = formula or stage.texts.formula(self.printed)
         if not isinstance(formula, Relation):
             return scalar(formula, stage)
-        left, right = formula.members[:2]
+        if len(formula.members) != 2 or r"\ne" in formula.signs:
+            raise StageError(f"an equation with two sides is expected for {self.id}")
+        left, right = formula.members
         return scalar(left, stage) - scalar(right, stage)
 
     def _targets(self, stage: Stage) -> list[Element]:

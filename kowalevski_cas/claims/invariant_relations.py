@@ -19,7 +19,7 @@ from kowalevski_cas.claims.claim import (
     refuted,
     show,
 )
-from kowalevski_cas.claims.membership import combination, is_inhabited
+from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Printed
@@ -45,14 +45,26 @@ class InvariantRelations(Claim):
         if matrix is None:
             found = self._point_of_failure(bench, "refuted", ())
             return refuted(found) if found else Finding(Verdict.UNDECIDED)
-        if bench.refute and not is_inhabited(bench, self.scene, (self.id, "set"), self.functions):
-            return Finding(Verdict.UNDECIDED, message="no exact point of the set was found")
+        if any(is_nonzero_number(function) for function in self.functions(stage)):
+            return self._empty(bench)
         entries = [entry for row in matrix for entry in row]
         conditions = tuple(
             self._where_it_fails(bench, condition)
             for condition in conditions_of([*entries, *self.functions(stage)], stage)
         )
         return green(conditions, self._steps(matrix, stage) if bench.explain else ())
+
+    def _empty(self, bench: Bench) -> Finding:
+        """The finding when an equation of the set holds nowhere."""
+        found = counterexample(
+            bench,
+            self.scene,
+            (self.id, "empty"),
+            lambda stage: [(f, stage.ring.zero) for f in self.functions(stage)
+                           if is_nonzero_number(f)],
+            words="the two sides of an equation of the set, here as everywhere",
+        )  # fmt: skip
+        return refuted(found) if found else Finding(Verdict.UNDECIDED)
 
     def functions(self, stage: Stage) -> list[Element]:
         """The left sides of the equations."""
@@ -136,6 +148,12 @@ class InvariantRelations(Claim):
 
     def places(self) -> Iterator[Printed]:
         yield from self.relations
+
+
+def is_nonzero_number(element: Element) -> bool:
+    """Whether an element is a number other than zero."""
+    parts = element.terms()
+    return bool(parts) and all(not any(e) for terms in parts.values() for e in terms)
 
 
 def _matrix(rows: str) -> str:

@@ -49,11 +49,11 @@ class Limit(Claim):
         stage = bench.stage(self.scene)
         matrix = self.general.matrix(bench)
         direct = self.special.matrix(bench)
-        if matrix is None or direct is None:
-            return Finding(Verdict.UNDECIDED, message="a cofactor matrix is missing")
+        if matrix is None:
+            return Finding(Verdict.UNDECIDED, message="the general cofactor matrix is missing")
         functions = self.special.functions(stage)
         transition = self._transition(bench)
-        if transition is None:
+        if transition is None or direct is None:
             return self._refute(bench)
         assert self.scene.clock is not None
         scale = time_scale(self.scene.clock, stage)

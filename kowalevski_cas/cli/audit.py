@@ -16,7 +16,7 @@ from pathlib import Path
 from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.listing import listing
-from kowalevski_cas.audit.session import Memory
+from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.source import Source, SourceError, read_source
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.audit_formats import FORMATS, load_format

@@ -16,8 +16,8 @@ from pathlib import Path
 
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.catching import Caught, Measurement, measure
+from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.mutants import every, sample
-from kowalevski_cas.audit.session import Memory
 from kowalevski_cas.audit.source import SourceError, read_source
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli import session

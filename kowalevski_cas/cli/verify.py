@@ -22,8 +22,8 @@ from kowalevski_cas.cli.exits import (
 )
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.proof.outcome import Verdict
-from kowalevski_cas.proof.verify import disagreement
 from kowalevski_cas.proof.record import RecordError, differences, load_record
+from kowalevski_cas.proof.verify import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -25,6 +25,7 @@ DEPTH = 9
 LARGEST = 400
 """How many terms a consequence may have to be split."""
 
+
 class Splitter:
     """The search for a tree of cases.
 

@@ -261,7 +261,6 @@ def test_a_change_of_variables(oscillator):
     assert found[-1].correction.printed == "z_1' = -z_1"
 
 
-@pytest.mark.xfail(strict=True, raises=ValueError)  # neighbours() needs two pairs
 def test_a_singular_change_is_refuted(oscillator):
     texts = {"change": r"z_1=x+iv,\quad z_2=2x+2iv"}
     claim = InvertibleChange(
@@ -301,12 +300,6 @@ def test_the_arithmetics_agree_on_every_kind(top):
         assert set(outcome.verdicts.values()) == {outcome.verdict}
 
 
-# What is wrong today; each test says what should be.
-
-known = pytest.mark.xfail(strict=True, raises=Exception)
-
-
-@known
 def test_a_condition_that_the_set_excludes_proves_nothing():
     section = Section("1", "A vacuous condition")
     f = section.display("f", r"\dot x=x,\quad \dot z=1")
@@ -320,7 +313,6 @@ def test_a_condition_that_the_set_excludes_proves_nothing():
     assert verdicts(section, *claims) == ["refuted", "refuted"]
 
 
-@known
 def test_every_member_of_a_chain_is_constant(oscillator):
     claim = FirstIntegral(
         "t", oscillator.scene, oscillator(r"E = \frac{1}{2}(x^2+v^2) \equiv x"), ""
@@ -328,20 +320,17 @@ def test_every_member_of_a_chain_is_constant(oscillator):
     assert verdicts(oscillator.section, claim) == ["refuted"]
 
 
-@known
 def test_a_first_integral_may_be_printed_as_a_name(oscillator):
     claim = FirstIntegral("t", oscillator.scene, oscillator(r"E \equiv k"), "")
     assert verdicts(oscillator.section, claim) == ["proved"]
 
 
-@known
 def test_not_equal_is_not_equal(oscillator):
     assert verdicts(
         oscillator.section, Identity("t", oscillator.scene, oscillator(r"x \ne x"), "")
     ) != ["proved"]
 
 
-@known
 def test_terms_that_are_not_printed_are_not_supposed(top):
     tex = top(r"\omega_1\omega_3+\omega_2=\omega_1\omega_3")
     assert verdicts(top.section, Coefficient("a", top.scene, tex, "", variable=r"\omega_3")) == [
@@ -349,7 +338,6 @@ def test_terms_that_are_not_printed_are_not_supposed(top):
     ]
 
 
-@known
 def test_a_variable_without_an_equation_of_motion_is_an_error():
     section = Section("1", "Half an oscillator")
     f = section.display("f", r"\dot v = -x")
@@ -359,7 +347,6 @@ def test_a_variable_without_an_equation_of_motion_is_an_error():
     ]
 
 
-@known
 def test_functions_of_low_rank_at_a_few_points_may_be_independent():
     section = Section("1", "Two functions")
     f = section.display("f", r"\dot x=0,\quad \dot y=0")
@@ -370,7 +357,6 @@ def test_functions_of_low_rank_at_a_few_points_may_be_independent():
     assert verdicts(section, claim) not in (["refuted"], ["error"])
 
 
-@known
 def test_a_member_that_is_no_vector_where_one_is_expected_is_an_error():
     section = Section("1", "A vector")
     f = section.display("f", r"\dot{\bs\alpha}=0")
@@ -386,7 +372,6 @@ def test_a_member_that_is_no_vector_where_one_is_expected_is_an_error():
     ]
 
 
-@known
 def test_a_relation_that_says_nothing_is_no_reason_to_stop(top):
     claim = InvariantRelations(
         "t",
@@ -420,7 +405,6 @@ def test_a_wrong_coefficient_is_refuted(top):
     assert verdicts(top.section, *claims) == ["refuted", "refuted"]
 
 
-@known
 def test_a_derivative_by_real_time_is_conjugated_as_such():
     section = Section("1", "An oscillator in real time")
     f = section.display("f", r"\dot x = v,\quad \dot v = -x")
@@ -438,7 +422,6 @@ def test_a_derivative_by_real_time_is_conjugated_as_such():
     ]
 
 
-@known
 def test_a_root_of_a_complex_number_is_not_real():
     section = Section("1", "A root")
     f = section.display("f", r"\dot x_1=0,\quad \dot x_2=0,\quad u^2=x_1,\quad \overline{u}=u")

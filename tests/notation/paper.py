@@ -1,6 +1,5 @@
 """The displays of the paper, as they are typed there; and formulas from its running text."""
 
-
 from kowalevski_cas.notation import Vocabulary
 
 WORDS = Vocabulary(

@@ -1,6 +1,5 @@
 """Formulas from the papers that continue the story: separation, Lax pair, critical sets."""
 
-
 from kowalevski_cas.notation import Vocabulary
 
 WORDS = Vocabulary(

@@ -151,7 +151,11 @@ class Names:
             return ["+", first, *others]
         if op == "^":
             base, exponent = rest
-            return ["*", exponent, ["^", base, exponent - 1], self.derivative(base, rate)] if exponent else 0
+            return (
+                ["*", exponent, ["^", base, exponent - 1], self.derivative(base, rate)]
+                if exponent
+                else 0
+            )
         if op == "sqrt":
             return ["/", self.derivative(rest[0], rate), ["*", 2, tree]]
         raise Untrue(f"no derivative of {op}")
@@ -331,8 +335,13 @@ def part_holds(names, item, generator):
         size = len(variables) - len(trees)
         require(item["dimension"] in (None, size), "dimension")
         if point is not None:
-            rows = [[names.value(names.partial(names.open(t), v), point) for v in variables] for t in trees]
-            matrix = nmod_mat(len(rows), len(variables), [int(x) for row in rows for x in row], PRIME)
+            rows = [
+                [names.value(names.partial(names.open(t), v), point) for v in variables]
+                for t in trees
+            ]
+            matrix = nmod_mat(
+                len(rows), len(variables), [int(x) for row in rows for x in row], PRIME
+            )
             require(matrix.rank() == len(trees), "rank")
     else:
         require(kind == "differ", kind)

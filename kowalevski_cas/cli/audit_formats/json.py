@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from kowalevski_cas.audit.audit import Audit, Audited
+from kowalevski_cas.audit.audit import Audit
+from kowalevski_cas.audit.audited import Audited
 from kowalevski_cas.proof.outcome import Correction, Counterexample, Outcome
 
 

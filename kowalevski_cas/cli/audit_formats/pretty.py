@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sys
 
-from kowalevski_cas.audit.audit import Audit, Audited
+from kowalevski_cas.audit.audit import Audit
+from kowalevski_cas.audit.audited import Audited
 from kowalevski_cas.cli.audit_formats import explained
 from kowalevski_cas.cli.plain import plain
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Outcome

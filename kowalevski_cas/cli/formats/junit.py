@@ -45,7 +45,9 @@ def _suite(result: Result) -> ElementTree.Element:
         output.text = _clean(f"{outcome.verdict}: {outcome.printed or outcome.words}")
     for claim in changed.keys() - {outcome.claim for outcome in outcomes}:
         failures += 1
-        case = ElementTree.SubElement(suite, "testcase", classname=result.run.derivation, name=claim)
+        case = ElementTree.SubElement(
+            suite, "testcase", classname=result.run.derivation, name=claim
+        )
         message = f"recorded: {changed[claim].recorded}; found: {changed[claim].found}"
         ElementTree.SubElement(case, "failure", message=_clean(message))
     suite.set("tests", str(len(suite)))

@@ -1,0 +1,78 @@
+import pytest
+
+from kowalevski_cas.audit import macros
+from kowalevski_cas.audit.macros import expand
+from kowalevski_cas.audit.source import SourceError, decode
+
+
+def written(text: str) -> str:
+    return expand(decode("paper.tex", text.encode())).text.strip()
+
+
+@pytest.mark.parametrize(
+    ("text", "result"),
+    [
+        (r"\newcommand {\bs}{\boldsymbol} ${\bs \alpha}$", r"${\boldsymbol \alpha}$"),
+        (r"\newcommand\R{\mathbf R} $\R^9$", r"$\mathbf R^9$"),
+        (r"\def\v#1{{\bf #1}} $\v{e}_1+\v x$", r"${\bf e}_1+{\bf x}$"),
+        (r"\newcommand{\p}[2][t]{\frac{d#2}{d#1}} $\p{x}=\p[s]{y}$", r"$\frac{dx}{dt}=\frac{dy}{ds}$"),
+        (r"\DeclareMathOperator{\diag}{diag} $\diag(a)$", r"$\operatorname{diag}(a)$"),
+        (r"\def\be{\begin{equation}}\def\ee{\end{equation}}\be x=1\ee", r"\begin{equation}x=1\end{equation}"),
+        (r"\newcommand{\om}{\omega} $\om x$, $\om$", r"$\omega x$, $\omega$"),
+        (r"\newcommand{\a}{\b}\newcommand{\b}{x} $\a$", "$x$"),
+        (r"\renewcommand{\a}{1}\renewcommand{\a}{2} $\a$", "$2$"),
+    ],
+)  # fmt: skip
+def test_macros_are_written_out(text, result):
+    assert written(text) == result
+
+
+def test_a_macro_stays_apart_from_a_letter():
+    assert written(r"\newcommand{\om}{\omega}$\om{}x$") == r"$\omega{}x$"
+    assert written(r"\def\m#1{\omega}$\m1x$") == r"$\omega x$"
+
+
+def test_what_is_written_out_knows_where_it_came_from():
+    text = "\\newcommand{\\bs}{\\boldsymbol}\n$x+\\bs y$"
+    expanded = expand(decode("paper.tex", text.encode()))
+    at = expanded.text.index("\\boldsymbol")
+    start, end = expanded.origin(at, at + 5)
+    assert text[start:end] == "\\bs"
+    at = expanded.text.index("y")
+    assert text[slice(*expanded.origin(at, at + 1))] == "y"
+    assert expanded.literal(at, at + 1)
+    assert not expanded.literal(at - 3, at)
+
+
+def test_a_macro_that_expands_into_itself_is_left_alone():
+    expanded = expand(decode("paper.tex", rb"\newcommand{\a}{x\a} $\a$ $y$"))
+    assert expanded.text.strip() == r"$\a$ $y$"
+    assert [words for _, words in expanded.notes] == [
+        r"the macro \a expands into itself; it is left alone"
+    ]
+
+
+def test_macros_that_double_are_refused():
+    names = "abcdefghijklmnopqrstuvwxyz"
+    lines = [rf"\def\{a}{{\{b}\{b}\{b}}}" for a, b in zip(names, names[1:], strict=False)]
+    with pytest.raises(SourceError, match=r"macros to write out|too much text"):
+        written("\n".join([*lines, r"\def\z{x}", r"$\a$"]))
+
+
+def test_macros_that_grow_are_refused():
+    names = "abcdefghij"
+    lines = [rf"\def\{a}#1{{\{b}{{#1#1#1#1}}}}" for a, b in zip(names, names[1:], strict=False)]
+    text = "\n".join([*lines, r"\def\j#1{#1}", rf"$\a{{{'x' * 1000}}}$"])
+    with pytest.raises(SourceError, match="too much text"):
+        written(text)
+
+
+def test_definitions_that_are_not_understood_are_noted():
+    expanded = expand(decode("paper.tex", rb"\def\a(#1){x} \newcommand{\b} $x$"))
+    assert len(expanded.notes) == 2
+    assert "not understood" in expanded.notes[0][1]
+
+
+def test_unclosed_definitions_take_no_time():
+    expanded = expand(decode("paper.tex", rb"\def\a{" * 100_000))
+    assert len(expanded.notes) == macros.FAILURES
