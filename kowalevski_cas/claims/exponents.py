@@ -25,7 +25,8 @@ class SolvedExponents(Claim):
 
     The coefficient of ``variable`` in the derivative of the ansatz is
     :math:`c_1\theta^m + c_2\theta^n`. If :math:`c_1/c_2=\kappa\theta^k` with
-    :math:`\kappa` free of the variables, it vanishes identically exactly if :math:`m+k-n=0` and :math:`\kappa+1=0`, two
+    :math:`\kappa` free of the variables, it vanishes
+    identically exactly if :math:`m+k-n=0` and :math:`\kappa+1=0`, two
     equations for the exponents, which are solved.
     """
 

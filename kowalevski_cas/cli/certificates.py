@@ -38,8 +38,7 @@ def run(arguments: argparse.Namespace) -> int:
         texts = {f"{one.claim}.json": one.text for one in written if one.text}
         if not texts:
             raise CommandError(f"no claim of {derivation.name} has a certificate", NOTHING)
-        for name, text in texts.items():
-            session.write_whole(target / name, text)
+        session.write_whole({target / name: text for name, text in texts.items()})
         if arguments.output is None:
             for path in certificate_files(folder):
                 if path.name not in texts:

@@ -63,6 +63,7 @@ __all__ = [
     "Vector",
     "Vocabulary",
     "edits",
+    "is_small_change",
     "rank",
     "read",
     "read_display",

@@ -132,6 +132,19 @@ Proof.
   - rewrite E. ring.
 Qed.
 
+Lemma opposite_nonzero (a : R) : a <> zero -> opp a <> zero.
+Proof.
+  intros A E. apply A. transitivity (opp (opp a)).
+  - ring.
+  - rewrite E. ring.
+Qed.
+
+(** A term of a combination vanishes where a given equation holds. *)
+
+Lemma vanishing (v : nat -> R) (s c a b : expr) :
+  value v a = value v b -> value v (Add s (Mul c (Sub a b))) = value v s.
+Proof. intros E. cbn [value Sub]. rewrite E. ring. Qed.
+
 End Values.
 
 (** * Values at Gaussian rational points, computed *)

@@ -45,6 +45,7 @@ Ltac nonzero :=
   repeat first
     [ assumption
     | exact (F_1_neq_0 R_field)
+    | apply (opposite_nonzero R zero one add mul sub opp div inv R_field)
     | apply (product_nonzero R zero one add mul sub opp div inv R_field)
     | match goal with H : ?a <> zero |- ?b <> zero =>
         let E := fresh in intro E; apply H; rewrite <- E; ring
@@ -350,8 +351,8 @@ class Theorems:
         for k, root in enumerate(space.roots):
             facts.append(
                 f"  try assert (val v {space.q(root)} <> zero) by "
-                f"(apply (root_nonzero R zero one add mul sub opp div inv R_field) "
-                f"with (1 := S{k}); cbv; nonzero)."
+                f"(refine (root_nonzero R zero one add mul sub opp div inv R_field _ _ S{k} _); "
+                f"cbv; nonzero)."
             )
         statement = " ->\n  ".join([*hypotheses, f"val v {left} = val v {right}"])
         proof = [f"  intros {' '.join(intros)}.", *facts]
@@ -359,18 +360,13 @@ class Theorems:
             sums = "(Num 0)"
             for cofactor, (a, b) in zip(cofactors, given, strict=True):
                 sums = f"(Add {sums} (Mul {cofactor} (Sub {a} {b})))"
-            zeros = [
-                f"  assert (Z{k} : val v (Sub {a} {b}) = zero) by "
-                f"(transitivity (add (val v {b}) (opp (val v {b}))); "
-                f"[cbn [value Sub]; rewrite <- G{k}; reflexivity | ring])."
-                for k, (a, b) in enumerate(given)
-            ]
-            proof += zeros
             proof.append(f"  transitivity (val v {sums}).")
-            clear = " ".join(f"G{k} Z{k}" for k in range(len(given)))
+            clear = " ".join(f"G{k}" for k in range(len(given)))
             proof.append(f"  - clear {clear}. {_field(rewriting)}")
-            rewrites = "; ".join(f"rewrite Z{k}" for k in range(len(given)))
-            proof.append(f"  - cbn [value integer_value Sub] in *; {rewrites}; ring.")
+            proof.append(
+                "  - repeat (etransitivity; [eapply (vanishing R zero one add mul sub opp div inv "
+                "R_field); eassumption |]). reflexivity."
+            )
         else:
             proof.append(f"  {_field(rewriting)}")
         self.parts.append(

@@ -48,7 +48,7 @@ DECIDED = (Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED)
 
 
 def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
-    """Whether two arithmetics decided differently; one that could not decide disagrees with none."""
+    """Whether two arithmetics decided differently; an undecided one disagrees with none."""
     return len({verdict for verdict in verdicts.values() if verdict in DECIDED}) > 1
 
 
