@@ -17,6 +17,8 @@ ROWS = frozenset({"eqnarray", "align", "alignat", "flalign", "gather"})
 
 LONGEST = 50_000
 """Characters in one formula."""
+PATIENCE = 1_000_000
+"""Characters that are looked through for the ends of formulas that have none."""
 
 _MARK = re.compile(
     r"\\\\(?:\s*\*?\s*\[[^\]\n]{0,20}\])?"  # the end of a row: no bracket of a display
@@ -52,8 +54,11 @@ class Typed:
 
 
 def find_formulas(text: str, start: int = 0) -> Iterator[Typed]:
-    """All formulas of a text from an offset on, in their order."""
-    at = start
+    """All formulas of a text from an offset on, in their order.
+
+    Where too many have no end, the rest is not looked at.
+    """
+    at, patience = start, PATIENCE
     while (match := _MARK.search(text, at)) is not None:
         at = match.end()
         begun = match["begin"]
@@ -65,6 +70,9 @@ def find_formulas(text: str, start: int = 0) -> Iterator[Typed]:
             numbered = not match["star"]
             if closing is None:
                 yield _broken(text, match.start(), inside, begun)
+                patience -= min(LONGEST, len(text) - inside)
+                if patience < 0:
+                    return
                 continue
             yield from _rows(text, inside, closing[0], begun + match["star"], numbered)
             at = closing[1]
@@ -76,6 +84,10 @@ def find_formulas(text: str, start: int = 0) -> Iterator[Typed]:
             closing = _closing(text, at, kind, partner)
             if closing is None:
                 yield _broken(text, match.start(), at, mark, inline)
+                paragraph = text.find("\n\n", at, at + LONGEST)
+                patience -= (paragraph if paragraph >= 0 else min(at + LONGEST, len(text))) - at
+                if patience < 0:
+                    return
                 continue
             first, last = closing
             yield Typed(text[at:first], at, first, mark, _labels(text[at:first]), inline)

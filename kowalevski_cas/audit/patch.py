@@ -2,16 +2,31 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from difflib import unified_diff
 
-from kowalevski_cas.audit.audit import Audit
+from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.tokens import changes
 from kowalevski_cas.notation import NotationError, read_display
 
+ROUNDS = 3
+"""A misprint can hide behind another one; so what is mended is audited again."""
 
-def mended(audit: Audit) -> str:
+
+def mended(found: Audit) -> str:
     """The text of the source with every misprint mended that a true formula is known for."""
+    text = found.source.text
+    for _ in range(ROUNDS):
+        before, text = text, _once(found)
+        if text == before:
+            break
+        found = audit(replace(found.source, text=text), found.session.memory)
+    return text
+
+
+def _once(audit: Audit) -> str:
+    """The text with those misprints mended that one audit finds."""
     replacements: dict[tuple[int, int], str] = {}
     for place in audit.places:
         if place.typed is None:
@@ -64,12 +79,12 @@ def _between(audit: Audit, offset: int) -> tuple[int, int]:
     return place, place
 
 
-def patch(audit: Audit) -> str:
+def patch(found: Audit) -> str:
     """A unified diff that mends every misprint, empty if there is none."""
-    path = audit.source.path
+    path = found.source.path
     return "".join(
         unified_diff(
-            _lines(audit.source.text), _lines(mended(audit)), f"a/{path}", f"b/{path}", n=2
+            _lines(found.source.text), _lines(mended(found)), f"a/{path}", f"b/{path}", n=2
         )
     )
 

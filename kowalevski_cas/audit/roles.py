@@ -11,9 +11,6 @@ from kowalevski_cas.notation import Formula, Name, Relation
 from kowalevski_cas.scene import Change, Scene
 from kowalevski_cas.texts import Printed
 
-OWN = ("printed", "relations", "values")
-"""The parts of a claim that print what is claimed; the others are what it refers to."""
-
 ORDER = ("unit", "vector field", "definition", "claim", "condition")
 
 
@@ -41,16 +38,17 @@ class Roles:
                 self.at(printed.place).roles.add(name)
             for name, printed in scene.definitions.items():
                 self.at(printed.place).defines.add(name)
+            if isinstance(scene.field, Change):
+                self.at(scene.field.time.place).defines.add(scene.time)
         for claim in derivation.claims:
-            for part in fields(claim):
-                own = part.name in OWN
-                if part.name == "printed" and claim.printed not in set(claim.establishes()):
-                    own = False
-                for printed in _printed(getattr(claim, part.name)):
-                    role = self.at(printed.place)
-                    role.roles.add("claim" if own else "condition")
-                    if own:
-                        role.claims[claim.id] = None
+            own = set(claim.establishes())
+            for printed in own:
+                role = self.at(printed.place)
+                role.roles.add("claim")
+                role.claims[claim.id] = None
+            for printed in parts_of(claim):
+                if printed not in own:
+                    self.at(printed.place).roles.add("condition")
 
     def at(self, place: str) -> Role:
         """The role of a place, none if the derivation does not use it."""

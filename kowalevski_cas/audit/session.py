@@ -93,15 +93,30 @@ class AuditSession(Session):
         own = self._own(claim)
         if own and not outcome.verdict.green and outcome.correction is None:
             outcome = replace(outcome, correction=self._as_before(claim, own))
+        causes = self.causes.get(claim.id, ())
+        if not causes and not outcome.verdict.green:
+            causes = own or self._to_blame(claim)
+        if causes and not own:
+            self._correct_as_in_base(claim)
         corrected = tuple(
             (place.display, self.texts.sources[place.display.id])
             for place in claim.establishes()
             if self.texts.sources.get(place.display.id) != before.get(place.display.id)
         )
-        causes = self.causes.get(claim.id, ())
-        if not causes and not outcome.verdict.green:
-            causes = own or self._to_blame(claim)
         return Decided(outcome, corrected, causes)
+
+    def _correct_as_in_base(self, claim: Claim) -> None:
+        """Take over a correction of the base, which the claims that follow rest on."""
+        assert self.base is not None
+        known = self.base.outcomes[claim.id].correction
+        if known is None or not known.verdict.green:
+            return
+        try:
+            for place in claim.establishes():
+                tex = spliced(self.texts, self.base.texts, place)
+                self.texts = self.texts.with_source(place.display, tex)
+        except NotationError:
+            return
 
     def _own(self, claim: Claim) -> tuple[Printed, ...]:
         """The changed places among those that the claim establishes."""

@@ -7,6 +7,7 @@ two numbers that Rocq computes. Ranks are left out.
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Sequence
 from importlib.resources import files
@@ -48,7 +49,12 @@ Ltac nonzero :=
     | apply (opposite_nonzero R zero one add mul sub opp div inv R_field)
     | apply (product_nonzero R zero one add mul sub opp div inv R_field)
     | match goal with H : ?a <> zero |- ?b <> zero =>
-        let E := fresh in intro E; apply H; rewrite <- E; ring
+        let E := fresh in
+        intro E; apply H;
+        first
+          [ rewrite <- E; ring
+          | transitivity (opp zero); [rewrite <- E; ring | ring]
+          | rewrite E; ring ]
       end ].
 """
 
@@ -266,15 +272,14 @@ def _has(tree: Tree, op: str) -> bool:
 
 
 def _copy(data: Any) -> Any:
-    import json
-
     return json.loads(json.dumps(data))
 
 
 class Theorems:
     """The theorems of one certificate."""
 
-    def __init__(self, data: dict[str, Any]) -> None:
+    def __init__(self, data: dict[str, Any], inverted: set[str]) -> None:
+        self.inverted = inverted
         self.claim = identifier(data["claim"].replace(".", "_"))
         self.spaces: list[Space] = []
         for k, space in enumerate(data["spaces"]):
@@ -296,8 +301,10 @@ class Theorems:
 
     def _inverse(self, space: Space) -> None:
         change = space.data.get("change")
-        if change is None:
+        key = json.dumps(change, sort_keys=True)
+        if change is None or key in self.inverted:
             return
+        self.inverted.add(key)
         old = space.spaces[change["old"]]
         for name, tree in change["formulas"]:
             left = f"(subst {space.module}.back {old.term(tree)})"
@@ -336,6 +343,7 @@ class Theorems:
         self.names.append(name)
         hypotheses, intros, rewriting = [], ["v"], []
         facts = []
+        assumed: list[str] = []
         for k, root in enumerate(space.roots):
             own = space.q(root)
             square = space.term(space.squares[root])
@@ -345,6 +353,7 @@ class Theorems:
         for k, tree in enumerate(space.data.get("nonzero", [])):
             hypotheses.append(f"val v {space.term(tree)} <> zero")
             intros.append(f"N{k}")
+            assumed.append(f"N{k}")
         for k, (a, b) in enumerate(given):
             hypotheses.append(f"val v {a} = val v {b}")
             intros.append(f"G{k}")
@@ -352,7 +361,7 @@ class Theorems:
             facts.append(
                 f"  try assert (val v {space.q(root)} <> zero) by "
                 f"(refine (root_nonzero R zero one add mul sub opp div inv R_field _ _ S{k} _); "
-                f"cbv; nonzero)."
+                f"cbv -[not]; nonzero)."
             )
         statement = " ->\n  ".join([*hypotheses, f"val v {left} = val v {right}"])
         proof = [f"  intros {' '.join(intros)}.", *facts]
@@ -362,13 +371,13 @@ class Theorems:
                 sums = f"(Add {sums} (Mul {cofactor} (Sub {a} {b})))"
             proof.append(f"  transitivity (val v {sums}).")
             clear = " ".join(f"G{k}" for k in range(len(given)))
-            proof.append(f"  - clear {clear}. {_field(rewriting)}")
+            proof.append(f"  - clear {clear}. {_field(rewriting, assumed)}")
             proof.append(
                 "  - repeat (etransitivity; [eapply (vanishing R zero one add mul sub opp div inv "
                 "R_field); eassumption |]). reflexivity."
             )
         else:
-            proof.append(f"  {_field(rewriting)}")
+            proof.append(f"  {_field(rewriting, assumed)}")
         self.parts.append(
             f"Theorem {name} : forall v : nat -> R,\n  {statement}.\nProof.\n"
             + "\n".join(proof)
@@ -401,10 +410,11 @@ class Theorems:
         raise CertificateError("a refuted equation between vectors")
 
 
-def _field(rewriting: list[str]) -> str:
-    names = " ".join(rewriting)
-    inside = f" in {names} |- *" if rewriting else ""
-    return f"cbv{inside}; field{f' [{names}]' if rewriting else ''}; nonzero."
+def _field(rewriting: list[str], assumed: list[str]) -> str:
+    names = ", ".join([*rewriting, *assumed])
+    inside = f" in {names} |- *" if names else ""
+    squares = f" [{' '.join(rewriting)}]" if rewriting else ""
+    return f"cbv -[not]{inside}; field{squares}; nonzero."
 
 
 def _gauss(tree: Tree) -> str:
@@ -424,9 +434,9 @@ def export(name: str, title: str, certificates: Sequence[dict[str, Any]]) -> tup
     """A file with the theorems of certificates, and the claims that have one."""
     head, body = [HEADER.format(name=name, title=title)], [SECTION.replace("{{", "{")]
     names: list[str] = []
-    claims = []
+    claims, inverted = [], set[str]()
     for data in certificates:
-        theorems = Theorems(data)
+        theorems = Theorems(data, inverted)
         if theorems.names:
             head.append(f"(** * {data['claim']} *)\n")
             head += [space.text() for space in theorems.spaces]

@@ -59,5 +59,6 @@ def test_what_is_never_closed_says_so_and_the_rest_is_found():
 
 
 def test_unclosed_formulas_take_no_time():
+    # Where too many are never closed, the rest is not looked at.
     for piece in ("\\begin{equation}", "\\[", "\\begin{align}x\\\\", "$ x \n\n"):
         assert list(find_formulas(piece * (4 * LONGEST // len(piece))))

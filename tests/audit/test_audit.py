@@ -1,0 +1,131 @@
+"""An audit of the paper: verdicts, roles and causes."""
+
+import pytest
+
+from kowalevski_cas.audit.audit import audit
+from kowalevski_cas.audit.source import Source
+from kowalevski_cas.library import find
+from kowalevski_cas.proof.evidence import load_evidence
+from kowalevski_cas.proof.verify import verify
+from tests.audit.material import changed, memory, source
+
+
+@pytest.fixture(scope="module")
+def base():
+    return audit(source(), memory())
+
+
+def by_id(found):
+    return {formula.id: formula for formula in found.formulas}
+
+
+def test_an_audit_says_what_verify_says(base):
+    run = verify(memory().derivation, ["flint"], evidence=load_evidence(find("kharlamov2002")))
+    said = {o.claim: (o.verdict, o.conditions, o.correction) for o in run.outcomes}
+    found = {k: (o.verdict, o.conditions, o.correction) for k, o in base.outcomes.items()}
+    assert found == said
+
+
+def test_the_misprints_of_the_paper(base):
+    wrong = [formula.id for formula in base.formulas if formula.wrong]
+    rows = [f"eq10.{k}" for k in (1, 2, 3, 4, 7, 8)]
+    assert wrong == ["eq9.i", *rows, "eq14", "eq21"]
+    for formula in base.formulas:
+        if formula.wrong:
+            assert formula.counterexample is not None
+            assert formula.correction is not None
+            assert formula.correction.verdict.green
+
+
+def test_the_roles(base):
+    roles = {formula.id: formula.role for formula in base.formulas}
+    assert roles["eq2"] == roles["eq3.1"] == "vector field"
+    assert roles["eq9.i"] == "unit"
+    assert roles["eq9.1"] == roles["J.1"] == roles["eq11.1"] == roles["tau"] == "definition"
+    assert roles["eq10.1"] == roles["eq14"] == roles["eq21"] == "claim"
+    assert roles["beta"] == roles["norm"] == "condition"
+
+
+def test_the_formulas_stand_in_the_order_of_the_source(base):
+    lines = [formula.line for formula in base.formulas]
+    assert lines == sorted(lines)
+    for formula in base.formulas:
+        first = formula.tex.split()[0]
+        assert first in source().text.split("\n")[formula.line - 1]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "cause", "false"),
+    [
+        (r"J_1  = \omega _1^2  -", r"J_1  = \omega _1^2  +", "J.1", {"eq6", "eq7"}),
+        (r"\theta  = x_1 x_2", r"\theta  = x_1 x_1", "eq11.1", {"theta-prime"}),
+        (
+            r"{\bs \alpha} \times {\bs \omega}",
+            r"{\bs \beta} \times {\bs \omega}",
+            "eq3.1",
+            {"energy", "eq10.1", "eq12"},
+        ),
+        (r"\tau=it", r"\tau=-it", "tau.1", {"eq10.1", "eq12"}),
+        (r"F_2  = U_1  -", r"F_2  = U_1  +", "F2.1", {"F1-prime", "eq15"}),
+        (r"{\bs \beta} = 0$", r"{\bs \beta} = 3$", "beta.1", {"eq18", "eq19"}),
+    ],
+)
+def test_a_changed_definition_is_the_cause(old, new, cause, false):
+    text = source().text
+    at = text.rindex(old)
+    found = audit(Source("paper.tex", text[:at] + new + text[at + len(old) :]), memory())
+    causes = found.session.causes
+    for claim in false:
+        assert not found.outcomes[claim].verdict.green
+        assert [printed.place for printed in causes[claim]] == [cause]
+        assert found.outcomes[claim].correction is None
+    formula = next(f for f in found.formulas if f.place is not None and f.place.place == cause)
+    assert formula.wrong
+    assert false <= set(formula.breaks)
+
+
+def test_a_changed_claim_is_refuted_and_repaired():
+    found = by_id(changed("2\\omega'_3 = y_2  - y_1", "2\\omega'_3 = y_2  + y_1"))
+    assert found["eq10.9"].verdict == "refuted"
+    assert found["eq10.9"].correction.printed == "2\\omega_3' = y_2 - y_1"
+    assert found["eq10.1"].verdict == "refuted"
+    assert found["theta-prime"].verdict == "proved"
+
+
+def test_a_changed_row_of_the_change_of_variables():
+    found = changed(r"z_1 = \alpha_3  + i", r"z_1 = \alpha_2  + i")
+    row = by_id(found)["eq9.5"]
+    assert row.wrong
+    assert row.correction is not None
+    assert [place.place for place in found.session.causes["eq9"]] == ["eq9.5"]
+
+
+def test_a_name_that_is_no_longer_defined():
+    found = by_id(changed(r"J_2  = 2\omega _1", r"J_3  = 2\omega _1"))
+    assert found["J.2"].verdict == "suspect"
+    assert found["J.2"].message == "it does not define J_2"
+
+
+def test_a_formula_that_cannot_be_read():
+    found = by_id(changed(r"\theta  = x_1 x_2", r"\theta  = x_1 \foo"))
+    assert found["eq11"].verdict == "unreadable"
+    assert "\\foo" in found["eq11"].message
+
+
+def test_a_definition_in_a_circle():
+    found = by_id(changed(r"J_1  = \omega _1^2", r"J_1  = J_1"))
+    assert found["J.1"].verdict == "suspect"
+    assert "defined by itself" in found["eq6"].message
+
+
+def test_a_formula_that_would_take_too_long():
+    found = by_id(changed(r"J_1  = \omega _1^2", r"J_1  = (\omega _1+\omega_2)^{99999999}"))
+    assert found["J"].verdict == "unreadable"
+    assert "degree" in found["J"].message
+
+
+def test_memory_is_left_as_it_was(base):
+    sizes = len(memory().outcomes), len(memory().stages)
+    with memory().kept_small():
+        changed(r"\theta  = x_1 x_2", r"\theta  = x_1 x_1")
+    assert (len(memory().outcomes), len(memory().stages)) == sizes

@@ -1,0 +1,53 @@
+"""Mutants of the paper: what is made, what is noticed, and why something is not."""
+
+from random import Random
+
+import pytest
+
+from kowalevski_cas.audit.audit import audit
+from kowalevski_cas.audit.catching import measure
+from kowalevski_cas.audit.mutants import sample
+from kowalevski_cas.audit.synthetic import synthetic
+from kowalevski_cas.cli.mutants import report
+from tests.audit.material import memory, source
+
+
+@pytest.fixture(scope="module")
+def base():
+    return audit(source(), memory())
+
+
+def test_a_sample_is_repeated_by_its_seed(base):
+    one, other = (sample(base, 20, Random(7)) for _ in range(2))
+    assert [m.words for m in one] == [m.words for m in other]
+    assert len({m.text for m in one}) == 20
+
+
+def test_a_mutant_is_one_token_away(base):
+    for mutant in sample(base, 30, Random(8)):
+        assert mutant.before != mutant.after
+        first = next(
+            k for k, (a, b) in enumerate(zip(source().text, mutant.text, strict=False)) if a != b
+        )
+        assert abs(len(mutant.text) - len(source().text)) < 12
+        assert mutant.line == source().line(first) or mutant.text[first] in " \\"
+
+
+def test_mutants_are_caught(base):
+    found = measure(source(), memory(), sample(base, 5, Random(6)))
+    assert found.missed == []
+    assert "5 mutants" in report(found)
+
+
+def test_the_derivation_stands_in_for_the_paper():
+    found = audit(synthetic(memory().derivation), memory())
+    assert {k: o.verdict for k, o in found.outcomes.items()} == {
+        k: o.verdict for k, o in memory().base.outcomes.items()
+    }
+
+
+@pytest.mark.slow
+def test_a_large_sample_of_mutants_is_caught(base):
+    found = measure(source(), memory(), sample(base, 300, Random(2002)), jobs=2)
+    assert [result.mutant.words for result in found.missed] == []
+    assert all(result.named for result in found.results if result.caught)

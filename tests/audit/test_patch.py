@@ -1,0 +1,70 @@
+"""Patches mend the author's own lines, and nothing else."""
+
+import shutil
+import subprocess
+
+import pytest
+
+from kowalevski_cas.audit.audit import audit
+from kowalevski_cas.audit.patch import mended, patch
+from kowalevski_cas.audit.source import Source
+from tests.audit.material import changed, memory, source
+
+
+def wrong(text: str) -> list[str]:
+    found = audit(Source("paper.tex", text), memory())
+    return [formula.id for formula in found.formulas if formula.wrong]
+
+
+def test_nothing_is_wrong_after_the_patch():
+    assert wrong(mended(audit(source(), memory()))) == []
+
+
+def test_a_patch_changes_as_little_as_it_can():
+    before = source().text.split("\n")
+    after = mended(audit(source(), memory())).split("\n")
+    assert len(before) == len(after)
+    lines = [(a, b) for a, b in zip(before, after, strict=True) if a != b]
+    assert len(lines) <= 8
+    assert any(r"- x_1 \omega_3  + z_1 w_1" in b for _, b in lines)
+    assert any("i^2=-1" in b for _, b in lines)
+
+
+def test_macros_of_the_author_stay():
+    found = mended(
+        changed(r"({\bs \alpha},{\bs \alpha}) = a^2", r"({\bs \alpha},{\bs \beta}) = a^2")
+    )
+    assert r"({\bs \alpha}," in found
+    assert wrong(found) == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        (r"\theta  = x_1 x_2", r"\theta  = x_1 x_1"),
+        (r"J_2  = 2\omega _1", r"J_3  = 2\omega _1"),
+        (r"\tau=it", r"\tau=-it"),
+        (r"2\omega'_3 = y_2  - y_1", r"2\omega'_3 = y_2  + y_1"),
+        (r"2w'_2  = w_2 w_3  + z_2", r"2w'_2  = w_2 w_3  + z_1"),
+        (r"J_1  = 0,", r"J_1  = 1,"),
+    ],
+)
+def test_what_was_changed_is_mended(old, new):
+    assert wrong(mended(changed(old, new))) == []
+
+
+def test_the_diff_applies(tmp_path):
+    program = shutil.which("patch")
+    if program is None:
+        pytest.skip("there is no program called patch")
+    found = audit(source(), memory())
+    path = tmp_path / "paper.tex"
+    path.write_bytes(source().text.encode(source().encoding))
+    diff = patch(found).encode(source().encoding)
+    subprocess.run([program, str(path)], input=diff, check=True, capture_output=True)
+    assert path.read_bytes().decode(source().encoding) == mended(found)
+
+
+def test_no_misprint_no_patch():
+    text = mended(audit(source(), memory()))
+    assert patch(audit(Source("paper.tex", text), memory())) == ""
