@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from itertools import islice
 from time import perf_counter
 
 from kowalevski_cas.audit.audited import Audited
@@ -15,10 +16,14 @@ from kowalevski_cas.audit.macros import Expanded, expand
 from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.places import Place, find_places
 from kowalevski_cas.audit.session import AuditSession
-from kowalevski_cas.audit.source import Source
+from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import words
 from kowalevski_cas.proof.outcome import Outcome
 from kowalevski_cas.texts import Display
+
+
+MOST = 20_000
+"""Formulas in one source."""
 
 
 @dataclass(slots=True)
@@ -50,7 +55,10 @@ class Audit:
 def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
     """A source with its macros written out, and the formulas in it."""
     expanded = expand(source)
-    return expanded, list(find_formulas(expanded.text, source.body))
+    found = list(islice(find_formulas(expanded.text, source.body), MOST + 1))
+    if len(found) > MOST:
+        raise SourceError(f"{source.path} has more than {MOST:,} formulas")
+    return expanded, found
 
 
 def audit(source: Source, memory: Memory) -> Audit:

@@ -18,6 +18,8 @@ from kowalevski_cas.texts import Display
 
 LIKE = 0.6
 """How much alike an inline formula and what the derivation has for it must be."""
+RELATED = 0.3
+"""How much alike unnumbered displays must be where there are more or fewer than expected."""
 MOVED = 0.8
 """How much alike a formula must be that is found out of its place."""
 PATIENCE = 20_000_000
@@ -92,7 +94,7 @@ class _Finder:
 
     def by_order(self) -> None:
         """Unnumbered displays between those that are found."""
-        self._between(False, lambda display, formula: True)
+        self._between(False, lambda display, formula: self.alike(display, formula) >= RELATED)
 
     def inline(self) -> None:
         """Inline formulas between the displays around them."""
@@ -144,7 +146,9 @@ class _Finder:
         """Pairs in the same order whose likeness adds up to the most."""
         if not displays or not formulas:
             return []
-        if len(displays) == len(formulas) and all(map(allowed, displays, formulas)):
+        inline = self.displays[displays[0]].inline
+        same = len(displays) == len(formulas)
+        if same and (not inline or all(map(allowed, displays, formulas))):
             return list(zip(displays, formulas, strict=True))
         best: list[list[tuple[float, list[tuple[int, int]]]]] = [
             [(0.0, [])] * (len(formulas) + 1) for _ in range(len(displays) + 1)
