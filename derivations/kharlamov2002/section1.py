@@ -23,22 +23,34 @@ FRAME = {
 
 eq1 = section.display("eq1", r"({\bf e}_1 ,{\bs \alpha}) + ({\bf e}_2 ,{\bs \beta}).")
 
-eq2 = section.display("eq2", r"""
+eq2 = section.display(
+    "eq2",
+    r"""
 {\bf I} \dot {\bs \omega} = {\bf I}{\bs \omega } \times {\bs
 \omega} + {\bf e}_1 \times {\bs \alpha} + {\bf e}_2 \times {\bs
-\beta},""")
+\beta},""",
+)
 
-eq3 = section.display("eq3", r"""
+eq3 = section.display(
+    "eq3",
+    r"""
 \dot {\bs \alpha}   = {\bs \alpha} \times {\bs \omega}, \quad \dot
-{\bs \beta} = {\bs \beta} \times {\bs \omega}""")
+{\bs \beta} = {\bs \beta} \times {\bs \omega}""",
+)
 
-eq4 = section.display("eq4", r"""
+eq4 = section.display(
+    "eq4",
+    r"""
 ({\bs \alpha},{\bs \alpha}) = a^2 , \quad ({\bs \beta},{\bs \beta })
-= b^2 , \quad ({\bs \alpha},{\bs \beta}) = c.""")
+= b^2 , \quad ({\bs \alpha},{\bs \beta}) = c.""",
+)
 
-energy = section.display("energy", r"""
+energy = section.display(
+    "energy",
+    r"""
 H = \frac{1}{2} ({\bf I}{\bs \omega},{\bs \omega}) - ({\bf e}_1,
-{\bs \alpha}) - ({\bf e}_2, {\bs \beta}).""")
+{\bs \alpha}) - ({\bf e}_2, {\bs \beta}).""",
+)
 
 inertia = section.display("inertia", r"{\bf I}= \mathop{\rm diag}\nolimits(A_1, A_2,A_3).")
 
@@ -46,26 +58,38 @@ time_unit = section.inline("time-unit", r"\sqrt {A_3 /u_0 }")
 
 unit_inertia = section.inline("A3", r"A_3=1")
 
-kowalevski_case = section.display("kowalevski-case", r"""
+kowalevski_case = section.display(
+    "kowalevski-case",
+    r"""
 A_1  = A_2  = 2A_3 , \quad {\bf e}_1  = (1,0,0), \quad {\bf e}_2  =
-(0,1,0).""")
+(0,1,0).""",
+)
 
-eq5 = section.display("eq5", r"""
+eq5 = section.display(
+    "eq5",
+    r"""
 2\dot \omega _1 = \omega _2 \omega _3  + \beta _3, \quad 2 \dot
 \omega _2 =  - \omega _1 \omega _3  - \alpha _3 , \quad \dot \omega
-_3 = \alpha _2  - \beta _1 .""")
+_3 = \alpha _2  - \beta _1 .""",
+)
 
 eq6 = section.display("eq6", r"K = J_1^2  + J_2^2 ,")
 
-J = section.display("J", r"""
+J = section.display(
+    "J",
+    r"""
 J_1  = \omega _1^2  - \omega _2^2  + \alpha _1  - \beta _2, \quad
-J_2  = 2\omega _1 \omega _2  + \alpha _2  + \beta _1,""")
+J_2  = 2\omega _1 \omega _2  + \alpha _2  + \beta _1,""",
+)
 
 eq7 = section.display("eq7", r"J_1  = 0,\quad J_2  = 0,")
 
-J3 = section.display("J3", r"""
+J3 = section.display(
+    "J3",
+    r"""
 J_3  = (\omega _1^2  + \omega _2^2 )\omega _3 + 2(\omega _1 \alpha
-_3  + \omega _2 \beta _3 ),""")
+_3  + \omega _2 \beta _3 ),""",
+)
 
 eq8 = section.display("eq8", r"H = h,\quad J_3  = j")
 

@@ -25,7 +25,9 @@ section = Section("2", "New solution with two invariant relations")
 
 unit = section.inline("eq9.i", r"i^2=1")
 
-eq9 = section.display("eq9", r"""
+eq9 = section.display(
+    "eq9",
+    r"""
 \begin{array}{ll}
 x_1 = (\alpha_1  - \beta_2) + i(\alpha_2  + \beta_1),&
 x_2 = (\alpha_1  - \beta_2) - i(\alpha_2  + \beta_1 ), \\
@@ -35,11 +37,14 @@ i(\alpha_2  - \beta_1), \\
  z_1 = \alpha_3  + i\beta_3, &
 z_2 = \alpha_3  - i\beta_3,\\
 w_1 = \omega_1  + i\omega_2 , & w_2 = \omega_1  - i\omega_2.
-\end{array}""")
+\end{array}""",
+)
 
 tau = section.inline("tau", r"\tau=it")
 
-eq10 = section.display("eq10", r"""
+eq10 = section.display(
+    "eq10",
+    r"""
 \begin{array}{c}
 \begin{array}{ll}
 {x'_1  =  - x_1 w_3  + z_1 w_1,} & {x'_2  = x_2 w_3  - z_2 w_2,} \cr
@@ -49,11 +54,15 @@ w_2,}
 \end{array} \\
 2w'_1  =  - (w_1 w_3  + z_1 ),\quad 2w'_2  = w_2 w_3  + z_2, \quad
 2\omega'_3 = y_2  - y_1.
-\end{array}""")
+\end{array}""",
+)
 
-eq11 = section.display("eq11", r"""
+eq11 = section.display(
+    "eq11",
+    r"""
 \theta  = x_1 x_2 ,\quad Q_1  = x_2 z_1 w_1  + x_1 z_2 w_2 , \quad
-Q_2 = x_2 z_1 w_1  - x_1 z_2 w_2.""")
+Q_2 = x_2 z_1 w_1  - x_1 z_2 w_2.""",
+)
 
 theta_prime = section.inline("theta-prime", r"\theta ' = Q_2")
 
@@ -61,63 +70,92 @@ Q1_prime = section.inline("Q1-prime", r"Q'_1  = \frac{1}{2}Q_2 \omega _3 + ...")
 
 ansatz = section.display("ansatz", r"\theta ^m \omega _3  - \theta ^n Q_1.")
 
-ansatz_coefficient = section.display("ansatz-coefficient", r"""
+ansatz_coefficient = section.display(
+    "ansatz-coefficient",
+    r"""
 m\theta ^{m - 1} \theta ' - \frac{1}{2}\theta ^n Q_2  = (m\theta ^{m
-- 1}  - \frac{1}{2} \theta ^n )Q_2""")
+- 1}  - \frac{1}{2} \theta ^n )Q_2""",
+)
 
 ansatz_exponents = section.inline("ansatz-exponents", r"m = \frac{1}{2},n =  - \frac{1}{2}")
 
-F1 = section.display("F1", r"""
+F1 = section.display(
+    "F1",
+    r"""
 F_1  = \sqrt {x_1 x_2 } \omega _3  - \frac{1} {\sqrt {x_1 x_2 } }
-(x_2 z_1 w_1  + x_1 z_2 w_2 ).""")
+(x_2 z_1 w_1  + x_1 z_2 w_2 ).""",
+)
 
-eq12 = section.display("eq12", r"""
+eq12 = section.display(
+    "eq12",
+    r"""
 \frac{d F_1} {d\tau}  = \frac{1} {2\sqrt {x_1 x_2 }} \,[\frac{x_2}
 {x_1 } (z_1^2  + x_1 y_2 )(w_1^2  + x_1 ) - \frac{x_1} {x_2 } (z_2^2
-+ x_2 y_1 )(w_2^2  + x_2 )].""")
++ x_2 y_1 )(w_2^2  + x_2 )].""",
+)
 
-c = section.display("c", r"""
+c = section.display(
+    "c",
+    r"""
 \begin{array}{l}
 z_1^2  + x_1 y_2  = (a^2  - b^2 ) + 2ic = c_1  = {\rm const},\\
 z_2^2  + x_2 y_1  = (a^2  - b^2 ) - 2ic = c_2  = {\rm const}.
-\end{array}""")
+\end{array}""",
+)
 
-eq13 = section.display("eq13", r"""
+eq13 = section.display(
+    "eq13",
+    r"""
 U_1  = \frac{x_2 } {x_1 } c_1 (w_1^2  + x_1 ),\qquad U_2  =
 \frac{x_1 } {x_2 } c_2 (w_2^2  + x_2 ),\qquad U_2  = \overline {U_1
-}""")
+}""",
+)
 
-U_prime = section.display("U-prime", r"""
+U_prime = section.display(
+    "U-prime",
+    r"""
 \begin{array}{l}
 \displaystyle{\frac{dU_1} {d\tau } =\phantom{-}{\frac {c_1 } {x_1^2 }}(w_1^2  + x_1 )[x_1 x_2 \omega _3  - (x_2 z_1 w_1  + x_1 z_2 w_2 )],}\\
 \displaystyle{\frac{dU_2} {d\tau } =-{\frac {c_2 } {x_2^2 }}(w_2^2 +
 x_2 )[x_1 x_2 \omega _3  - (x_2 z_1 w_1  + x_1 z_2 w_2 )],}
-\end{array}""")
+\end{array}""",
+)
 
-eq14 = section.display("eq14", r"""
+eq14 = section.display(
+    "eq14",
+    r"""
 \begin{array}{l}
 \displaystyle{\frac {d} {d\tau } (U_1  - U_2 ) = \frac{1} {\sqrt
 {x_1 x_2 } }[{\frac {c_1 } {x_1^2 }}(w_1^2  + x_1 ) + {\frac{c_2 }
 {x_2^2 }}(w_2^2  + x_2 )] (\sqrt {x_1 x_2 } \omega _3  - {\frac{x_2
 z_1 w_1  + x_1 z_2 w_2 } {\sqrt {x_1 x_2 } }}).}
-\end{array}""")
+\end{array}""",
+)
 
 F2 = section.inline("F2", r"F_2  = U_1  - U_2")
 
-F_prime = section.display("F-prime", r"""
+F_prime = section.display(
+    "F-prime",
+    r"""
 \begin{array}{l}
 \displaystyle{\frac {dF_1} {d\tau }   = \frac {1} {2\sqrt {x_1 x_2 }
 }\, F_2 , \quad \frac {dF_2} {d\tau }   = \frac {1} {\sqrt {x_1 x_2
 } }(U_1  + U_2 )\,F_1.}
-\end{array}""")
+\end{array}""",
+)
 
 eq15 = section.display("eq15", r"F_1  = 0,\quad F_2  = 0")
 
-real_form = section.display("real-form", r"""
+real_form = section.display(
+    "real-form",
+    r"""
 x_1 x_2 \omega _3  - 2{\mathop{\rm Re}\nolimits} (x_2 z_1 w_1 ) =
-0,\qquad {\mathop{\rm Im}\nolimits} [x_2^2 c_1 (w_1^2  + x_1 )] = 0.""")
+0,\qquad {\mathop{\rm Im}\nolimits} [x_2^2 c_1 (w_1^2  + x_1 )] = 0.""",
+)
 
-eq16 = section.display("eq16", r"""
+eq16 = section.display(
+    "eq16",
+    r"""
 \begin{array}{l}
 \displaystyle{(\xi _1^2  + \xi _2^2 )\omega _3  - 2[(\xi _1 \omega
 _1 + \xi _2 \omega _2 )\alpha _3  + (\xi _2 \omega _1  - \xi _1
@@ -128,20 +166,27 @@ _1 ) +
 \\[2mm]
 \qquad+ [(a^2  - b^2 )(\xi _1^2  - \xi _2^2 ) + 4c\xi _1 \xi _2
 ](2\omega _1 \omega _2  + \xi _2 ) = 0.
-\end{array}""")
+\end{array}""",
+)
 
-xi = section.display("xi", r"""
+xi = section.display(
+    "xi",
+    r"""
 \xi _1  = \alpha _1  - \beta _2 , \quad \xi _2  = \alpha _2  + \beta
-_1 .""")
+_1 .""",
+)
 
-eq17 = section.display("eq17", r"""
+eq17 = section.display(
+    "eq17",
+    r"""
 \begin{array}{l}
 \displaystyle{H = \omega _1^2  + \omega _2^2  + \frac{1}{2}\omega
 _3^2  - \alpha _1  - \beta _2  \equiv h,}
 \\ [2mm]
 K = (\omega _1^2  - \omega _2^2  + \alpha _1  - \beta _2 )^2  +
 (2\omega _1 \omega _2  + \alpha _2  + \beta _1 )^2  \equiv k.
-\end{array}""")
+\end{array}""",
+)
 
 # -- scenes --------------------------------------------------------------------
 

@@ -20,37 +20,54 @@ section = Section("3", "The classical analogue")
 
 one_field_only = section.inline("beta", r"{\bs \beta} = 0")
 
-eq18 = section.display("eq18", r"""
+eq18 = section.display(
+    "eq18",
+    r"""
 \displaystyle{(\alpha _1^2  + \alpha _2^2 )\omega _3 - 2(\alpha _1
 \omega _1  + \alpha _2 \omega _2 )\alpha _3  =
-0,}""")
+0,}""",
+)
 
-eq19 = section.display("eq19", r"""
+eq19 = section.display(
+    "eq19",
+    r"""
 \displaystyle{2\alpha _1 \alpha _2 (\omega _1^2  - \omega _2^2  +
 \alpha _1 ) - (\alpha _1^2  - \alpha _2^2 )(2\omega _1 \omega _2  +
-\alpha _2 ) = 0}""")
+\alpha _2 ) = 0}""",
+)
 
 norm = section.inline("norm", r"{( {\bs \alpha},{\bs \alpha}) = 1}")
 
-ratio = section.display("ratio", r"""
+ratio = section.display(
+    "ratio",
+    r"""
 \displaystyle{ \frac{\omega _1^2 - \omega _2^2 + \alpha _1 }{\alpha
 _1^2  - \alpha _2^2}=\frac{2\omega _1 \omega _2 + \alpha _2
-}{2\alpha _1 \alpha _2}}""")
+}{2\alpha _1 \alpha _2}}""",
+)
 
-eq20 = section.display("eq20", r"""
+eq20 = section.display(
+    "eq20",
+    r"""
 \begin{array}{c}
 \displaystyle{\omega _1^2  - \omega _2^2  + \alpha _1  = {\frac {\alpha _1^2  - \alpha _2^2 } {\alpha _1^2  + \alpha _2^2 }}\sqrt {k},}  \\
 \displaystyle{2\omega _1 \omega _2  + \alpha _2  = {\frac{2\alpha _1
 \alpha _2 } {\alpha _1^2  + \alpha _2^2 }}\sqrt {k}.}
-\end{array}""")
+\end{array}""",
+)
 
-area = section.display("area", r"""
+area = section.display(
+    "area",
+    r"""
 L = \alpha _1 \omega _1  + \alpha _2 \omega _2  + \frac{1}{2}\alpha
-_3 \omega _3  \equiv \ell.""")
+_3 \omega _3  \equiv \ell.""",
+)
 
 Psi = section.inline("Psi", r"\Psi  = 2L^2  - H")
 
-eq21 = section.display("eq21", r"""
+eq21 = section.display(
+    "eq21",
+    r"""
 \begin{array}{l}
 \displaystyle{\Psi  =  - \frac{1}{2} (\alpha _1^2  + \alpha _2^2
 )[\omega _3 - 2{\frac{\alpha _1 \omega _1  + \alpha _2 \omega _2 }
@@ -58,7 +75,8 @@ eq21 = section.display("eq21", r"""
 \displaystyle{\phantom{\Psi=} + \frac{1} {\alpha _1^2  + \alpha _2^2
 } [(\alpha_1^2 - \alpha _2^2 )(\omega _1^2  - \omega _2^2  + \alpha
 _1 ) + 2\alpha _1 \alpha _2 (2\omega _1 \omega _2  + \alpha _2 )].}
-\end{array}""")
+\end{array}""",
+)
 
 eq22 = section.display("eq22", r"2\ell^2  - h = \sqrt {k}.")
 
@@ -96,9 +114,7 @@ separation_variables = section.lemma(
 
 # -- scenes --------------------------------------------------------------------
 
-POLES = Locus(
-    r"$\alpha_1=\alpha_2=0$", (r"\alpha_1=0", r"\alpha_2=0"), r"\alpha_1^2+\alpha_2^2"
-)
+POLES = Locus(r"$\alpha_1=\alpha_2=0$", (r"\alpha_1=0", r"\alpha_2=0"), r"\alpha_1^2+\alpha_2^2")
 
 ONE_FIELD = {
     **KOWALEVSKI,
@@ -235,7 +251,9 @@ reduced_space = Scene(
 section.claim(
     Equivalence("eq18", one_field, eq18[1], r"the first relation (16) for $\beta=0$", to=eq16[1]),
     Equivalence("eq19", one_field, eq19[1], r"the second relation (16) for $\beta=0$", to=eq16[2]),
-    Equivalence("ratio", one_field, ratio[1], "the relation (19) as an equality of ratios", to=eq19[1]),
+    Equivalence(
+        "ratio", one_field, ratio[1], "the relation (19) as an equality of ratios", to=eq19[1]
+    ),
     Implication(
         "eq20.1",
         with_root_of_k,

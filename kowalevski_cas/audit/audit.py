@@ -21,7 +21,6 @@ from kowalevski_cas.audit.tokens import words
 from kowalevski_cas.proof.outcome import Outcome
 from kowalevski_cas.texts import Display
 
-
 MOST = 20_000
 """Formulas in one source."""
 

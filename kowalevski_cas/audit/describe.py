@@ -14,6 +14,7 @@ from kowalevski_cas.audit.audited import (
     WRONG,
     Audited,
 )
+from kowalevski_cas.audit.differences import unused
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.macros import Expanded
 from kowalevski_cas.audit.places import Place
@@ -151,9 +152,12 @@ class Describer:
         if printed not in self.session.changed:
             return
         lost = undefined(role, self.texts.formula(printed))
+        idle = unused(self.session.memory, self.texts, printed)
         if lost:
             audited.message = f"it does not define {', '.join(lost)}"
-        if lost or audited.breaks:
+        elif idle:
+            audited.message = f"nothing depends on {', '.join(idle)} any more"
+        if lost or idle or audited.breaks:
             if audited.verdict not in WRONG:
                 audited.verdict = SUSPECT
 

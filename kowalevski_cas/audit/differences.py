@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.notation import Formula, NotationError, to_latex
+from kowalevski_cas.proof.dependencies import names
 from kowalevski_cas.proof.evidence import Evidence
 from kowalevski_cas.texts import Display, Printed, Texts
 
@@ -49,3 +50,17 @@ def formulas(texts: Texts, display: Display) -> tuple[Formula, ...]:
             found.append(texts.statement(display[len(found) + 1]).formula)
     except NotationError:
         return tuple(found)
+
+
+def unused(memory: Memory, texts: Texts, printed: Printed) -> list[str]:
+    """The constants of scenes that nothing depends on, now that a place has lost them."""
+    before = set(names(memory.base.own.formula(printed)))
+    gone = before - set(names(texts.formula(printed)))
+    found: dict[str, None] = {}
+    for scene in memory.derivation.scenes():
+        places = set(scene.places())
+        if printed in places:
+            places.update(*(c.places() for c in memory.derivation.claims if scene in c.scenes()))
+            left = {name for place in places for name in names(texts.formula(place))}
+            found.update(dict.fromkeys(sorted(gone & set(scene.constants) - left)))
+    return list(found)

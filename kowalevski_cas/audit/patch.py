@@ -28,6 +28,7 @@ def mended(found: Audit) -> str:
 def _once(audit: Audit) -> str:
     """The text with those misprints mended that one audit finds."""
     replacements: dict[tuple[int, int], str] = {}
+    end_of_line = "\r\n" if "\r\n" in audit.source.text else "\n"
     for place in audit.places:
         if place.typed is None:
             continue
@@ -38,7 +39,7 @@ def _once(audit: Audit) -> str:
             interval = audit.expanded.origin(place.typed.start + start, place.typed.start + end)
             if start == end:
                 interval = _between(audit, place.typed.start + start)
-            replacements[interval] = typed
+            replacements[interval] = typed.replace("\r", "").replace("\n", end_of_line)
     return _replaced(audit.source.text, replacements)
 
 

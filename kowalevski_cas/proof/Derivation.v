@@ -54,6 +54,43 @@ Definition from (images : list expr) (rest : nat -> expr) (n : nat) : expr :=
 
 Definition constant (n : nat) : expr := Num 0.
 
+(** Derivatives have many zeros; this takes them away, and [simplified] below says that
+    values stay. *)
+
+Definition sum (a b : expr) : expr :=
+  match a, b with
+  | Num 0, _ => b
+  | _, Num 0 => a
+  | _, _ => Add a b
+  end.
+
+Definition prod (a b : expr) : expr :=
+  match a, b with
+  | Num 0, _ => Num 0
+  | _, Num 0 => Num 0
+  | Num 1, _ => b
+  | _, Num 1 => a
+  | _, _ => Mul a b
+  end.
+
+Definition quot (a b : expr) : expr :=
+  match a, b with
+  | Num 0, _ => Num 0
+  | _, Num 1 => a
+  | _, _ => Div a b
+  end.
+
+Fixpoint simple (e : expr) : expr :=
+  match e with
+  | Var n => Var n
+  | Num z => Num z
+  | Add a b => sum (simple a) (simple b)
+  | Opp a => match simple a with Num 0 => Num 0 | a => Opp a end
+  | Mul a b => prod (simple a) (simple b)
+  | Div a b => quot (simple a) (simple b)
+  | Pow a n => Pow (simple a) n
+  end.
+
 (** * Vectors *)
 
 Definition vec : Type := (expr * expr * expr)%type.
@@ -138,6 +175,47 @@ Proof.
   - ring.
   - rewrite E. ring.
 Qed.
+
+Lemma sum_value (v : nat -> R) (a b : expr) :
+  value v (sum a b) = add (value v a) (value v b).
+Proof.
+  unfold sum; destruct a as [|[| |]| | | | |]; try (cbn; ring);
+  destruct b as [|[| |]| | | | |]; cbn; ring.
+Qed.
+
+Lemma prod_value (v : nat -> R) (a b : expr) :
+  value v (prod a b) = mul (value v a) (value v b).
+Proof.
+  unfold prod; destruct a as [|[|[| |]|]| | | | |]; try (cbn; ring);
+  destruct b as [|[|[| |]|]| | | | |]; cbn; ring.
+Qed.
+
+Lemma quot_value (v : nat -> R) (a b : expr) :
+  value v (quot a b) = div (value v a) (value v b).
+Proof.
+  assert (Z : forall x, div zero x = zero).
+  { intros x. rewrite (Fdiv_def R_field). ring. }
+  assert (O : forall x, div x one = x).
+  { intros x. field. exact (F_1_neq_0 R_field). }
+  unfold quot; destruct a as [|[| |]| | | | |]; cbn [value integer_value]; auto;
+  destruct b as [|[|[| |]|]| | | | |]; cbn [value integer_value positive_value]; auto.
+Qed.
+
+Lemma simple_value (v : nat -> R) (e : expr) : value v (simple e) = value v e.
+Proof.
+  induction e as [n|z|a A b B|a A|a A b B|a A b B|a A n]; cbn [simple].
+  - reflexivity.
+  - reflexivity.
+  - rewrite sum_value, A, B. reflexivity.
+  - cbn [value]. rewrite <- A. destruct (simple a) as [|[| |]| | | | |]; cbn; ring.
+  - rewrite prod_value, A, B. reflexivity.
+  - rewrite quot_value, A, B. reflexivity.
+  - cbn [value]. rewrite A. reflexivity.
+Qed.
+
+Lemma simplified (v : nat -> R) (a b : expr) :
+  value v (simple a) = value v (simple b) -> value v a = value v b.
+Proof. rewrite !simple_value. auto. Qed.
 
 (** A term of a combination vanishes where a given equation holds. *)
 

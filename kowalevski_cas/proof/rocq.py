@@ -41,7 +41,11 @@ Hypothesis two_nonzero : add one one <> zero.
 
 Notation val := (value R zero one add mul opp div).
 
-Ltac nonzero :=
+Ltac norm H p q other ring_by :=
+  let E := fresh in
+  intro E; apply H; transitivity (mul (add p q) other); [ring_by tt | rewrite E; ring].
+
+Ltac nonzero ring_by :=
   repeat match goal with |- _ /\\ _ => split end;
   repeat first
     [ assumption
@@ -55,6 +59,13 @@ Ltac nonzero :=
           [ rewrite <- E; ring
           | transitivity (opp zero); [rewrite <- E; ring | ring]
           | rewrite E; ring ]
+      end
+    | match goal with H : ?a <> zero |- ?b <> zero =>
+        replace b with (mul (add one one) a) by ring
+      end
+    | match goal with
+      | H : _ <> zero |- add ?p (opp ?q) <> zero => norm H p (opp q) (add p q) ring_by
+      | H : _ <> zero |- add ?p ?q <> zero => norm H p q (add p (opp q)) ring_by
       end ].
 """
 
@@ -88,10 +99,9 @@ class Space:
         self.names = [*data["variables"], *data.get("constants", []), *self.roots]
         self.squares = {s[1]: s[2] for s in data.get("steps", []) if s[0] == "root"}
         self.wide: set[str] = set()
+        self.still: list[str] = []
         self.lines: list[str] = []
-        self.checked = checker.Space(
-            [space.checked for space in spaces], _copy(data)
-        )
+        self.checked = checker.Space([space.checked for space in spaces], _copy(data))
         for k, name in enumerate(self.names):
             self._define(name, "expr", f"Var {k}")
         for kind, name, tree in data.get("steps", []):
@@ -106,7 +116,9 @@ class Space:
             self._motion({})
         if "conjugates" in data:
             swap = {a: b for pair in data["conjugates"] for a, b in (pair, pair[::-1])}
-            bars = [f"Opp {self.q('i')}" if n == "i" else self.q(swap.get(n, n)) for n in self.names]
+            bars = [
+                f"Opp {self.q('i')}" if n == "i" else self.q(swap.get(n, n)) for n in self.names
+            ]
             self._add("bar", "nat -> expr", f"from [{'; '.join(bars)}] Var")
 
     def text(self) -> str:
@@ -165,16 +177,35 @@ class Space:
             self._add(f"rate_{identifier(name)}", "expr", rate)
             entries[name] = f"rate_{identifier(name)}"
         for root in self.roots:
-            if root not in entries:
+            if root not in entries and self._stays(root):
+                entries[root] = "(Num 0)"
+                self.still.append(root)
+            elif root not in entries:
                 below = f"(Mul (Num 2) {self.q(root)})"
                 rate = f"Div (along motion {self.term(self.squares[root])}) {below}"
                 self._add(f"rate_{identifier(root)}", "expr", rate)
                 entries[root] = f"rate_{identifier(root)}"
-            shown = [entries.get(n, "(Num 0)") for n in self.names]
         if powers or self.roots:
             self.lines = [line.replace(" motion ", " motion_0 ") for line in self.lines]
             shown = [entries.get(n, "(Num 0)") for n in self.names]
             self._add("motion", "nat -> expr", f"from [{'; '.join(shown)}] constant")
+
+    def _stays(self, root: str) -> bool:
+        """Whether the square of a root is constant: then its rate is zero, a theorem."""
+        return self.checked.roots[root].along(self.checked.rates).vanishes()
+
+    def over(self, root: str) -> tuple[str, str] | None:
+        """For a root of a fraction: what it has to be multiplied by, and the square then."""
+        element, below = self.checked.roots[root], self.checked.number(1)
+        for name, divisor in self.checked.divisors.items():
+            parts = element.split(name)
+            if most := max(parts):
+                each = (part * divisor ** (most - e) for e, part in parts.items())
+                element = sum(each, self.checked.number(0))
+                below = below * divisor**most
+        if below.terms.keys() == {0}:
+            return None
+        return self.term(_polynomial(below)), self.term(_polynomial(element * below))
 
     # -- terms -------------------------------------------------------------------
 
@@ -267,6 +298,18 @@ class Space:
         return found
 
 
+def _polynomial(element: checker.Element) -> Tree:
+    """A polynomial of the checker as a tree."""
+    summands: list[Tree] = [0]
+    for monomial, value in sorted(element.terms.items(), reverse=True):
+        top, below = value.as_integer_ratio()
+        shifts = element.space.at.items()
+        powers = ((name, monomial >> shift & checker.MASK) for name, shift in shifts)
+        factors = [["^", name, e] for name, e in powers if e]
+        summands.append(["*", ["/", top, below], *factors] if factors else ["/", top, below])
+    return ["+", *summands]
+
+
 def _has(tree: Tree, op: str) -> bool:
     return isinstance(tree, list) and (tree[0] == op or any(_has(part, op) for part in tree[1:]))
 
@@ -288,6 +331,9 @@ class Theorems:
         self.parts: list[str] = []
         for space in self.spaces:
             self._inverse(space)
+            for root in space.still:
+                rate = f"(along {space.module}.motion {space.term(space.squares[root])})"
+                self._theorem(space, [], rate, "(Num 0)")
         for part in data["parts"]:
             space = self.spaces[part["space"]]
             if part["shows"] == "follows":
@@ -317,9 +363,7 @@ class Theorems:
         if root is None:
             targets = [f"(Sub {a} {b})" for a, b in pairs] if given else []
         else:
-            flips = [
-                f"Opp {space.q(n)}" if n == root else space.q(n) for n in space.names
-            ]
+            flips = [f"Opp {space.q(n)}" if n == root else space.q(n) for n in space.names]
             flip = f"(from [{'; '.join(flips)}] Var)"
             single = [f"(Sub {a} {b})" for a, b in pairs]
             both = combinations_with_replacement(single, 2)
@@ -349,7 +393,7 @@ class Theorems:
             square = space.term(space.squares[root])
             hypotheses.append(f"val v (Mul {own} {own}) = val v {square}")
             intros.append(f"S{k}")
-            rewriting.append(f"S{k}")
+            rewriting.append(f"S{k}" if space.over(root) is None else f"T{k}")
         for k, tree in enumerate(space.data.get("nonzero", [])):
             hypotheses.append(f"val v {space.term(tree)} <> zero")
             intros.append(f"N{k}")
@@ -361,8 +405,11 @@ class Theorems:
             facts.append(
                 f"  try assert (val v {space.q(root)} <> zero) by "
                 f"(refine (root_nonzero R zero one add mul sub opp div inv R_field _ _ S{k} _); "
-                f"cbv -[not]; nonzero)."
+                f"cbv -[not] in *; nonzero {_ring(rewriting)})."
             )
+        for k, root in enumerate(space.roots):
+            facts += _fraction(space, k, root, rewriting[:k])
+        quotients = [f"Y{k}" for k, name in enumerate(rewriting) if name.startswith("T")]
         statement = " ->\n  ".join([*hypotheses, f"val v {left} = val v {right}"])
         proof = [f"  intros {' '.join(intros)}.", *facts]
         if given:
@@ -371,13 +418,13 @@ class Theorems:
                 sums = f"(Add {sums} (Mul {cofactor} (Sub {a} {b})))"
             proof.append(f"  transitivity (val v {sums}).")
             clear = " ".join(f"G{k}" for k in range(len(given)))
-            proof.append(f"  - clear {clear}. {_field(rewriting, assumed)}")
+            proof.append(f"  - clear {clear}. {_field(rewriting, assumed, quotients)}")
             proof.append(
                 "  - repeat (etransitivity; [eapply (vanishing R zero one add mul sub opp div inv "
                 "R_field); eassumption |]). reflexivity."
             )
         else:
-            proof.append(f"  {_field(rewriting, assumed)}")
+            proof.append(f"  {_field(rewriting, assumed, quotients)}")
         self.parts.append(
             f"Theorem {name} : forall v : nat -> R,\n  {statement}.\nProof.\n"
             + "\n".join(proof)
@@ -410,11 +457,40 @@ class Theorems:
         raise CertificateError("a refuted equation between vectors")
 
 
-def _field(rewriting: list[str], assumed: list[str]) -> str:
-    names = ", ".join([*rewriting, *assumed])
+def _fraction(space: Space, k: int, root: str, earlier: list[str]) -> list[str]:
+    """Steps after which the root of a fraction is a root of a polynomial over another one."""
+    found = space.over(root)
+    if found is None:
+        return []
+    below, square = found
+    own = space.q(root)
+    squares = f" [{' '.join(earlier)}]" if earlier else ""
+    done = f"field{squares}; nonzero {_ring(earlier)}"
+    return [
+        f"  assert (X{k} : exists h, mul h h = val v {square} /\\ val v {own} = div h (val v {below})).",
+        f"  {{ exists (mul (val v {own}) (val v {below})). split.",
+        f"    - transitivity (mul (val v (Mul {own} {own})) (mul (val v {below}) (val v {below}))).",
+        "      + cbn [value]. ring.",
+        f"      + rewrite S{k}. cbv -[not] in *. {done}.",
+        f"    - cbv -[not] in *. {done}. }}",
+        f"  destruct X{k} as [h{k} [T{k} Y{k}]]. clear S{k}.",
+    ]
+
+
+def _field(rewriting: list[str], assumed: list[str], quotients: list[str]) -> str:
+    names = ", ".join([*rewriting, *assumed, *quotients])
     inside = f" in {names} |- *" if names else ""
     squares = f" [{' '.join(rewriting)}]" if rewriting else ""
-    return f"cbv -[not]{inside}; field{squares}; nonzero."
+    rewrites = "".join(f"rewrite ?{name}; " for name in quotients)
+    return (
+        "apply (simplified R zero one add mul sub opp div inv R_field); "
+        f"cbv -[not]{inside}; {rewrites}field{squares}; nonzero {_ring(rewriting)}."
+    )
+
+
+def _ring(rewriting: list[str]) -> str:
+    squares = f" [{' '.join(rewriting)}]" if rewriting else ""
+    return f"ltac:(fun _ => ring{squares})"
 
 
 def _gauss(tree: Tree) -> str:

@@ -342,7 +342,7 @@ def _compare(
             rest = rest + first[i][k] * second[k][j] - third[i][k] * first[k][j]
             tree.append(["*", _entry("T", i, k), _entry("N", k, j)])
             tree.append(["-", ["*", _entry("M", i, k), _entry("T", k, j)]])
-        row = combination(
+        cofactors = combination(
             parts.bench.finder,
             claim.scene,
             ("certificate", claim.id, i, j),
@@ -350,7 +350,7 @@ def _compare(
             claim.special.functions,
         )
         equations.append([tree, 0])
-        rows.append(_found(row))
+        rows.append(_found(cofactors))
     parts.follows(space, equations, given, rows)
 
 

@@ -177,3 +177,15 @@ def test_a_hostile_change_of_the_paper(write, capsys):
         path = write(text.replace(r"J_1  = \omega _1^2", new, 1))
         assert main(["audit", path, "--derivation", "kharlamov2002"]) in (1, 2)
         assert "Traceback" not in capsys.readouterr().err
+
+
+def test_too_many_formulas(write, capsys):
+    assert main(["audit", "--list", write("$x$ " * 20_001)]) == 2
+    assert "more than 20,000 formulas" in capsys.readouterr().err
+
+
+def test_mutants(paper, capsys):
+    assert main(["mutants", str(paper), "--sample", "3", "--seed", "1", "--jobs", "1"]) == 0
+    out = capsys.readouterr().out
+    assert "seed 1" in out
+    assert "3 mutants" in out

@@ -68,3 +68,10 @@ def test_the_diff_applies(tmp_path):
 def test_no_misprint_no_patch():
     text = mended(audit(source(), memory()))
     assert patch(audit(Source("paper.tex", text), memory())) == ""
+
+
+def test_line_ends_of_another_system_stay():
+    text = source().text.replace("\n", "\r\n")
+    found = mended(audit(Source("paper.tex", text), memory()))
+    assert found.count("\n") == found.count("\r\n")
+    assert found.replace("\r\n", "\n") == mended(audit(source(), memory()))
