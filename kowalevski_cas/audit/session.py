@@ -92,7 +92,11 @@ class AuditSession(Session):
         outcome = super().decide(claim)
         own = self._own(claim)
         if own and not outcome.verdict.green and outcome.correction is None:
-            outcome = replace(outcome, correction=self._as_before(claim, own))
+            found = None
+            if outcome.verdict is Verdict.ERROR and outcome.digest:
+                found = self._correct(claim, Evidence(outcome.digest))
+            correct = found is not None and found.verdict.green
+            outcome = replace(outcome, correction=found if correct else self._as_before(claim, own))
         causes = self.causes.get(claim.id, ())
         if not causes and not outcome.verdict.green:
             causes = own or self._to_blame(claim)

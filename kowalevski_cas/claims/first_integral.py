@@ -62,7 +62,7 @@ class FirstIntegral(Claim):
     def rate(self, stage: Stage) -> Element:
         """The derivative of the printed expression; of a member that moves, if one does."""
         assert self.printed is not None
-        rates = self.residuals(stage.texts.formula(self.printed), stage)
+        rates = self._rates(stage.texts.formula(self.printed), stage)
         return next((rate for rate in rates if not rate.is_zero), rates[0])
 
     def _everywhere(self, bench: Bench, rate: Element, stage: Stage) -> Finding:
@@ -90,8 +90,14 @@ class FirstIntegral(Claim):
         """The left sides of the equations of the set."""
         return equations(self.on, stage)
 
-    def residuals(self, formula: Formula, stage: Stage) -> list[Element]:
+    def residuals(self, formula: Formula, stage: Stage) -> list[Element] | None:
+        return None if self.on else self._rates(formula, stage)
+
+    def _rates(self, formula: Formula, stage: Stage) -> list[Element]:
+        """The derivatives of the members; not of names that are defined by the others."""
         chain = members(formula) if isinstance(formula, Relation) else [formula]
+        here = {n for n, place in self.scene.definitions.items() if place == self.printed}
+        chain = [m for m in chain if not (isinstance(m, Name) and m.name in here)] or chain
         known = [member for member in chain if not _is_level(member, stage)]
         return [stage.derivative(scalar(member, stage)) for member in known or chain]
 

@@ -147,8 +147,8 @@ def _exponents(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
         # A power of one is not printed, and nothing is divided by zero.
         lowest = 2 if isinstance(place.parent, Power) else isinstance(place.parent, Quotient)
         if node.value > lowest:
-            lower = Number(node.value - 1)
-            yield Misprint("exponent", place.path, lower, f"${lower.value}$ for ${words}$")
+            for value in dict.fromkeys((node.value - 1, max(node.value // 2, int(lowest)))):
+                yield Misprint("exponent", place.path, Number(value), f"${value}$ for ${words}$")
         higher = Number(node.value + 1)
         yield Misprint("exponent", place.path, higher, f"${higher.value}$ for ${words}$")
     elif isinstance(node, Power) and node.exponent == TWO:
@@ -164,7 +164,8 @@ def _coefficients(place: _Place) -> Iterator[Misprint]:
     if isinstance(node, Number) and not place.raised and node.value:
         value = node.value
         others: list[Formula] = [Number(value + 1), Number(2 * value)]
-        others += [Number(value - 1)] if value > 1 else []
+        others += [Number(value - 1), ONE] if value > 1 else []
+        others += [Number(0)] if isinstance(place.parent, Relation) else []
         if value % 2 == 0:
             others.append(Number(value // 2))
         elif not isinstance(place.parent, Quotient):

@@ -323,7 +323,7 @@ def test_a_formula_that_cannot_be_used_is_named(cli, write, tex, words):
         (b"x = (", "__init__.py:1: SyntaxError"),
         (b"\n\nimport nothing_of_this_name", "__init__.py:3: ModuleNotFoundError"),
         (bytes(range(128, 256)) * 9, "SyntaxError"),
-        (b"\x00" * 100, "SyntaxError"),
+        (b"\x00" * 100, "null bytes"),
     ],
 )
 def test_a_file_that_is_no_derivation(cli, tmp_path, text, words):
