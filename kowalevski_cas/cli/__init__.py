@@ -18,7 +18,6 @@ COMMANDS = {
     "audit": "read a paper's TeX source and prove or refute each formula in it",
     "check": "check certificates with the independent checker",
     "certificates": "write the certificates of a derivation",
-    "export": "print a derivation for Rocq, Singular or PARI/GP",
     "mutants": "change one token at a time, and count what an audit notices",
     "record": "write the record of verdicts, and the evidence behind them, anew",
 }
