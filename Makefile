@@ -5,6 +5,7 @@ VENV  := .venv
 PY    := $(VENV)/bin/python
 RUN   := $(PY) -m kowalevski_cas
 SLOW  ?=
+QUICK ?=
 PAPER ?= $(firstword $(wildcard ../shared/paper/*.txt ../shared/paper/*.tex))
 JUNIT ?=
 
@@ -15,7 +16,7 @@ PYTHON = $(shell for p in python3.13 python3.12 python3.11 python3; do \
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help verify report mutants test lint record benchmark clean
+.PHONY: help verify report mutants test lint record study benchmark clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -37,6 +38,9 @@ test: $(VENV)/.dev ## Run the tests (SLOW=1: also the slow ones; JUNIT=file: res
 
 lint: $(VENV)/.dev ## Check style and types
 	@$(PY) -m ruff check . && $(PY) -m ruff format --check . && $(PY) -m mypy
+
+study: $(VENV)/.installed ## Measure speed against accuracy, and where methods fail (QUICK=1: under a minute)
+	@$(RUN) study $(if $(QUICK),--quick)
 
 benchmark: $(VENV)/.dev ## Measure the speed of proving and of reporting
 	@$(PY) -m benchmarks

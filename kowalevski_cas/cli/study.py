@@ -1,0 +1,64 @@
+"""Measure what each way of checking costs, how sure it is, and where it fails; draw the charts.
+
+Every measurement is stored at once: an interrupted study is continued by the same
+command. Rows that another machine or other versions measured are not continued.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from kowalevski_cas.cli import session
+from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
+from kowalevski_cas.study import STEPS, load
+from kowalevski_cas.study.run import measure, stored
+
+FULL, QUICK = Path("reports/study"), Path("build/study")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    parser.add_argument(
+        "steps",
+        nargs="*",
+        metavar="STEP",
+        help=f"one of {', '.join(STEPS)}; all of them if none is named",
+    )
+    parser.add_argument("--quick", action="store_true", help="small cases only, under a minute")
+    parser.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        metavar="DIR",
+        help=f"write there ({FULL}; {QUICK} with --quick)",
+    )
+    again = parser.add_mutually_exclusive_group()
+    again.add_argument("--afresh", action="store_true", help="forget what was measured before")
+    again.add_argument("--draw", action="store_true", help="draw what is stored, measure nothing")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run the command and return its exit code."""
+    unknown = [name for name in arguments.steps if name not in STEPS]
+    if unknown:
+        raise CommandError(
+            f"the study has no step “{unknown[0]}”; there are {', '.join(STEPS)}", NOTHING
+        )
+    folder = arguments.output or (QUICK if arguments.quick else FULL)
+    for name in arguments.steps or STEPS:
+        step = load(name)
+        if arguments.draw:
+            rows = stored(name, folder)
+            if not rows:
+                raise CommandError(f"nothing is stored for “{name}” in {folder}", NOTHING)
+        else:
+            with session.progress_bar() as progress:
+                rows = measure(name, step, folder, arguments.quick, progress, arguments.afresh)
+        step.draw(rows, folder)
+        failed = sum(row["verdict"] == "error" for row in rows)
+        note = f", {failed} with an error" if failed else ""
+        print(f"{name}: {step.TITLE}: {len(rows)} measurements{note}")
+        sys.stdout.flush()
+    return AS_RECORDED

@@ -1,0 +1,123 @@
+"""The style of every picture: readable in grey print and for the colour-blind, always the same.
+
+Colours are those of M. Okabe and K. Ito, *Color universal design* (2008); each
+comes with a marker and a line style of its own, so that nothing is told by colour
+alone. Files carry no date and no version: the same figure gives the same bytes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+FORMATS = ("svg", "pdf", "png")
+
+INK = "#1a1a1a"
+FAINT = "#9a9a9a"
+"""Grids, guides, and what is shown for comparison only."""
+
+WIDTH = 6.3
+"""The width in inches of a picture that fills a line of the report."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A colour with the marker and the line style that go with it; ``dashes`` is Matplotlib's."""
+
+    colour: str
+    marker: str
+    dashes: str | tuple[int, tuple[float, ...]]
+
+
+MARKS = (
+    Mark("#0072b2", "o", "-"),  # blue
+    Mark("#d55e00", "s", (0, (5, 1.5))),  # vermilion
+    Mark("#009e73", "^", (0, (5, 1.5, 1, 1.5))),  # bluish green
+    Mark("#cc79a7", "D", (0, (1, 1.2))),  # reddish purple
+    Mark("#e69f00", "v", (0, (3, 1, 1, 1, 1, 1))),  # orange
+    Mark("#56b4e9", "P", (0, (7, 2))),  # sky blue
+    Mark("#000000", "X", (0, (2, 1))),  # black
+    Mark("#7a7a00", "*", (0, (8, 2, 2, 2))),  # olive: the yellow of the palette, darkened for paper
+)
+"""Marks in the order in which series take them."""
+
+_STYLE: dict[Any, Any] = {
+    "font.family": "DejaVu Sans",
+    "mathtext.fontset": "dejavusans",
+    "font.size": 8.5,
+    "axes.titlesize": 9.5,
+    "axes.titlelocation": "left",
+    "axes.labelsize": 8.5,
+    "axes.edgecolor": INK,
+    "axes.linewidth": 0.7,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.axisbelow": True,
+    "axes.grid": True,
+    "grid.color": "#dcdcdc",
+    "grid.linewidth": 0.5,
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    "lines.linewidth": 1.3,
+    "lines.markersize": 4.5,
+    "legend.frameon": False,
+    "legend.fontsize": 8,
+    "figure.constrained_layout.use": True,
+    "savefig.dpi": 200,
+    "svg.hashsalt": "kowalevski_cas",
+    "svg.fonttype": "path",
+    "pdf.fonttype": 42,
+    "path.simplify": True,
+}
+
+_METADATA: dict[str, dict[str, str | None]] = {
+    "svg": {"Date": None, "Creator": None},
+    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
+    "png": {"Software": None},
+}
+
+
+@contextmanager
+def style() -> Iterator[None]:
+    """The style, for whatever is drawn inside; the user's own settings do not show through."""
+    import matplotlib
+
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        for name, value in _STYLE.items():
+            matplotlib.rcParams[name] = value
+        yield
+
+
+def new_figure(width: float = WIDTH, height: float = 4.0) -> Figure:
+    """An empty figure, in inches; draw on it inside :func:`style`."""
+    from matplotlib.figure import Figure
+
+    return Figure(figsize=(width, height))
+
+
+def mark(index: int) -> Mark:
+    """The mark of the series with this index; they repeat after the last one."""
+    return MARKS[index % len(MARKS)]
+
+
+def save(
+    figure: Figure, folder: Path, name: str, formats: Sequence[str] = FORMATS
+) -> tuple[Path, ...]:
+    """Write a figure as ``folder/name.svg``, ``.pdf`` and ``.png``; the files' paths.
+
+    The bytes depend on the figure and on the version of Matplotlib, on nothing else.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    paths = tuple(folder / f"{name}.{suffix}" for suffix in formats)
+    with style():
+        for path in paths:
+            suffix = path.suffix[1:]
+            figure.savefig(path, format=suffix, metadata=_METADATA.get(suffix))
+    return paths

@@ -1,0 +1,27 @@
+"""The study: what each way of checking costs, how sure it is, and where it fails.
+
+A study is a sequence of steps, one module each. A step says what is to be
+measured (:func:`measure`, a sequence of tasks) and draws what was measured
+(:func:`draw`, from stored rows only). A new step is one new module and one line
+in :data:`STEPS`.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import cast
+
+from kowalevski_cas.study.step import Measured, Row, Step, Task
+
+STEPS: dict[str, str] = {}
+"""The module of each step below this package, by the step's name, in the order of the study."""
+
+
+def load(name: str) -> Step:
+    """The step with this name."""
+    if name not in STEPS:
+        raise ValueError(f"there is no step “{name}”; the study has: {', '.join(STEPS)}")
+    return cast(Step, import_module(f"{__name__}.{STEPS[name]}"))
+
+
+__all__ = ["STEPS", "Measured", "Row", "Step", "Task", "load"]

@@ -1,0 +1,60 @@
+"""Rows on disk: one JSON a line, written at once, so that an interrupted study loses nothing."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from kowalevski_cas.study.step import Row
+
+Key = tuple[str, str]
+
+
+class Store:
+    """The rows of one step in a file, whose first line says where they were measured.
+
+    Rows of another machine, or of other versions, are no part of this study:
+    ``header`` has to be the same for a file to be continued.
+    """
+
+    def __init__(self, path: Path, header: Mapping[str, Any] | None = None) -> None:
+        self.path = path
+        self.header: Mapping[str, Any] = {}
+        self.rows: dict[Key, Row] = {}
+        self._read()
+        self.continued = header is None or self.header == header
+        if header is not None and not self.continued:
+            self.header, self.rows = header, {}
+
+    def _read(self) -> None:
+        try:
+            lines = self.path.read_text(encoding="utf-8").splitlines()
+        except FileNotFoundError:
+            return
+        for number, line in enumerate(lines):
+            try:
+                entry = json.loads(line)
+            except ValueError:
+                break  # a line that was being written when the study was interrupted
+            if number == 0:
+                self.header = entry
+            else:
+                self.rows[entry["method"], entry["case"]] = entry
+
+    def begin(self) -> None:
+        """Write what is kept, without torn lines, and make ready for more."""
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        lines = [_line(self.header), *map(_line, self.rows.values())]
+        self.path.write_text("".join(lines), encoding="utf-8")
+
+    def add(self, row: Row) -> None:
+        """Keep a row, on disk at once."""
+        self.rows[row["method"], row["case"]] = row
+        with self.path.open("a", encoding="utf-8") as file:
+            file.write(_line(row))
+
+
+def _line(entry: Mapping[str, Any]) -> str:
+    return json.dumps(entry, ensure_ascii=False, separators=(",", ":")) + "\n"

@@ -1,0 +1,62 @@
+from __future__ import annotations
+
+import re
+import sys
+from itertools import combinations
+
+from kowalevski_cas import pictures
+
+
+def figure():
+    with pictures.style():
+        figure = pictures.new_figure(3, 2)
+        axes = figure.subplots()
+        for index in range(3):
+            one = pictures.mark(index)
+            axes.plot(
+                [0, 1], [index, 1], color=one.colour, marker=one.marker, ls=one.dashes, label="x"
+            )
+        axes.legend()
+    return figure
+
+
+def test_the_same_figure_gives_the_same_bytes(tmp_path):
+    first = pictures.save(figure(), tmp_path / "a", "x")
+    second = pictures.save(figure(), tmp_path / "b", "x")
+    assert [path.suffix for path in first] == [".svg", ".pdf", ".png"]
+    for one, other in zip(first, second, strict=True):
+        assert one.read_bytes() == other.read_bytes()
+
+
+def test_files_carry_no_date_and_no_version(tmp_path):
+    for path in pictures.save(figure(), tmp_path, "x"):
+        data = path.read_bytes()
+        assert b"dc:date" not in data and b"CreationDate" not in data
+        assert not re.search(rb"Matplotlib v|Matplotlib (pdf )?version", data)
+
+
+def test_marks_differ_in_grey_and_without_colour():
+    def grey(colour: str) -> float:
+        red, green, blue = (int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5))
+        return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+    for one, other in combinations(pictures.MARKS, 2):
+        assert one.marker != other.marker and one.dashes != other.dashes
+        assert one.colour != other.colour
+    assert all(grey(one.colour) < 0.75 for one in pictures.MARKS)  # dark enough for paper
+
+
+def test_the_users_own_settings_do_not_show_through(tmp_path):
+    import matplotlib
+
+    (plain,) = pictures.save(figure(), tmp_path / "a", "x", ["svg"])
+    with matplotlib.rc_context({"font.size": 30, "axes.facecolor": "red"}):
+        (other,) = pictures.save(figure(), tmp_path / "b", "x", ["svg"])
+    assert plain.read_bytes() == other.read_bytes()
+
+
+def test_the_style_loads_no_library_of_pictures_before_it_is_used():
+    import subprocess
+
+    code = "import sys, kowalevski_cas.pictures; sys.exit('matplotlib' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code]).returncode == 0
