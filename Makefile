@@ -16,19 +16,23 @@ PYTHON = $(shell for p in python3.13 python3.12 python3.11 python3; do \
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help verify report mutants test lint record study benchmark clean
+.PHONY: help verify report certificates mutants test lint record study benchmark clean
 
 help: ## Show this list
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
-verify: $(VENV)/.installed ## Prove or refute every formula, compare with the record, write the report
+verify: $(VENV)/.installed ## Prove or refute every formula, check the certificates, write the report
 	@$(RUN) verify --report reports
+	@$(RUN) check --quiet
 
 report: $(VENV)/.installed ## Write reports/*.tex and reports/*.pdf
 	@$(RUN) report --output reports
 
 record: $(VENV)/.installed ## Write the record of verdicts anew
 	@$(RUN) record
+
+certificates: $(VENV)/.installed ## Write the certificates anew
+	@$(RUN) certificates
 
 mutants: $(VENV)/.installed ## Change one token at a time: what does an audit notice? (PAPER=, SAMPLE=, SEED=)
 	@$(RUN) mutants $(PAPER) $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED))

@@ -1,19 +1,22 @@
 """Write the certificates of a derivation: one file a claim, in its folder `certificates`.
 
-Each one is read back and accepted by the checker before it is written.
+Each one is read back and accepted by the checker before it is written. The record
+of the derivation keeps their digests.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
-from kowalevski_cas.proof.certificate import certificates
+from kowalevski_cas.proof.certificate import Written, certificates
 from kowalevski_cas.proof.committed import FOLDER, certificate_files
 from kowalevski_cas.proof.evidence import load_evidence
+from kowalevski_cas.proof.record import FILE, RecordError, with_certificates
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -38,7 +41,10 @@ def run(arguments: argparse.Namespace) -> int:
         texts = {f"{one.claim}.json": one.text for one in written if one.text}
         if not texts:
             raise CommandError(f"no claim of {derivation.name} has a certificate", NOTHING)
-        session.write_whole({target / name: text for name, text in texts.items()})
+        files = {target / name: text for name, text in texts.items()}
+        if arguments.output is None:
+            files |= _recorded(folder, written)
+        session.write_whole(files)
         if arguments.output is None:
             for path in certificate_files(folder):
                 if path.name not in texts:
@@ -48,3 +54,12 @@ def run(arguments: argparse.Namespace) -> int:
                 print(f"{one.claim}: no certificate: {one.reason}", file=sys.stderr)
         print(f"{target}: {len(texts)} of {len(written)} claims have a certificate")
     return AS_RECORDED
+
+
+def _recorded(folder: Path, written: Sequence[Written]) -> dict[Path, str]:
+    """The record with the digests of the certificates, if there is one."""
+    try:
+        text = with_certificates(folder, {one.claim: one.digest for one in written if one.text})
+    except RecordError as error:
+        raise CommandError(str(error)) from None
+    return {} if text is None else {folder / FILE: text}

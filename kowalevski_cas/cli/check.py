@@ -1,17 +1,20 @@
-"""Check certificates with the independent checker.
+"""Check certificates with the independent checker, and compare them with the record.
 
-The same as `python -I -S kowalevski_cas/proof/checker.py FILE...`, which trusts
-nothing else of this program.
+`python -I -S kowalevski_cas/proof/checker.py FILE...` checks files as well, and
+trusts nothing else of this program.
 """
 
 from __future__ import annotations
 
 import argparse
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 
-from kowalevski_cas.cli import session
-from kowalevski_cas.proof import checker
-from kowalevski_cas.proof.committed import certificate_files
+from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
+from kowalevski_cas.library import LibraryError, available, find
+from kowalevski_cas.proof.committed import Checked, check_committed, check_files
+from kowalevski_cas.proof.record import RecordError, load_record
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -22,13 +25,33 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="CERTIFICATE",
         help="a file, or a derivation whose certificates are meant; all of the library if none",
     )
+    parser.add_argument(
+        "-q", "--quiet", action="store_true", help="do not say what the certificates prove"
+    )
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    files = [name for name in arguments.certificates if name.endswith(".json")]
-    names = [name for name in arguments.certificates if not name.endswith(".json")]
-    if names or not files:
-        for folder, _ in session.derivations(names):
-            files += map(str, certificate_files(Path(folder)))
-    return checker.main(files)
+    certified = total = 0
+    for found in _checked(arguments.certificates):
+        for claim, said in found.said.items() if not arguments.quiet else ():
+            print("\n".join(f"{claim}: {words}" for words in said))
+        for name, why in found.rejected.items():
+            print(f"REJECTED {name}: {why}")
+        if found.without:
+            print(f"without a certificate: {', '.join(found.without)}", file=sys.stderr)
+        certified, total = certified + len(found.digests), total + found.total
+    print(f"certificates: CERTIFIED {certified} of {total}")
+    return NOTHING if not total else AS_RECORDED if certified == total else REJECTED
+
+
+def _checked(names: list[str]) -> Iterator[Checked]:
+    """What the checker says about files, and about each derivation."""
+    if files := [Path(name) for name in names if name.endswith(".json")]:
+        yield check_files(files)
+    try:
+        for name in [n for n in names if not n.endswith(".json")] if names else available():
+            folder = find(name)
+            yield check_committed(folder, load_record(folder) or {})
+    except (LibraryError, RecordError) as error:
+        raise CommandError(str(error)) from None

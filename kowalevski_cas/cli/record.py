@@ -46,7 +46,7 @@ def run(arguments: argparse.Namespace) -> int:
             print(f"{change.claim}: {change.recorded} -> {change.found}")
         session.write_whole(
             {
-                folder / record.FILE: record.dump_record(found),
+                folder / record.FILE: record.dump_record(found, old),
                 folder / kept.FILE: kept.dump_evidence(evidence),
             }
         )

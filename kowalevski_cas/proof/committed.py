@@ -1,24 +1,25 @@
-"""The certificates that are committed with a derivation, checked against its statements."""
+"""The certificates that are committed with a derivation, checked and compared with its record."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from kowalevski_cas.proof import checker
 
 FOLDER = "certificates"
+Record = Mapping[str, Mapping[str, object]]
 
 
 @dataclass(frozen=True, slots=True)
-class Committed:
-    """What the checker says about the certificates of a derivation.
+class Checked:
+    """What the checker says about certificates.
 
-    ``digests`` has the accepted certificates by claim, ``said`` what each of them
-    proves; ``rejected`` says why for the others; ``without`` lists the claims that
-    have none.
+    ``digests`` has the accepted ones by claim, ``said`` what each of them proves;
+    ``rejected`` says why for the others, by file; ``without`` lists the recorded
+    claims that have none.
     """
 
     digests: dict[str, str] = field(default_factory=dict)
@@ -27,10 +28,9 @@ class Committed:
     without: tuple[str, ...] = ()
 
     @property
-    def words(self) -> str:
-        """One line about all of them."""
-        number = len(self.digests) + len(self.rejected)
-        return f"CERTIFIED {len(self.digests)} of {number}"
+    def total(self) -> int:
+        """The number of certificates that were checked."""
+        return len(self.digests) + len(self.rejected)
 
 
 def certificate_files(folder: Path) -> list[Path]:
@@ -38,26 +38,40 @@ def certificate_files(folder: Path) -> list[Path]:
     return sorted((folder / FOLDER).glob("*.json"))
 
 
-def check_committed(folder: Path, statements: Mapping[str, str]) -> Committed:
+def check_committed(folder: Path, record: Record) -> Checked:
     """Check the certificates in a derivation's folder.
 
-    ``statements`` has the digest of the statement of each claim, as the run or the
-    record has it; a certificate for another statement is rejected.
+    A certificate is rejected if the record has another statement of the claim, or
+    another certificate, than the file; so is one that is recorded and missing.
     """
-    found = Committed()
-    for path in certificate_files(folder):
-        name = path.stem
+    found = check_files(certificate_files(folder), record)
+    for claim, entry in record.items():
+        if entry.get("certificate") and not (folder / FOLDER / f"{claim}.json").is_file():
+            found.rejected[f"{claim}.json"] = "it is in the record, and missing"
+    without = tuple(claim for claim, entry in record.items() if not entry.get("certificate"))
+    return Checked(found.digests, found.said, found.rejected, without)
+
+
+def check_files(paths: Sequence[Path], record: Record | None = None) -> Checked:
+    """Check certificates; against a record, if there is one."""
+    found = Checked()
+    for path in paths:
         try:
             text = path.read_text(encoding="utf-8")
             claim, said = checker.check(text)
             data = json.loads(text)
-            checker.need(claim == name, f"it is about the claim {claim}")
-            checker.need(claim in statements, "there is no such claim")
-            checker.need(data["statement"] == statements[claim], "it is about another statement")
+            checker.need(path.name == f"{claim}.json", f"it is about the claim {claim}")
+            checker.need(claim not in found.digests, "the claim was certified before")
+            if record is not None:
+                entry = record.get(claim, {})
+                checker.need(entry, "the record has no such claim")
+                stale = "`make record` and `make certificates` write both anew"
+                same = entry.get("statement") == data["statement"]
+                checker.need(same, f"the record has another statement of it; {stale}")
+                same = entry.get("certificate") == data["digest"]
+                checker.need(same, f"the record has another certificate for it; {stale}")
         except Exception as error:  # whatever goes wrong, nothing is certified
-            found.rejected[name] = str(error) or type(error).__name__
+            found.rejected[str(path)] = str(error) or type(error).__name__
             continue
-        found.digests[name], found.said[name] = str(data["digest"])[:16], said
-    certified = {*found.digests, *found.rejected}
-    without = tuple(claim for claim in statements if claim not in certified)
-    return Committed(found.digests, found.said, found.rejected, without)
+        found.digests[claim], found.said[claim] = str(data["digest"]), said
+    return found

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from kowalevski_cas.library import find
 from kowalevski_cas.proof import checker
-from kowalevski_cas.proof.committed import certificate_files, check_committed
+from kowalevski_cas.proof.committed import certificate_files, check_committed, check_files
 
 from .oracle import is_true
 from .tampering import at, changed, mutants, names_in, places, seal
@@ -140,19 +140,48 @@ class TestText:
         rejected({**certificate("eq6"), "version": 2}, "format")
 
 
-class TestStatements:
-    def test_the_statement_of_another_claim(self, tmp_path):
-        folder = tmp_path / "certificates"
-        folder.mkdir()
-        data = certificate("eq6")
-        (folder / "eq6.json").write_text(seal(data))
-        known = {"eq6": data["statement"], "eq7": "0"}
-        found = check_committed(tmp_path, known)
-        assert list(found.digests) == ["eq6"] and found.without == ("eq7",)
-        assert found.words == "CERTIFIED 1 of 1"
-        found = check_committed(tmp_path, {"eq6": "another"})
-        assert found.rejected == {"eq6": "it is about another statement"}
+class TestRecord:
+    DATA = certificate("eq6")
 
+    def checked(self, folder, **entry):
+        (folder / "certificates").mkdir()
+        (folder / "certificates" / "eq6.json").write_text(TEXTS["eq6"], encoding="utf-8")
+        entry = {"statement": self.DATA["statement"], "certificate": self.DATA["digest"], **entry}
+        return check_committed(folder, {"eq6": entry, "eq7": {"statement": "0"}})
+
+    def test_as_recorded(self, tmp_path):
+        found = self.checked(tmp_path)
+        assert found.digests == {"eq6": self.DATA["digest"]} and not found.rejected
+        assert found.without == ("eq7",)
+
+    def test_another_statement(self, tmp_path):
+        (why,) = self.checked(tmp_path, statement="0123456789abcdef").rejected.values()
+        assert "another statement" in why and "make certificates" in why
+
+    def test_another_certificate(self, tmp_path):
+        (why,) = self.checked(tmp_path, certificate="0" * 64).rejected.values()
+        assert "another certificate" in why
+
+    def test_one_that_says_something_else_under_the_same_statement(self, tmp_path):
+        (tmp_path / "certificates").mkdir()
+        data = {**self.DATA, "parts": [{"space": 0, "shows": "follows", "equations": [[1, 1]]}]}
+        (tmp_path / "certificates" / "eq6.json").write_text(seal(data))
+        entry = {"statement": data["statement"], "certificate": data["digest"]}
+        assert check_files(certificate_files(tmp_path)).digests
+        assert not check_committed(tmp_path, {"eq6": entry}).digests
+
+    def test_one_that_is_missing(self, tmp_path):
+        entry = {"statement": self.DATA["statement"], "certificate": self.DATA["digest"]}
+        found = check_committed(tmp_path, {"eq6": entry})
+        assert found.rejected == {"eq6.json": "it is in the record, and missing"}
+
+    def test_one_of_a_claim_that_is_not_made(self, tmp_path):
+        self.checked(tmp_path)
+        (why,) = check_committed(tmp_path, {}).rejected.values()
+        assert "no such claim" in why
+
+
+class TestStatements:
     def test_a_false_claim_with_honest_cofactors(self):
         data = certificate("eq15")
         data["parts"][0]["equations"][0] = [["D", "F_1"], 1]

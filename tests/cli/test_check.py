@@ -1,0 +1,83 @@
+import json
+import shutil
+
+import pytest
+
+from kowalevski_cas.cli import main
+from kowalevski_cas.library import find
+from kowalevski_cas.proof.committed import certificate_files
+
+PAPER = find("kharlamov2002")
+
+
+@pytest.fixture
+def copy(tmp_path):
+    """A derivation with three of its certificates."""
+    folder = tmp_path / "copied"
+    shutil.copytree(PAPER, folder, ignore=shutil.ignore_patterns("__pycache__"))
+    record = json.loads((folder / "record.json").read_text())
+    kept = ("eq6", "eq7", "eq14")
+    record["claims"] = {claim: record["claims"][claim] for claim in kept}
+    (folder / "record.json").write_text(json.dumps(record))
+    for path in certificate_files(folder):
+        if path.stem not in kept:
+            path.unlink()
+    return folder
+
+
+def test_all_committed_certificates_belong_to_the_record(capsys):
+    assert main(["check", "--quiet"]) == 0
+    number = len(certificate_files(PAPER))
+    assert capsys.readouterr().out == f"certificates: CERTIFIED {number} of {number}\n"
+
+
+def test_it_says_what_is_proved(copy, capsys):
+    assert main(["check", str(copy)]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("eq14: it is false that ")
+    assert "eq6: D(((J_1 ^ 2) + (J_2 ^ 2))) = 0\n" in out
+    assert out.endswith("\ncertificates: CERTIFIED 3 of 3\n")
+
+
+def test_a_stale_certificate(copy, capsys):
+    record = json.loads((copy / "record.json").read_text())
+    record["claims"]["eq6"]["statement"] = "0123456789abcdef"
+    (copy / "record.json").write_text(json.dumps(record))
+    assert main(["check", "-q", str(copy)]) == 5
+    rejected, last = capsys.readouterr().out.splitlines()
+    assert rejected.startswith("REJECTED ") and "eq6.json" in rejected and "statement" in rejected
+    assert last == "certificates: CERTIFIED 2 of 3"
+
+
+def test_a_claim_without_a_certificate_is_named(copy, capsys):
+    record = json.loads((copy / "record.json").read_text())
+    record["claims"]["eq7"]["certificate"] = None
+    (copy / "record.json").write_text(json.dumps(record))
+    (copy / "certificates" / "eq7.json").unlink()
+    assert main(["check", "-q", str(copy)]) == 0
+    assert capsys.readouterr().err == "without a certificate: eq7\n"
+
+
+def test_a_record_that_cannot_be_read(copy, capsys):
+    (copy / "record.json").write_text("{")
+    assert main(["check", str(copy)]) == 2
+    assert "record.json" in capsys.readouterr().err
+
+
+def test_files(copy, capsys):
+    files = [str(path) for path in certificate_files(copy)]
+    assert main(["check", "-q", *files]) == 0
+    assert main(["check", "-q", *files, files[0]]) == 5
+    assert "certified before" in capsys.readouterr().out
+
+
+def test_no_certificates(copy, capsys):
+    shutil.rmtree(copy / "certificates")
+    (copy / "record.json").unlink()
+    assert main(["check", str(copy)]) == 6
+    assert capsys.readouterr().out == "certificates: CERTIFIED 0 of 0\n"
+
+
+def test_a_derivation_that_is_not_there(capsys):
+    assert main(["check", "nothing"]) == 2
+    assert "no derivation" in capsys.readouterr().err
