@@ -1,0 +1,70 @@
+"""Write the certificates of a derivation in the language of another program.
+
+Each claim has a file of its own, in a folder with the name of the derivation.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+from kowalevski_cas.cli import session
+from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
+from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.export import FORMATS, Export, Json, load
+from kowalevski_cas.proof.committed import certificate_files, check_committed, check_files
+from kowalevski_cas.proof.record import RecordError, load_record
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    words = "; ".join(f"{name}: {words}" for name, words in FORMATS.items())
+    parser.add_argument("format", choices=FORMATS, metavar="FORMAT", help=words)
+    parser.add_argument(
+        "derivations",
+        nargs="*",
+        metavar="DERIVATION",
+        help="name in the library, or folder; all of the library if none is named",
+    )
+    parser.add_argument(
+        "-o", "--output", type=Path, metavar="DIR", required=True, help="write there"
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run the command and return its exit code."""
+    for folder, derivation in session.derivations(arguments.derivations):
+        _, export = translated(arguments.format, folder, derivation)
+        target = arguments.output / derivation.name
+        session.write_whole({target / name: text for name, text in export.files.items()})
+        total = len(derivation.claims)
+        print(f"{arguments.format}: {len(export.texts)} of {total} claims, in {target}")
+    return AS_RECORDED
+
+
+def translated(format: str, folder: Path, derivation: Derivation) -> tuple[dict[str, Json], Export]:
+    """The certificates of a derivation and their export; what is left out is named on stderr."""
+    certificates = accepted(folder)
+    export = load(format).files(certificates)
+    if not export.texts:
+        raise CommandError(f"no claim of {derivation.name} can be said in {format}", NOTHING)
+    for claim in derivation.claims:
+        if claim.id not in export.texts:
+            reason = export.omitted.get(claim.id, "it has no certificate")
+            print(f"{claim.id}: left out: {reason}", file=sys.stderr)
+    return certificates, export
+
+
+def accepted(folder: Path) -> dict[str, Json]:
+    """The certificates in the folder of a derivation by claim; all have to be as recorded."""
+    try:
+        record = load_record(folder)
+    except RecordError as error:
+        raise CommandError(str(error)) from None
+    files = certificate_files(folder)
+    found = check_files(files) if record is None else check_committed(folder, record)
+    for name, reason in found.rejected.items():
+        raise CommandError(f"{name}: {reason}", REJECTED)
+    return {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in files}
