@@ -1,0 +1,72 @@
+"""The few words that a program needs for computing with polynomials."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+
+from kowalevski_cas.export.format import Format, Inexpressible, Json
+from kowalevski_cas.proof.checker import Rejected
+
+
+class Language(Format, ABC):
+    """A format that is made of these words; sums, products and powers are written as usual."""
+
+    def translate(self, certificate: Json) -> str:
+        from kowalevski_cas.export.polynomials.program import program
+
+        try:
+            return program(self, certificate)
+        except Rejected as error:
+            raise Inexpressible(f"the checker says: {error.args[0]}") from None
+
+    def objection(self, text: str, output: str) -> str:
+        wanted = [line.split('"')[1] for line in text.splitlines() if line.startswith('holds("')]
+        found = [line.strip() for line in output.splitlines() if line.strip()]
+        for line, words in zip(found, wanted, strict=False):
+            if line != f"holds: {words}":
+                return line
+        if not wanted or len(found) != len(wanted):
+            return f"{len(found)} of {len(wanted)} statements are confirmed"
+        return ""
+
+    def holds(self, words: str, text: str, divisors: str) -> str:
+        """Say the words if the expression vanishes wherever the divisors do not."""
+        return f'holds("{words}", {text}, {divisors});'
+
+    @abstractmethod
+    def frame(self, generators: Sequence[str], lines: Iterable[str]) -> str:
+        """The whole file."""
+
+    @abstractmethod
+    def comment(self, words: str) -> str:
+        """Words for a reader."""
+
+    @abstractmethod
+    def number(self, value: Fraction) -> str:
+        """A rational number."""
+
+    @abstractmethod
+    def define(self, name: str, text: str) -> str:
+        """A name for an expression, in which roots are reduced by their squares."""
+
+    @abstractmethod
+    def relation(self, root: str, square: str) -> str:
+        """From here on this expression is the square of that generator."""
+
+    @abstractmethod
+    def divisors(self, name: str, pairs: Sequence[tuple[str, str]]) -> str:
+        """A name for pairs: a generator, and the expression whose inverse it is."""
+
+    @abstractmethod
+    def derivative(self, text: str, generator: str) -> str:
+        """The partial derivative of an expression."""
+
+    @abstractmethod
+    def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
+        """A name for the map that takes generators to expressions, all at once."""
+
+    @abstractmethod
+    def determinant(self, rows: Sequence[Sequence[str]]) -> str:
+        """The determinant of a square matrix of expressions."""

@@ -1,0 +1,82 @@
+"""Certificates for Singular: polynomials in one ring, derivatives by its own ``diff``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from pathlib import Path
+
+from kowalevski_cas.export.polynomials import Language
+
+_BEGIN = """\
+ideal relations;
+
+proc red(poly p)
+{
+  attrib(relations, "isSB", 1);
+  return(reduce(p, relations));
+}
+
+proc cleared(poly p, poly v, poly n)
+{
+  matrix c = coeffs(p, v);
+  int d = nrows(c) - 1;
+  poly q = 0;
+  int k;
+  for (k = 0; k <= d; k = k + 1) { q = red(q * n + c[k + 1, 1]); }
+  return(q);
+}
+
+proc holds(string words, poly p, list divisors)
+{
+  poly q = red(p);
+  int k;
+  for (k = 1; k < size(divisors); k = k + 2) { q = cleared(q, divisors[k], divisors[k + 1]); }
+  if (q == 0) { "holds: " + words; } else { "fails: " + words; }
+}
+"""
+
+
+class Program(Language):
+    """Roots lead in a lexicographic order, so that their relations reduce as they stand."""
+
+    commands = (("Singular",),)
+    package = "singular-ui"
+    suffix = ".sing"
+    omits = "No claim is left out for its kind; what rests on words as well is confirmed without."
+
+    def arguments(self, file: Path) -> list[str]:
+        return ["--quiet", "--no-rc", "--no-warn", file.name]
+
+    def frame(self, generators: Sequence[str], lines: Iterable[str]) -> str:
+        names = ", ".join(reversed(generators))
+        body = "\n".join(lines)
+        return f"ring R = 0, ({names}), lp;\n{_BEGIN}\n{body}\nquit;\n"
+
+    def comment(self, words: str) -> str:
+        return f"// {words}"
+
+    def number(self, value: Fraction) -> str:
+        if value.denominator == 1:
+            return f"number({value.numerator})"
+        return f"(number({value.numerator})/number({value.denominator}))"
+
+    def define(self, name: str, text: str) -> str:
+        return f"poly {name} = red({text});"
+
+    def relation(self, root: str, square: str) -> str:
+        return f"relations = relations + ideal({root}^2 - {square});"
+
+    def divisors(self, name: str, pairs: Sequence[tuple[str, str]]) -> str:
+        return f"list {name} = list({', '.join(f'{v}, {n}' for v, n in pairs)});"
+
+    def derivative(self, text: str, generator: str) -> str:
+        return f"diff({text}, {generator})"
+
+    def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
+        values = ", ".join(images.get(name, name) for name in reversed(generators))
+        return f"map {name} = R, {values};"
+
+    def determinant(self, rows: Sequence[Sequence[str]]) -> str:
+        entries = ", ".join(entry for row in rows for entry in row)
+        return f"det(matrix(ideal({entries}), {len(rows)}, {len(rows)}))"

@@ -1,0 +1,125 @@
+"""Singular and PARI/GP compute by themselves what the certificates state."""
+
+from __future__ import annotations
+
+import json
+import random
+import shutil
+import subprocess
+
+import pytest
+
+from kowalevski_cas.export import load
+from kowalevski_cas.library import find
+from kowalevski_cas.proof import checker
+from kowalevski_cas.proof.committed import certificate_files
+from tests.proof.tampering import mutants, names_in, places, seal
+
+FILES = certificate_files(find("kharlamov2002"))
+CERTIFICATES = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in FILES}
+
+
+@pytest.fixture(params=["singular", "pari"])
+def language(request):
+    language = load(request.param)
+    if shutil.which(language.commands[0][0]) is None:
+        pytest.skip(f"{language.package} is not installed")
+    return language
+
+
+def objection(language, certificate, folder):
+    """What the program has against a certificate."""
+    text = language.translate(certificate)
+    file = folder / f"claim{language.suffix}"
+    file.write_text(text, encoding="utf-8")
+    done = subprocess.run(
+        [*language.commands[0], *language.arguments(file)],
+        cwd=folder, capture_output=True, text=True, timeout=60, stdin=subprocess.DEVNULL,
+    )  # fmt: skip
+    return language.objection(text, done.stdout + done.stderr)
+
+
+@pytest.mark.parametrize("claim", ["eq15", "eq20.1", "N4-independence", "eq14", "reality"])
+def test_a_certificate_of_each_kind_is_confirmed(language, claim, tmp_path):
+    assert objection(language, CERTIFICATES[claim], tmp_path) == ""
+
+
+@pytest.mark.slow
+def test_every_certificate_is_confirmed(language, tmp_path):
+    found = {claim: objection(language, data, tmp_path) for claim, data in CERTIFICATES.items()}
+    assert len(found) > 60
+    assert {claim: words for claim, words in found.items() if words} == {}
+
+
+def test_a_changed_statement_is_confirmed_only_if_it_is_true(language, tmp_path):
+    random.seed(1)
+    denied = 0
+    for claim in ("eq7", "eq16.2", "eq20.1", "M4-independence", "reality"):
+        data = CERTIFICATES[claim]
+        names = sorted(names_in(data["spaces"][-1]["variables"]))
+        changes = [
+            changed
+            for path in places(data)
+            if path[0] == "parts" and path[2:3] and path[2] not in ("space", "shows", "point")
+            for _, changed in mutants(data, path, names)
+        ]
+        for changed in random.sample(changes, 10):
+            try:
+                words = objection(language, changed, tmp_path)
+            except Exception:
+                continue  # it is no certificate any more
+            denied += bool(words)
+            if not words:
+                checker.check(seal(changed))
+    assert denied > 15
+
+
+@pytest.mark.parametrize("place", ["field", "steps"])
+def test_a_changed_space_is_confirmed_only_if_the_statement_stays_true(language, place, tmp_path):
+    random.seed(2)
+    data = CERTIFICATES["eq7"]
+    names = sorted(names_in(data["spaces"][-1]["variables"]))
+    changes = [
+        changed
+        for path in places(data)
+        if path[0] == "spaces" and path[2:3] == (place,)
+        for _, changed in mutants(data, path, names)
+    ]
+    for changed in random.sample(changes, 12):
+        try:
+            words = objection(language, changed, tmp_path)
+        except Exception:
+            continue
+        if not words:
+            checker.check(seal(changed))
+
+
+class TestObjection:
+    TEXT = 'ring\nholds("1 inverse", t1, d);\nholds("2 statement", t2, d);\n'
+
+    @pytest.mark.parametrize("name", ["singular", "pari"])
+    @pytest.mark.parametrize(
+        ("output", "words"),
+        [
+            ("holds: 1 inverse\nholds: 2 statement\n", ""),
+            ("holds: 1 inverse\nfails: 2 statement\n", "fails: 2 statement"),
+            ("holds: 1 inverse\n", "1 of 2 statements are confirmed"),
+            ("", "0 of 2 statements are confirmed"),
+            ("   ? error\nholds: 1 inverse\nholds: 2 statement\n", "? error"),
+            ("holds: 1 inverse\nholds: 2 statement\nSegmentation", "3 of 2 statements"),
+        ],
+    )
+    def test_only_statements_in_so_many_words_confirm(self, name, output, words):
+        said = load(name).objection(self.TEXT, output)
+        assert said.startswith(words) and bool(said) == bool(words)
+
+    @pytest.mark.parametrize("name", ["singular", "pari"])
+    def test_a_file_that_states_nothing_is_not_confirmed(self, name):
+        assert load(name).objection("quit;", "")
+
+
+def test_the_program_is_asked_to_differentiate():
+    data = CERTIFICATES["F1-prime"]
+    assert "diff(" in load("singular").translate(data)
+    assert "deriv(" in load("pari").translate(data)
+    assert json.dumps(data)  # it is not changed by the translation
