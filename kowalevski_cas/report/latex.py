@@ -14,6 +14,7 @@ from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.graph.tikz import tikz
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.names import anchor
+from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.sentences import listed, number
 
 if TYPE_CHECKING:
@@ -24,14 +25,14 @@ TEMPLATES: Final = Path(__file__).parent / "templates"
 _LINES: Final = 12  # longer displays of the program's own steps are shortened by dots
 
 
-def render_latex(run: Run) -> str:
-    """The report of a run as a LaTeX document."""
-    return _render(report(run), "latex")
+def render_latex(run: Run, plates: tuple[Plate, ...] = ()) -> str:
+    """The report of a run as a LaTeX document, with pictures that other commands made."""
+    return _render(report(run), plates, "latex")
 
 
-def render_for_pandoc(run: Run) -> str:
+def render_for_pandoc(run: Run, plates: tuple[Plate, ...] = ()) -> str:
     """The same document in the LaTeX that pandoc reads."""
-    text = _render(report(run), "pandoc").replace(r"\begin{aligned}[t]", r"\begin{aligned}")
+    text = _render(report(run), plates, "pandoc").replace(r"\begin{aligned}[t]", r"\begin{aligned}")
     # a sign at the beginning of a line
     return re.sub(r"\{\}(?= (?:[+-]|\\pm|\\mp) )", r"\\text{}", text)
 
@@ -47,8 +48,9 @@ def render_picture(run: Run) -> str:
     return svg(report(run).picture)
 
 
-def _render(arranged: Report, target: str) -> str:
-    text = _environment().get_template("report.tex.jinja").render(report=arranged, target=target)
+def _render(arranged: Report, plates: tuple[Plate, ...], target: str) -> str:
+    template = _environment().get_template("report.tex.jinja")
+    text = template.render(report=arranged, plates=plates, target=target)
     text = re.sub(r"[ \t]+\n", "\n", text)
     return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
 

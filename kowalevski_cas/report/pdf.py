@@ -20,6 +20,7 @@ from kowalevski_cas.report.latex import (
     render_picture,
     render_typst,
 )
+from kowalevski_cas.report.plates import Plate, copy_plates, plates
 
 Engine = Literal["auto", "latex", "typst"]
 
@@ -45,22 +46,24 @@ def write_report(run: Run, folder: Path, *, engine: Engine = "auto") -> Written:
 
     Each file appears whole or not at all: a failure or an interrupt leaves an earlier one as it
     was. With ``engine="auto"`` LaTeX makes the PDF where it is installed and complete, else Typst.
+    Pictures of the derivation that are in a folder below are shown (:mod:`.plates`).
 
     Raises:
         ReportError: if no PDF can be made; the ``.tex`` is written by then.
     """
     tex = folder / f"{run.derivation}.tex"
-    source = render_latex(run)
+    shown = plates(folder, run.derivation)
+    source = render_latex(run, shown)
     _replace(tex, source.encode())
     notes: list[str] = []
     if engine == "latex" or (engine == "auto" and latex_command()):
         try:
-            return _written(tex, latex_pdf(source), "latex", notes)
+            return _written(tex, latex_pdf(source, shown, folder), "latex", notes)
         except ReportError as error:
             if engine == "latex":
                 raise
             notes.append(f"{error} The PDF was made by Typst instead.")
-    content, warnings = _typst(run)
+    content, warnings = _typst(run, shown, folder)
     return _written(tex, content, "typst", [*notes, *warnings])
 
 
@@ -99,8 +102,8 @@ def latex_command() -> str | None:
     return "latexmk" if shutil.which("latexmk") else "pdflatex"
 
 
-def latex_pdf(source: str) -> bytes:
-    """The PDF that pdflatex makes of a document.
+def latex_pdf(source: str, shown: tuple[Plate, ...] = (), beside: Path = Path()) -> bytes:
+    """The PDF that pdflatex makes of a document, which shows plates from the folder ``beside``.
 
     Raises:
         ReportError: if there is no LaTeX, or it fails; the message has its first complaint.
@@ -111,6 +114,7 @@ def latex_pdf(source: str) -> bytes:
     with tempfile.TemporaryDirectory(prefix="kowalevski-") as name:
         folder = Path(name)
         (folder / "report.tex").write_text(source, encoding="utf-8")
+        copy_plates(shown, beside, folder)
         options = ["-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape", "report.tex"]
         if command == "latexmk":
             _latex(["latexmk", "-norc", "-pdf", *options], folder)
@@ -166,7 +170,9 @@ def typst_pdf(run: Run) -> bytes:
     return _typst(run)[0]
 
 
-def _typst(run: Run) -> tuple[bytes, list[str]]:
+def _typst(
+    run: Run, shown: tuple[Plate, ...] = (), beside: Path = Path()
+) -> tuple[bytes, list[str]]:
     try:
         import typst
     except ImportError:
@@ -174,11 +180,12 @@ def _typst(run: Run) -> tuple[bytes, list[str]]:
             "The PDF needs either LaTeX (latexmk and pdflatex) or the typst wheel: "
             "pip install typst."
         ) from None
-    body, warnings = _pandoc(render_for_pandoc(run))
+    body, warnings = _pandoc(render_for_pandoc(run, shown))
     with tempfile.TemporaryDirectory(prefix="kowalevski-") as name:
         folder = Path(name)
         (folder / "report.typ").write_text(render_typst(run, body), encoding="utf-8")
         (folder / "picture.svg").write_text(render_picture(run), encoding="utf-8")
+        copy_plates(shown, beside, folder)
         try:
             content = typst.compile(folder / "report.typ", root=folder, ignore_system_fonts=True)
         except (RuntimeError, ValueError) as error:

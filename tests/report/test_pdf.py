@@ -91,7 +91,7 @@ def test_no_latex_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_failing_latex_gives_way_to_typst(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def failing(source: str) -> bytes:
+    def failing(*_: object) -> bytes:
         raise ReportError("latexmk failed: File `fancyhdr.sty' not found.")
 
     monkeypatch.setattr(pdf, "latex_command", lambda: "latexmk")

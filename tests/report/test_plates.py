@@ -1,0 +1,54 @@
+"""Pictures that other commands left beside a report."""
+
+import json
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from kowalevski_cas.pictures import new_figure, save, style
+from kowalevski_cas.report import pdf, render_latex, write_report
+from kowalevski_cas.report.plates import Plate, plates
+from tests.report.fixtures import run
+
+CAPTION = "A line, drawn with 50% of the ink; $x_1=2$."
+
+needs_latex = pytest.mark.skipif(not pdf.latex_command(), reason="no pdflatex here")
+
+
+def offer(
+    folder: Path, derivation: str = "kharlamov2002", heights: tuple[int, int] = (0, 1)
+) -> Path:
+    entries = [{"name": "line", "caption": CAPTION}, {"name": "not-there", "caption": "Nothing."}]
+    with style():
+        figure = new_figure(2, 1)
+        figure.subplots().plot([0, 1], heights)
+        save(figure, folder, "line")
+    (folder / "plates.json").write_text(json.dumps({"derivation": derivation, "plates": entries}))
+    return folder
+
+
+def test_a_report_shows_the_pictures_of_its_derivation_that_are_there(tmp_path: Path) -> None:
+    offer(tmp_path / "motion")
+    offer(tmp_path / "others", "another2003")
+    assert plates(tmp_path, "kharlamov2002") == (Plate("motion/line", CAPTION),)
+    assert plates(tmp_path, "another2003") == (Plate("others/line", CAPTION),)
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"derivation": "kharlamov2002", "plates": [1]}'])
+def test_a_list_that_cannot_be_read_shows_nothing(tmp_path: Path, text: str) -> None:
+    (offer(tmp_path / "motion") / "plates.json").write_text(text)
+    assert plates(tmp_path, "kharlamov2002") == ()
+
+
+@pytest.mark.parametrize("engine", ["typst", pytest.param("latex", marks=needs_latex)])
+def test_they_are_in_the_pdf(tmp_path: Path, engine: pdf.Engine) -> None:
+    offer(tmp_path / "motion")
+    written = write_report(run(), tmp_path, engine=engine)
+    text = " ".join(page.extract_text() for page in PdfReader(written.pdf).pages)
+    assert "drawn with 50% of the ink" in " ".join(text.split())
+    source = written.tex.read_text(encoding="utf-8")
+    assert source == render_latex(run(), plates(tmp_path, "kharlamov2002"))
+    before = written.pdf.read_bytes()
+    offer(tmp_path / "motion", heights=(1, 0))
+    assert write_report(run(), tmp_path, engine=engine).pdf.read_bytes() != before
