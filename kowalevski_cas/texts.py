@@ -9,8 +9,8 @@ with other texts.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
 
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import (
     Edit,
     Formula,
@@ -22,7 +22,7 @@ from kowalevski_cas.notation import (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Display:
     """A displayed or inline formula of the paper, as printed.
 
@@ -40,7 +40,7 @@ class Display:
         return Printed(self, number)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Printed:
     """One statement of a display."""
 
@@ -104,23 +104,25 @@ class Texts:
 
     def statement(self, printed: Printed) -> Statement:
         """The statement at a place, as it stands before edits."""
-        display = printed.display
-        if display.id not in self._read:
-            tex = self.source(display)
-            try:
-                self._read[display.id] = read_display(tex, self.vocabulary)
-            except NotationError as error:
-                message = f"{display.id}: {error.message}"
-                raise NotationError(message, error.tex, error.position) from None
-        statements = self._read[display.id]
+        statements = self.statements(printed.display)
         if not 1 <= printed.number <= len(statements):
             raise NotationError(
-                f"{display.id}: statement {printed.number} is asked for, there are "
+                f"{printed.display.id}: statement {printed.number} is asked for, there are "
                 f"{len(statements)}",
-                self.sources.get(display.id, display.tex),
+                self.source(printed.display),
                 0,
             )
         return statements[printed.number - 1]
+
+    def statements(self, display: Display) -> tuple[Statement, ...]:
+        """All statements of a display, as they stand before edits."""
+        if display.id not in self._read:
+            try:
+                self._read[display.id] = read_display(self.source(display), self.vocabulary)
+            except NotationError as error:
+                message = f"{display.id}: {error.message}"
+                raise NotationError(message, error.tex, error.position) from None
+        return self._read[display.id]
 
     def source(self, display: Display) -> str:
         """The TeX of a display."""

@@ -39,7 +39,7 @@ def derivation():
 @pytest.fixture(scope="session")
 def run(derivation, folder):
     """The whole paper in all three arithmetics."""
-    return verify(derivation, EXACT, evidence=load_evidence(folder))
+    return verify(derivation, EXACT, explain=True, evidence=load_evidence(folder))
 
 
 @pytest.fixture(scope="session")

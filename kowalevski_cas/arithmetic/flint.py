@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
@@ -31,6 +31,13 @@ class Arithmetic(Polynomials):
 
     def derivative(self, polynomial: fmpq_mpoly, index: int) -> fmpq_mpoly:
         return polynomial.derivative(index)
+
+    def composed(
+        self, polynomial: fmpq_mpoly, values: Sequence[fmpq_mpoly], target: Polynomials
+    ) -> fmpq_mpoly:
+        return (
+            polynomial.compose(*values) if values else super().composed(polynomial, values, target)
+        )
 
     def is_zero(self, polynomial: fmpq_mpoly) -> bool:
         return bool(polynomial.is_zero())

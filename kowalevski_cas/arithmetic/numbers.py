@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import isqrt
 
-from kowalevski_cas.arithmetic.polynomials import Polynomials
+from kowalevski_cas.arithmetic.polynomials import Polynomial, Polynomials, Terms
 from kowalevski_cas.arithmetic.tower import Element, Ring
 
 
@@ -46,7 +46,9 @@ class Substitution:
 
     def __init__(self, ring: Ring, values: Mapping[str, Element], numbers: Ring) -> None:
         self.numbers = numbers
+        self.polynomials = ring.polynomials
         self.values = [values[name] for name in ring.polynomials.generators]
+        self._gaussian = _gaussian(self.values, numbers)
         self._monomials: dict[tuple[int, ...], Element] = {}
         self.roots: list[Element] = []
         for name, radicand in zip(ring.roots, ring.radicands, strict=True):
@@ -66,23 +68,25 @@ class Substitution:
 
     def __call__(self, element: Element) -> Element:
         """The value of an element; raises ``ZeroDivisionError`` on a zero of its denominator."""
-        numbers = self.numbers
-        total = numbers.zero
-        for mask, terms in element.terms().items():
-            value = self._polynomial(terms)
+        total = self.numbers.zero
+        for mask, polynomial in element.parts.items():
+            value = self._polynomial(polynomial)
             for bit, root in enumerate(self.roots):
                 if mask >> bit & 1:
                     value = value * root
             total = total + value
-        ring = element.ring
         for index, exponent in element.denominator.items():
-            divisor = self._polynomial(ring.polynomials.terms(ring.divisors[index]))
+            divisor = self._polynomial(element.ring.divisors[index])
             total = total * divisor.inverse() ** exponent
         return total
 
-    def _polynomial(self, terms: Mapping[tuple[int, ...], Fraction]) -> Element:
+    def _polynomial(self, polynomial: Polynomial) -> Element:
+        if self._gaussian is not None:
+            target = self.numbers.polynomials
+            composed = self.polynomials.composed(polynomial, self._gaussian, target)
+            return _reduced(target.terms(composed), self.numbers)
         total = self.numbers.zero
-        for exponents, coefficient in terms.items():
+        for exponents, coefficient in self.polynomials.terms(polynomial).items():
             total = total + self.numbers.number(coefficient) * self._monomial(exponents)
         return total
 
@@ -95,6 +99,30 @@ class Substitution:
                     product = product * value**exponent
             self._monomials[exponents] = product
         return self._monomials[exponents]
+
+
+def _gaussian(values: Sequence[Element], numbers: Ring) -> list[Polynomial] | None:
+    """The values as polynomials in a letter for i, if they are rational but for i."""
+    if numbers.polynomials.generators != ("",) or numbers.roots[:1] != ["i"]:
+        return None
+    if any(value.denominator or value.parts.keys() - {0, 1} for value in values):
+        return None
+    polynomials = numbers.polynomials
+    letter = polynomials.generator(0)
+    return [
+        value.parts.get(0, polynomials.zero)
+        + polynomials.product(value.parts.get(1, polynomials.zero), letter)
+        for value in values
+    ]
+
+
+def _reduced(terms: Terms, numbers: Ring) -> Element:
+    """The number that a polynomial in a letter for i is, by i² = −1."""
+    parts = [Fraction(0), Fraction(0)]
+    for (exponent,), value in terms.items():
+        parts[exponent & 1] += -value if exponent & 2 else value
+    constant = numbers.polynomials.constant
+    return Element(numbers, {m: constant(v) for m, v in enumerate(parts) if v}, {})
 
 
 def rank(matrix: list[list[Element]]) -> int:

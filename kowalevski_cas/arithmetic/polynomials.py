@@ -8,7 +8,7 @@ few operations. A new exact arithmetic is one new file with one such class.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -44,6 +44,19 @@ class Polynomials(ABC):
     @abstractmethod
     def derivative(self, polynomial: Polynomial, index: int) -> Polynomial:
         """The partial derivative by the generator with this index."""
+
+    def composed(
+        self, polynomial: Polynomial, values: Sequence[Polynomial], target: Polynomials
+    ) -> Polynomial:
+        """The polynomial with polynomials of ``target`` in place of its generators."""
+        total = target.zero
+        for exponents, coefficient in self.terms(polynomial).items():
+            product = target.constant(coefficient)
+            for value, exponent in zip(values, exponents, strict=True):
+                for _ in range(exponent):
+                    product = target.product(product, value)
+            total = total + product
+        return total
 
     @abstractmethod
     def is_zero(self, polynomial: Polynomial) -> bool:

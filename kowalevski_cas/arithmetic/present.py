@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import cache
 from math import lcm
 
 from kowalevski_cas.arithmetic.polynomials import Terms
@@ -118,6 +119,7 @@ def polynomial_formula(terms: Terms, names: Sequence[Formula]) -> Formula:
     return Sum(tuple(summands)) if len(summands) > 1 else summands[0]
 
 
+@cache
 def name_formula(name: str, vocabulary: Vocabulary) -> Formula:
     """The formula of a generator: a name, a root, or a power; a ring of numbers has none."""
     return read(name, vocabulary) if name else Number(1)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
 from itertools import islice
 from time import perf_counter
 
@@ -18,6 +17,7 @@ from kowalevski_cas.audit.places import Place, find_places
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import words
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Outcome
 from kowalevski_cas.texts import Display
 
@@ -25,7 +25,7 @@ MOST = 20_000
 """Formulas in one source."""
 
 
-@dataclass(slots=True)
+@dataclass
 class Audit:
     """All formulas of a source that a derivation knows, in the order of the derivation."""
 

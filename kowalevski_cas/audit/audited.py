@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
+from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Verdict
 from kowalevski_cas.texts import Printed
 
@@ -21,7 +20,7 @@ WRONG = frozenset({str(Verdict.REFUTED), str(Verdict.ERROR), SUSPECT, MISSING, U
 """Verdicts of formulas that an author has to look at."""
 
 
-@dataclass(slots=True)
+@dataclass
 class Audited:
     """A formula of the source, or one that is missing from it.
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import multiprocessing
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from time import perf_counter
 
 from kowalevski_cas.audit.audit import Audit, audit
@@ -14,10 +13,11 @@ from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.mutants import Mutant
 from kowalevski_cas.audit.session import AS_BEFORE
 from kowalevski_cas.audit.source import Source
+from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.proof.outcome import Outcome
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Caught:
     """What an audit says about one mutant."""
 
@@ -39,7 +39,7 @@ class Caught:
         return bool(self.changed)
 
 
-@dataclass(slots=True)
+@dataclass
 class Measurement:
     """The results for a sample of mutants."""
 

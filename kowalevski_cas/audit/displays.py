@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+
+from kowalevski_cas.dataclass import dataclass
 
 DISPLAYS = (
     "equation displaymath eqnarray align alignat flalign gather multline dmath math subequations"
@@ -38,7 +39,7 @@ _ROW = re.compile(
 _COLUMNS = re.compile(r"\s*\{\s*\d+\s*\}")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Typed:
     """A formula as the author typed it, with its interval in the text."""
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from dataclasses import dataclass, field
 
 from kowalevski_cas.audit.source import Source, SourceError
+from kowalevski_cas.dataclass import dataclass, field
 
 DEEPEST = 30
 """Macros within macros."""
@@ -35,7 +35,7 @@ _TOKEN = re.compile(r"\\(?:[A-Za-z]+|.)|.", re.DOTALL)
 _SLOT = re.compile(r"#([1-9])")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Macro:
     """A macro: how many arguments it takes, the default of the first, and what it stands for."""
 
@@ -45,7 +45,7 @@ class Macro:
     body: str
 
 
-@dataclass(slots=True)
+@dataclass
 class Expanded:
     """A text with macros written out, and where each part of it stands in the file."""
 

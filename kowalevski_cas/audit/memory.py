@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 
 from kowalevski_cas.audit.roles import places_of
 from kowalevski_cas.claims import Claim
+from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.proof.evidence import Evidence
 from kowalevski_cas.proof.outcome import Outcome
@@ -17,7 +17,7 @@ from kowalevski_cas.texts import Display, Printed, Texts
 Key = tuple[object, ...]
 
 
-@dataclass(slots=True)
+@dataclass
 class Memory:
     """What runs of one derivation share: stages, and outcomes by the texts they rest on."""
 
@@ -62,7 +62,7 @@ class Memory:
         return self.kept
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Base:
     """The texts of a derivation, those with all corrections, and the outcomes in between."""
 
@@ -75,7 +75,7 @@ class Base:
         return self.texts.sources.get(display.id, display.tex)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Decided:
     """An outcome, the corrections that became part of the texts, and the causes."""
 

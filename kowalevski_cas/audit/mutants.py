@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import lru_cache
 from random import Random
 
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.places import Place
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, NotationError, Statement, Vocabulary, read_display
 from kowalevski_cas.notation.lexer import Token, scan
 from kowalevski_cas.texts import Printed
@@ -24,7 +24,7 @@ _LETTER = re.compile(r"\\[A-Za-z]+|[A-Za-z]")
 _PARTS = re.compile(r"^(?:\\(?:boldsymbol|mathbf|mathrm)\{)?(\\?[A-Za-z]+)\}?")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Mutant:
     """A changed token: where, what for what, and the source after the change."""
 
@@ -43,7 +43,7 @@ class Mutant:
         return f"line {self.line}, {self.printed.place}: {self.new or 'nothing'} for {self.old}"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Site:
     """A token of a formula that can be changed."""
 

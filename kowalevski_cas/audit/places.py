@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.tokens import likeness, words
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.texts import Display
 
@@ -26,7 +26,7 @@ PATIENCE = 20_000_000
 """Pairs of tokens after which formulas are no longer compared."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Place:
     """A display of the derivation and the formula of the source that stands for it."""
 

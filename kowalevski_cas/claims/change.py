@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
@@ -16,6 +15,7 @@ from kowalevski_cas.claims.claim import (
     show,
 )
 from kowalevski_cas.claims.identity import Identity, Pair
+from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.scene import Change, Scene

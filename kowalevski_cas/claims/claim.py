@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 from kowalevski_cas.arithmetic.numbers import Substitution, number_ring
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.bench import Bench, Key
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Constant, Edit, Formula, Relation, Vocabulary, edits, to_latex
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Point, Step, Verdict
 from kowalevski_cas.scene import Locus, Scene
@@ -209,12 +209,10 @@ class AtPoint:
     def shown(self) -> Point:
         """The point, to be printed: the variables and constants, then the roots."""
         stage, scene = self.stage, self.stage.scene
-        names = [*scene.variables, *scene.constants, *scene.undefined]
-        values = {name: self(scalar(stage.formula(name), stage)) for name in names}
-        values |= {
-            name: self(scalar(stage.formula(name), stage))
-            for name in scene.roots
-            if name not in values
+        names = [*scene.variables, *scene.constants, *scene.undefined, *scene.roots]
+        values = {
+            name: self.values.get(name) or self(scalar(stage.formula(name), stage))
+            for name in names
         }
         return Point({name: show_number(value) for name, value in values.items()})
 

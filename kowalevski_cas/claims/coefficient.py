@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.tower import Element
@@ -18,6 +17,7 @@ from kowalevski_cas.claims.claim import (
     refuted,
     show,
 )
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Relation, Sum, Unwritten
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.stage import Stage, scalar

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import islice, product
 
@@ -22,6 +21,7 @@ from kowalevski_cas.claims.claim import (
     refuted,
     show,
 )
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, scalar

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 
 from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.tower import Element
@@ -17,6 +16,7 @@ from kowalevski_cas.claims.claim import (
     green,
     refuted,
 )
+from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Texts

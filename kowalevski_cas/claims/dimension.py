@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import combinations, islice
 
@@ -23,6 +22,7 @@ from kowalevski_cas.claims.claim import (
     refuted,
 )
 from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.scene import Locus

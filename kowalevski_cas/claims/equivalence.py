@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import partial
 
 from kowalevski_cas.arithmetic.tower import Element
@@ -20,6 +19,7 @@ from kowalevski_cas.claims.claim import (
     show,
 )
 from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Printed

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import partial
 
 from kowalevski_cas.arithmetic.tower import Element
@@ -20,6 +19,7 @@ from kowalevski_cas.claims.claim import (
     show,
 )
 from kowalevski_cas.claims.membership import combination, combination_steps
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Name, Power, Relation
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, scalar

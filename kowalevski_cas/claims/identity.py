@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
 from kowalevski_cas.arithmetic.tower import Element
@@ -19,6 +18,7 @@ from kowalevski_cas.claims.claim import (
     refuted,
     show,
 )
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Constant, Derivative, Formula, Relation, to_latex
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, evaluate

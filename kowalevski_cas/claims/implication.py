@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import partial
 
 from kowalevski_cas.arithmetic.tower import Element
@@ -19,6 +18,7 @@ from kowalevski_cas.claims.claim import (
     refuted,
 )
 from kowalevski_cas.claims.membership import combination, combination_steps
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.proof.outcome import Condition, Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, scalar

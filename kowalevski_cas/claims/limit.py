@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import partial
 
 from kowalevski_cas.arithmetic.tower import Element
@@ -20,6 +19,7 @@ from kowalevski_cas.claims.claim import (
 )
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import edits
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.scene import Scene

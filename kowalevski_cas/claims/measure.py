@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 
 from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.tower import Element
@@ -19,6 +18,7 @@ from kowalevski_cas.claims.claim import (
     show,
 )
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
+from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage, scalar

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
@@ -15,6 +14,7 @@ from kowalevski_cas.claims.claim import (
     green,
     refuted,
 )
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.scene import Scene

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import argparse
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
+from kowalevski_cas.dataclass import replace
 from kowalevski_cas.proof.outcome import Run
 
 

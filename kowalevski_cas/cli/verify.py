@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 from kowalevski_cas.arithmetic import EXACT
@@ -21,6 +20,7 @@ from kowalevski_cas.cli.exits import (
     CommandError,
 )
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
+from kowalevski_cas.dataclass import replace
 from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.proof.record import RecordError, differences, load_record
 from kowalevski_cas.proof.verify import disagreement
@@ -53,7 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run_derivations(arguments: argparse.Namespace) -> list[Result]:
     """Run the derivations and compare them with their records."""
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-    explain = arguments.report is not None
+    explain = arguments.report is not None or arguments.format == "json"
     results = []
     for folder, derivation in session.derivations(arguments.derivations):
         found = session.run(
@@ -64,7 +64,7 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
         except RecordError as error:
             raise CommandError(str(error)) from None
         compared = None if record is None else differences(found, record, not arguments.only)
-        if explain or arguments.format == "json":
+        if explain:
             found = replace(found, versions=session.versions())
         results.append(Result(folder, found, compared))
     return results

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
+
+from kowalevski_cas.dataclass import dataclass
 
 Json = dict[str, Any]
 """A certificate as it was read (docs/certificate.md), accepted by the checker."""
@@ -17,7 +18,7 @@ class Inexpressible(Exception):
     """The format has no words for what a certificate states; the message says which and why."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Export:
     """Certificates in the language of a program.
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass, field, fields
 
+from kowalevski_cas.dataclass import dataclass, field, fields
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula, Negative, Sum
 from kowalevski_cas.notation.layout import split_display
@@ -19,7 +19,7 @@ _BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
 _COMMAND = re.compile(r"\\[A-Za-z]+$")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Edit:
     """One change of one place.
 

@@ -9,10 +9,11 @@ and of a scene.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+
+from kowalevski_cas.dataclass import dataclass, fields
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Formula:
     """A node of the tree. Children are formulas or tuples of formulas."""
 
@@ -26,42 +27,42 @@ class Formula:
                 yield from (item for item in value if isinstance(item, Formula))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Number(Formula):
     """A non-negative integer, as printed."""
 
     value: int
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Name(Formula):
     r"""A symbol with its index, in canonical LaTeX: ``\omega_1``, ``\boldsymbol{\alpha}``."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Sum(Formula):
     """Two or more terms; a subtracted term is a :class:`Negative`."""
 
     terms: tuple[Formula, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Negative(Formula):
     """A term with a minus sign."""
 
     argument: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Product(Formula):
     """Two or more factors, printed side by side."""
 
     factors: tuple[Formula, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Quotient(Formula):
     r"""``\frac{numerator}{denominator}``, or a slash."""
 
@@ -69,7 +70,7 @@ class Quotient(Formula):
     denominator: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Power(Formula):
     """A base with an exponent, which may be a formula of symbols."""
 
@@ -77,14 +78,14 @@ class Power(Formula):
     exponent: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Root(Formula):
     """A square root."""
 
     argument: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Derivative(Formula):
     r"""A derivative along the motion.
 
@@ -96,28 +97,28 @@ class Derivative(Formula):
     mark: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Conjugate(Formula):
     """The complex conjugate, printed with a bar."""
 
     argument: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class RealPart(Formula):
     """The real part."""
 
     argument: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class ImaginaryPart(Formula):
     """The imaginary part."""
 
     argument: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Application(Formula):
     r"""A declared function applied to arguments, as :math:`\varphi(s_1)`."""
 
@@ -125,21 +126,21 @@ class Application(Formula):
     arguments: tuple[Formula, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Vector(Formula):
     """Components in parentheses, as ``(1,0,0)``."""
 
     components: tuple[Formula, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Diagonal(Formula):
     """A diagonal matrix by its entries."""
 
     entries: tuple[Formula, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class ScalarProduct(Formula):
     """The scalar product of two vectors, printed as a pair in parentheses."""
 
@@ -147,7 +148,7 @@ class ScalarProduct(Formula):
     right: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class CrossProduct(Formula):
     """The vector product."""
 
@@ -155,17 +156,17 @@ class CrossProduct(Formula):
     right: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Unwritten(Formula):
     """An ellipsis: terms that the author does not print."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Constant(Formula):
     r"""The word ``const`` at the end of a chain of equalities."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Relation(Formula):
     r"""A chain ``members[0] signs[0] members[1] …`` with signs ``=``, ``\equiv``, ``\ne``."""
 

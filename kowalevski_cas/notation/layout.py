@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
+from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.lexer import Token, scan
 
@@ -14,7 +13,7 @@ _CLOSING = frozenset({"close", "}", "end"})
 _BINARY = frozenset({"sign", "relation", "times", "slash"})
 
 
-@dataclass(slots=True)
+@dataclass
 class _Run:
     """Tokens between two breaks, the break before them, and whether they state a relation."""
 

@@ -8,7 +8,6 @@ phantoms, gives every letter its font, and forgets braces that enclose no argume
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.macros import (
@@ -45,14 +44,16 @@ _SIZES = (r"\left", r"\right", r"\middle", r"\big", r"\Big")
 _NULL = re.compile(r"\s*\.")
 
 
-@dataclass(slots=True)
 class Token:
     """A thing that prints, or a break, with its interval in the source."""
 
-    kind: str
-    text: str
-    start: int
-    end: int
+    __slots__ = ("end", "kind", "start", "text")
+
+    def __init__(self, kind: str, text: str, start: int, end: int) -> None:
+        self.kind = kind
+        self.text = text
+        self.start = start
+        self.end = end
 
 
 def scan(tex: str) -> list[Token]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation.errors import closeness, letter_and_index
 from kowalevski_cas.notation.formula import (
     Conjugate,
@@ -34,7 +34,7 @@ HALF = Quotient(ONE, TWO)
 _WHOLE = (Relation, Sum, Negative, Quotient, Root, RealPart, ImaginaryPart, Conjugate)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Misprint:
     """A new subtree for one place, and what was changed."""
 
@@ -44,7 +44,7 @@ class Misprint:
     words: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class _Place:
     """A node, the way to it, what it stands in, and whether it is part of an exponent."""
 

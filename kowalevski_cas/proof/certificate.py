@@ -9,12 +9,12 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from copy import deepcopy
-from dataclasses import dataclass
 from hashlib import sha256
 from typing import Any
 
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof import checker
@@ -30,7 +30,7 @@ DIVISORS = 40
 """How many polynomials a certificate divides by at most."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Written:
     """A certificate as text, or the reason why there is none; and what it leaves to words."""
 

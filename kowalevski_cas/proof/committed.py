@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 
+from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.proof import checker
 
 FOLDER = "certificates"
 Record = Mapping[str, Mapping[str, object]]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Checked:
     """What the checker says about certificates.
 

@@ -7,10 +7,11 @@ run; evidence for a statement that has changed is not looked at.
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
+
+from kowalevski_cas.dataclass import dataclass, field
 
 FILE = "evidence.json"
 VERSION = 1
@@ -24,7 +25,7 @@ class Mended(NamedTuple):
     words: str
 
 
-@dataclass(slots=True)
+@dataclass
 class Evidence:
     """What was found for one claim: the results of searches by label, and the correction.
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from enum import StrEnum
+
+from kowalevski_cas.dataclass import dataclass, field
 
 
 class Verdict(StrEnum):
@@ -24,14 +25,14 @@ class Verdict(StrEnum):
         return self in (Verdict.PROVED, Verdict.CONDITIONAL)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Point:
     """An exact point: values of the scene's variables, in LaTeX (rationals, i, square roots)."""
 
     values: dict[str, str]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Counterexample:
     """An exact point on the constraints where the statement fails.
 
@@ -45,7 +46,7 @@ class Counterexample:
     words: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Condition:
     """An expression assumed non-zero, and what happens where it vanishes."""
 
@@ -54,7 +55,7 @@ class Condition:
     witness: Counterexample | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Step:
     """One step that the program took, for the report: a sentence and a display."""
 
@@ -62,7 +63,7 @@ class Step:
     tex: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Correction:
     """The nearest true statement: how it is printed, what was changed, its verdict."""
 
@@ -72,7 +73,7 @@ class Correction:
     conditions: tuple[Condition, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Outcome:
     """Everything a run says about one claim.
 
@@ -99,7 +100,7 @@ class Outcome:
     verdicts: dict[str, Verdict] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Run:
     """The outcomes of one derivation, in the order of the paper.
 

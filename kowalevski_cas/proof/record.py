@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Outcome, Run
 
 FILE = "record.json"
@@ -16,7 +16,7 @@ class RecordError(ValueError):
     """A record that cannot be read; the message says what to do."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Difference:
     """One way in which a run differs from the record."""
 

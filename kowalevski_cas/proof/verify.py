@@ -8,7 +8,7 @@ from time import perf_counter
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.derivation import Derivation
-from kowalevski_cas.notation import NotationError, is_small_change, read_display, to_latex
+from kowalevski_cas.notation import NotationError, is_small_change, to_latex
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.digest import Digester, combined
 from kowalevski_cas.proof.evidence import Evidence, Mended
@@ -35,7 +35,8 @@ def verify(
 
     A formula that is refuted and corrected stands corrected for the claims that
     come after it. With ``only``, the claims before a chosen one are decided
-    where it rests on them, but not reported. ``evidence`` saves the searches
+    where it rests on them, but not reported. With ``explain``, findings tell
+    their steps and outcomes what they rest on. ``evidence`` saves the searches
     whose results it holds; what is found anew is added to it. ``timeout`` is in
     seconds, for each claim in each arithmetic. ``sources`` holds displays, by id,
     that are to be read instead of what the derivation prints.
@@ -168,7 +169,7 @@ class Session:
             steps=first.steps,
             counterexample=first.counterexample,
             correction=mended,
-            rests_on=self.rests_on(claim),
+            rests_on=self.rests_on(claim) if self.explain else (),
             digest=digest,
             message=message,
             products=products,
@@ -217,16 +218,10 @@ class Session:
         """The nearest true statement, decided in every arithmetic."""
         if kept.hopeless:
             return None
-        if kept.correction is None or not self._is_edit(claim, kept.correction):
-            bench = self._bench(self.arithmetics[0], self.texts)
-            neighbour = correction(claim, bench)
-            if neighbour is None or neighbour.printed is None or neighbour.edit is None:
-                kept.hopeless = True
-                return None
-            kept.correction = Mended(neighbour.printed.place, neighbour.edit.tex, neighbour.words)
-        mended = kept.correction
-        place = next(p for p in claim.establishes() if p.place == mended.place)
-        texts = self.texts.with_source(place.display, mended.tex)
+        found = self._kept_correction(claim, kept) or self._new_correction(claim, kept)
+        if found is None or kept.correction is None:
+            return None
+        place, texts = found
         self.shelf = {}
         findings = [
             self._decide(claim, self._bench(arithmetic, texts)) for arithmetic in self.arithmetics
@@ -237,28 +232,42 @@ class Session:
             self.texts = texts
         return Correction(
             printed=to_latex(texts.formula(place)),
-            words=mended.words,
+            words=kept.correction.words,
             verdict=verdict,
             conditions=findings[0].conditions,
         )
 
-    def _is_edit(self, claim: Claim, mended: Mended) -> bool:
-        """Whether a kept correction is what it has to be: one small change of one statement."""
+    def _new_correction(self, claim: Claim, kept: Evidence) -> tuple[Printed, Texts] | None:
+        """The place and the texts of a correction that is searched for, and then kept."""
+        neighbour = correction(claim, self._bench(self.arithmetics[0], self.texts))
+        if neighbour is None or neighbour.printed is None or neighbour.edit is None:
+            kept.hopeless = True
+            return None
+        place, tex = neighbour.printed, neighbour.edit.tex
+        kept.correction = Mended(place.place, tex, neighbour.words)
+        return place, self.texts.with_source(place.display, tex)
+
+    def _kept_correction(self, claim: Claim, kept: Evidence) -> tuple[Printed, Texts] | None:
+        """The same for a kept one, if it is what it has to be: one small change of one formula."""
+        mended = kept.correction
+        if mended is None:
+            return None
         place = next((p for p in claim.establishes() if p.place == mended.place), None)
         if place is None:
-            return False
+            return None
+        texts = self.texts.with_source(place.display, mended.tex)
         try:
-            before = read_display(self.texts.source(place.display), self.texts.vocabulary)
-            after = read_display(mended.tex, self.texts.vocabulary)
+            before, after = self.texts.statements(place.display), texts.statements(place.display)
         except NotationError:
-            return False
+            return None
         old, new = ([statement.formula for statement in side] for side in (before, after))
         own = place.number - 1
-        return (
+        small = (
             len(old) == len(new)
             and all(a == b for k, (a, b) in enumerate(zip(old, new, strict=True)) if k != own)
             and is_small_change(old[own], new[own])
         )
+        return (place, texts) if small else None
 
     def _printed(self, claim: Claim) -> str:
         """The formulas of a claim as the paper prints them."""

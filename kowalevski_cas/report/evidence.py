@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Outcome, Verdict
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.names import program
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Evidence:
     """One thing to be said about one or more claims of a group.
 
@@ -34,7 +34,7 @@ class Evidence:
         return next((kind for kind in kinds if getattr(self, kind)), "message")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Values:
     """The two values at one point, and the claims (none if there is one only) that have them."""
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final
 
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Verdict
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Mark:
     """The sign of a verdict in text, in LaTeX and in Typst, its colour, and what it means."""
 

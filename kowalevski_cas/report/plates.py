@@ -11,16 +11,17 @@ from __future__ import annotations
 
 import json
 import shutil
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
+
+from kowalevski_cas.dataclass import dataclass
 
 LIST: Final = "plates.json"
 
 _SUFFIXES: Final = (".pdf", ".svg")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Plate:
     """A picture: where it is, relative to the report and without suffix, and what it shows.
 

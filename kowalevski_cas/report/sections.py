@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Outcome, Run, Verdict
 from kowalevski_cas.report.evidence import Evidence, evidence
 from kowalevski_cas.report.names import display_of
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Group:
     """A claim, or the rows of one display, with what is to be said about them."""
 
@@ -20,7 +20,7 @@ class Group:
     evidence: tuple[Evidence, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Section:
     """A section of the paper: its groups in order, and how many claims have which verdict."""
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
+
+from kowalevski_cas.dataclass import dataclass
 
 Measured = Mapping[str, Any]
 """What one measurement found, as JSON: ``seconds``, ``verdict``, ``reason``, and whatever else."""
@@ -14,7 +15,7 @@ Row = dict[str, Any]
 """A stored measurement: ``method`` and ``case`` of its task with what was measured."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Task:
     """One measurement: a method on a case.
 

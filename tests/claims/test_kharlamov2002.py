@@ -126,7 +126,8 @@ def test_without_evidence_the_searches_come_to_the_same(derivation, outcomes, id
 def test_a_claim_by_itself_has_the_same_outcome(derivation, outcomes, id, folder):
     from kowalevski_cas.proof.evidence import load_evidence
 
-    (outcome,) = verify(derivation, ["flint"], only=[id], evidence=load_evidence(folder)).outcomes
+    kept = load_evidence(folder)
+    (outcome,) = verify(derivation, ["flint"], only=[id], explain=True, evidence=kept).outcomes
     assert (outcome.verdict, outcome.digest) == (outcomes[id].verdict, outcomes[id].digest)
     assert outcome.rests_on == outcomes[id].rests_on
 

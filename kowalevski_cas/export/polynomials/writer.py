@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from fractions import Fraction
 
+from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.export.polynomials.language import Language
 from kowalevski_cas.proof import checker
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Value:
     """A number of a space: how the program writes it, and what the checker says that it is.
 
@@ -33,7 +33,7 @@ class Value:
         return Value(f"({self.text}^{exponent})", self.element**exponent)
 
 
-@dataclass(slots=True)
+@dataclass
 class Writer:
     """Lines in the words of a language, and the generators of the ring in which they are meant."""
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Final
 
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Outcome, Verdict
 from kowalevski_cas.report.graph.dependencies import dependencies
 from kowalevski_cas.report.graph.layout import WIDTH, layout
@@ -30,7 +30,7 @@ _WORST: Final = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Box:
     """A claim, or several rows of one display, at its place (the centre, in mm)."""
 
@@ -42,7 +42,7 @@ class Box:
     width: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Line:
     """A piece of a line from what is rested on to what rests on it; the last one has a tip."""
 
@@ -51,7 +51,7 @@ class Line:
     tip: bool
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Picture:
     """Boxes and lines; ``alone`` names the claims that rest on nothing and carry nothing."""
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Final
 
+from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.report.graph.dependencies import upwards
 
 WIDTH: Final = 155.0
@@ -16,7 +16,7 @@ _BESIDE: Final = 3.0
 _PASS: Final = 1.8
 
 
-@dataclass(slots=True)
+@dataclass
 class Cell:
     """A place in a layer: a claim, or a long line passing through."""
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.report.mathematics.nodes import Node, joined, measured, spaced, trimmed
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Line:
     """One line of a display: what stands left of the alignment, and right of it."""
 
@@ -27,7 +27,7 @@ class Line:
         return f"{self.left} & {space}{right}".strip()
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class _Break:
     """A place where a line can begin: how deep in brackets, and what it costs."""
 
