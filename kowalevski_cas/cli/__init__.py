@@ -19,6 +19,7 @@ COMMANDS = {
     "check": "check certificates with the independent checker",
     "certificates": "write the certificates of a derivation",
     "export": "write certificates in the language of another program",
+    "witness": "let another program confirm the certificates",
     "mutants": "change one token at a time, and count what an audit notices",
     "study": "measure what each way of checking costs, how sure it is, and where it fails",
     "record": "write the record of verdicts, and the evidence behind them, anew",

@@ -1,0 +1,60 @@
+"""Let another program confirm the certificates of a derivation, each by its own computation.
+
+What it confirms is written to DIR/DERIVATION/PROGRAM.json, for the report.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from kowalevski_cas.cli import session
+from kowalevski_cas.cli.exits import AS_RECORDED, REJECTED, CommandError
+from kowalevski_cas.cli.export import translated
+from kowalevski_cas.export import FORMATS, load
+from kowalevski_cas.export.witness import MissingProgram, command, testify
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    words = "; ".join(f"{name}: {words}" for name, words in FORMATS.items())
+    parser.add_argument("program", choices=FORMATS, metavar="PROGRAM", help=words)
+    parser.add_argument(
+        "derivations",
+        nargs="*",
+        metavar="DERIVATION",
+        help="name in the library, or folder; all of the library if none is named",
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        metavar="DIR",
+        default=Path("reports/witnesses"),
+        help="write there (reports/witnesses)",
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run the command and return its exit code."""
+    name = arguments.program
+    format = load(name)
+    code = AS_RECORDED
+    try:
+        command(format)
+        for folder, derivation in session.derivations(arguments.derivations):
+            certificates, export = translated(name, folder, derivation)
+            digests = {claim: str(one["digest"]) for claim, one in certificates.items()}
+            with session.progress_bar() as progress:
+                testimony = testify(name, format, export, digests, progress)
+            target = arguments.output / derivation.name / f"{name}.json"
+            session.write_whole({target: testimony.text()})
+            for claim, reason in testimony.failed.items():
+                print(f"{claim}: not confirmed: {reason}", file=sys.stderr)
+                code = REJECTED
+            number, total = len(testimony.confirmed), len(derivation.claims)
+            print(f"{name}: {number} of {total} claims confirmed by {testimony.version}")
+    except MissingProgram as error:
+        raise CommandError(str(error)) from None
+    return code

@@ -1,0 +1,133 @@
+"""Let another program read an export: it confirms a claim, in so many words, or the claim fails."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from kowalevski_cas.export.format import Export, Format
+
+JOBS = 2
+SECONDS = 300
+"""A program that has not answered after so long does not confirm."""
+
+Progress = Callable[[str, int, int], None]
+
+
+class MissingProgram(Exception):
+    """The program is not installed, or does not run; the message says what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Testimony:
+    """What a program confirms.
+
+    ``confirmed`` has the digests of the certificates by claim, ``failed`` the reasons
+    why other claims are not confirmed.
+    """
+
+    program: str
+    version: str
+    confirmed: dict[str, str]
+    failed: dict[str, str]
+
+    def text(self) -> str:
+        """The testimony as JSON."""
+        return json.dumps(asdict(self), indent=1, ensure_ascii=False) + "\n"
+
+
+def command(format: Format) -> tuple[str, ...]:
+    """How the program of a format is called on this machine."""
+    for call in format.commands:
+        if shutil.which(call[0]):
+            return call
+    names = " or ".join(call[0] for call in format.commands)
+    raise MissingProgram(
+        f"{names} is not installed; on Debian or Ubuntu: apt-get install {format.package}"
+    )
+
+
+def version(format: Format, call: Sequence[str]) -> str:
+    """What the program calls itself, with its version."""
+    code, output = _run([*call, *format.version], Path.cwd())
+    if code or not output.strip():
+        raise MissingProgram(f"{' '.join(call)} does not tell its version: {_last(output)}")
+    return output.strip().splitlines()[0]
+
+
+def testify(
+    name: str,
+    format: Format,
+    export: Export,
+    digests: Mapping[str, str],
+    progress: Progress = lambda claim, done, total: None,
+) -> Testimony:
+    """Let the program of a format read an export, two files at a time.
+
+    ``digests`` has the digest of each claim's certificate.
+
+    Raises:
+        MissingProgram: the program is not installed, or does not run.
+    """
+    call = command(format)
+    testimony = Testimony(name, version(format, call), {}, {})
+    with TemporaryDirectory() as place:
+        folder = Path(place)
+        for file, text in export.files.items():
+            (folder / file).write_text(text, encoding="utf-8")
+
+        def read(file: str, text: str) -> str:
+            """Why the program does not confirm what is in a file; empty if it does."""
+            code, output = _run([*call, *format.arguments(folder / file)], folder)
+            return f"exit code {code}: {_last(output)}" if code else format.objection(text, output)
+
+        for file in export.shared:
+            code, output = _run([*call, *format.arguments(folder / file)], folder)
+            if code:
+                reason = f"{file}: {_last(output)}"
+                return Testimony(name, testimony.version, {}, dict.fromkeys(export.texts, reason))
+        with ThreadPoolExecutor(JOBS) as pool:
+            try:
+                files = [export.names[claim] for claim in export.texts]
+                answers = pool.map(read, files, export.texts.values())
+                for done, (claim, reason) in enumerate(zip(export.texts, answers, strict=True)):
+                    progress(claim, done, len(files))
+                    if reason:
+                        testimony.failed[claim] = reason
+                    else:
+                        testimony.confirmed[claim] = digests[claim]
+            except BaseException:
+                pool.shutdown(cancel_futures=True)
+                raise
+    return testimony
+
+
+def _run(arguments: Sequence[str], folder: Path) -> tuple[int, str]:
+    """The exit code of a program, and all that it said."""
+    try:
+        done = subprocess.run(
+            arguments,
+            cwd=folder,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            timeout=SECONDS,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return 124, f"no answer within {SECONDS} seconds"
+    except OSError as error:
+        return 126, str(error)
+    return done.returncode, done.stdout.decode("utf-8", "replace")
+
+
+def _last(output: str) -> str:
+    """The last thing that a program said, in one line."""
+    words = " ".join(output.split())
+    return f"… {words[-200:]}" if len(words) > 200 else words
