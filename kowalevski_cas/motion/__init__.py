@@ -1,0 +1,32 @@
+r"""Motions on N⁴: separated, solved, followed by any of several methods.
+
+>>> from kowalevski_cas.motion import Motion, Parameters, load
+>>> motion = Motion(Parameters.of(a=1, b="0.4", m="0.8", ell="0.9"))
+>>> str(motion.regime), motion.regime.tori
+('m > 0, -a < -b < C < b < a < A', 1)
+
+A method takes a motion and an array of times and returns the states (ω, α, β), one a row:
+
+>>> import numpy as np
+>>> states = load("closed")(motion, np.array([0.0, 1e6]))
+>>> states.shape
+(2, 9)
+"""
+
+from kowalevski_cas.motion.methods import METHODS, MethodError, load
+from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.parameters import Inadmissible, Parameters
+from kowalevski_cas.motion.regimes import Regime, all_regimes, coincidences, regime_of
+
+__all__ = [
+    "METHODS",
+    "Inadmissible",
+    "MethodError",
+    "Motion",
+    "Parameters",
+    "Regime",
+    "all_regimes",
+    "coincidences",
+    "load",
+    "regime_of",
+]

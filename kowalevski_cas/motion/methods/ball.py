@@ -1,0 +1,119 @@
+"""Balls: a rigorous enclosure of the closed form, at any precision and any time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+
+import numpy as np
+from flint import acb, arb
+from numpy.typing import NDArray
+
+from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.oscillation import Oscillation
+from kowalevski_cas.motion.parameters import ball, exact, precision
+from kowalevski_cas.motion.solution import PhasePoint, Variable
+
+LARGEST_PRECISION = 1 << 17
+"""Bits of working precision after which an enclosure is given up."""
+
+
+class Unresolved(ArithmeticError):
+    """An enclosure that is still wide at the largest working precision."""
+
+
+def states(motion: Motion, times: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The states at these times, an array of shape (N, 9), each number correctly rounded.
+
+    (Up to half a unit and 2⁻⁶⁰.) Raises :class:`Unresolved` if an enclosure stays wide.
+    """
+    rows = [[float(x.mid()) for x in state] for state in enclosures(motion, times.tolist(), 64)]
+    return np.array(rows).reshape(-1, 9)
+
+
+def enclosures(motion: Motion, times: Iterable[float | Fraction], bits: int) -> list[list[arb]]:
+    """For each time nine balls that contain the state, of radii below 2^−bits times its size.
+
+    Raises :class:`Unresolved` if the largest working precision does not suffice.
+    """
+    found: list[list[arb]] = []
+    left = [exact(time) for time in times]
+    working = bits + 64
+    while left:
+        if working > LARGEST_PRECISION:
+            raise Unresolved(f"no enclosure of {bits} bits at t = {float(left[0]):g}")
+        with precision(working):
+            solution = _Solution(motion)
+            while left:
+                state = solution(left[0])
+                if not _narrow(state, bits):
+                    break
+                found.append(state)
+                left.pop(0)
+        working *= 2
+    return found
+
+
+class _Solution:
+    """The closed form at one working precision."""
+
+    def __init__(self, motion: Motion) -> None:
+        oscillations = motion.oscillations()
+        self._motion = motion
+        self._quadruples = [_Jacobi(oscillation) for oscillation in oscillations]
+        self._variables = [
+            Variable(oscillation, sign, lambda number: number)
+            for oscillation, sign in zip(oscillations, motion.signs, strict=True)
+        ]
+        self._point = PhasePoint(motion.parameters, lambda number: number)
+
+    def __call__(self, time: Fraction) -> list[arb]:
+        first, second = (
+            variable(quadruple(ball(time - origin)))
+            for variable, quadruple, origin in zip(
+                self._variables, self._quadruples, self._motion.origins, strict=True
+            )
+        )
+        state = list(self._point(first, second, _select))
+        cos, sin = self._motion.turn
+        return turned(state, ball(cos), ball(-sin)) if sin else state
+
+
+class _Jacobi:
+    """The quadruple proportional to sn, cn, dn, 1, by theta functions."""
+
+    def __init__(self, oscillation: Oscillation) -> None:
+        self.kind = oscillation.kind
+        self.rate = oscillation.rate
+        if self.kind == "elliptic":
+            quarter = oscillation.quarter
+            self.rate = self.rate / (2 * quarter)
+            self.tau = acb(0, oscillation.complementary_quarter / quarter)
+            _, t2, t3, t4 = (value.real for value in acb.modular_theta(acb(0), self.tau))
+            self.scales = (t3 / t2, t4 / t2, t4 / t3, arb(1))
+
+    def __call__(self, since: arb) -> Sequence[arb]:
+        argument = self.rate * since
+        if self.kind == "rest":
+            return arb(0), arb(1), arb(1), arb(1)
+        if self.kind == "separatrix":
+            sech = argument.sech()
+            return argument.tanh(), sech, sech, arb(1)
+        if self.kind == "exponential":
+            up, down = (argument / 2).exp(), (-argument / 2).exp()
+            return up, down, down, up
+        thetas = acb.modular_theta(acb(argument), self.tau)
+        return [x * theta.real for x, theta in zip(self.scales, thetas, strict=True)]
+
+
+def _select(condition: arb, positive: arb, negative: arb) -> arb:
+    """Either is right everywhere; the sign decides which is sharper."""
+    return positive if condition.mid() >= 0 else negative
+
+
+def _narrow(state: list[arb], bits: int) -> bool:
+    if not all(x.is_finite() for x in state):
+        return False
+    size = sum(float(abs(x.mid())) for x in state) / 9
+    return all(x.rad() <= arb(2) ** -bits * size for x in state)

@@ -1,0 +1,77 @@
+"""The closed form in floating point: vectorised, accurate at every time."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.jacobi import jacobi
+from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.parameters import ball, precision
+from kowalevski_cas.motion.phases import LARGEST
+from kowalevski_cas.motion.solution import PhasePoint, Solved, Variable
+
+Array = NDArray[np.float64]
+
+BLOCK = 4096
+"""Times that are worked on at once, so that all arrays stay in the cache."""
+
+BITS = 256
+"""The precision of the constants before they are rounded."""
+
+
+class Closed:
+    """The closed form of one motion, for times up to ``largest``."""
+
+    def __init__(self, motion: Motion, largest: float) -> None:
+        # A phase of many turns needs so many more bits of the rate.
+        bits = BITS + max(0, int(np.frexp(largest)[1]))
+        with precision(bits):
+            oscillations = motion.oscillations()
+            origins = [ball(origin) for origin in motion.origins]
+            self._jacobi = [
+                jacobi(oscillation, origin, largest)
+                for oscillation, origin in zip(oscillations, origins, strict=True)
+            ]
+            self._variables = [
+                Variable(oscillation, sign, float)
+                for oscillation, sign in zip(oscillations, motion.signs, strict=True)
+            ]
+            self._point = PhasePoint(motion.parameters, float)
+        self._cos, self._sin = (float(x) for x in motion.turn)
+
+    def __call__(self, t: Array) -> Array:
+        """The states at times t of shape (N,), as an array of shape (9, N)."""
+        states = np.empty((9, len(t)))
+        for start in range(0, len(t), BLOCK):
+            block = slice(start, start + BLOCK)
+            states[:, block] = self._point(*self.variables(t[block]), _select)
+        if self._sin:
+            states = np.array(turned(list(states), self._cos, -self._sin))
+        return states
+
+    def variables(self, t: Array) -> tuple[Solved, Solved]:
+        """The two solved variables at times t."""
+        first, second = (
+            variable(quadruple(t))
+            for variable, quadruple in zip(self._variables, self._jacobi, strict=True)
+        )
+        return first, second
+
+
+def states(motion: Motion, times: Array) -> Array:
+    """The states at these times, an array of shape (N, 9); the error does not grow with time.
+
+    Raises ``ValueError`` for times that are not finite.
+    """
+    t = np.ascontiguousarray(times, dtype=float)
+    largest = float(np.max(np.abs(t), initial=0.0))
+    if not largest <= LARGEST:
+        raise ValueError(f"times have to be finite, up to {LARGEST:g}")
+    return Closed(motion, largest)(t).T
+
+
+def _select(condition: Array, positive: Array, negative: Array) -> Array:
+    chosen: Array = np.where(condition >= 0, positive, negative)
+    return chosen

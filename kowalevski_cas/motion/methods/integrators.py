@@ -1,0 +1,56 @@
+"""What SciPy's integrators share: the nine equations from an initial state, both ways in time."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.methods import MethodError
+from kowalevski_cas.motion.methods.closed import states as closed
+from kowalevski_cas.motion.motion import Motion
+
+Array = NDArray[np.float64]
+
+TOLERANCE = 1e-12
+"""The relative and absolute tolerance unless another is asked for."""
+
+
+def initial_state(motion: Motion) -> Array:
+    """The state at t = 0 from which integrators start."""
+    start: Array = closed(motion, np.zeros(1))[0]
+    return start
+
+
+def integrate(method: str, start: Array, times: Array, tolerance: float = TOLERANCE) -> Array:
+    """The states at these times, in any order, of the motion with this state at t = 0.
+
+    Raises :class:`~kowalevski_cas.motion.methods.MethodError` if the integrator gives up.
+    """
+    from scipy.integrate import solve_ivp
+
+    right = formulas.equations()
+    states = np.empty((len(times), 9))
+    for sign in (1.0, -1.0):
+        chosen = np.flatnonzero(times >= 0 if sign > 0 else times < 0)
+        chosen = chosen[np.argsort(sign * times[chosen])]
+        if not len(chosen):
+            continue
+        forward = sign * times[chosen]
+        if forward[-1] == 0:
+            states[chosen] = start
+            continue
+        solution = solve_ivp(
+            lambda _, y, sign=sign: [sign * rate for rate in right(*y.tolist())],
+            (0.0, forward[-1]),
+            start,
+            method=method,
+            t_eval=forward,
+            rtol=tolerance,
+            atol=tolerance,
+        )
+        if not solution.success:
+            raise MethodError(f"{method} stopped at t = {sign * solution.t[-1]:g}: "
+                              f"{solution.message}")  # fmt: skip
+        states[chosen] = solution.y.T
+    return states

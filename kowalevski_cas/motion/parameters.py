@@ -1,0 +1,172 @@
+r"""The constants of a motion: the fields a, b and the integrals m, \ell, all exact.
+
+Everything that decides (which regime, which roots coincide) is a sign of a linear
+expression in :math:`\ell` with rational coefficients. :math:`\ell` itself is rational or,
+when the energy is given, the square root of a rational number; so these signs are exact.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import isqrt
+from typing import Any
+
+from flint import arb, ctx, fmpq
+
+Real = int | float | str | Fraction
+"""What may be given as a number; a string is read as the decimal or quotient that it prints."""
+
+
+class Inadmissible(ValueError):
+    """Constants for which there is no motion on N⁴; the message says why and what would do."""
+
+
+@dataclass(frozen=True)
+class Parameters:
+    r"""The constants of a motion on N⁴ in fields of lengths a > b ≥ 0 at right angles.
+
+    ``ell_square`` with ``ell_sign`` (−1, 0 or 1) is :math:`\ell`, which is the square root of
+    a rational number when the energy is prescribed. Make one by :meth:`of` or :meth:`at_energy`.
+    """
+
+    a: Fraction
+    b: Fraction
+    m: Fraction
+    ell_square: Fraction
+    ell_sign: int
+
+    def __post_init__(self) -> None:
+        """Refuse lengths that do not separate, and m = 0."""
+        if self.b < 0 or self.a < 0:
+            short = "a" if self.a < 0 else "b"
+            raise Inadmissible(f"the length {short} = {float(self.a if self.a < 0 else self.b):g}"
+                               " is negative; a > b ≥ 0 is needed")  # fmt: skip
+        if self.a <= self.b:
+            equal = "equal, and then r = 0: the variables s1, s2 do not separate"
+            wrong = "in the wrong order: call the longer field α and its length a"
+            words = equal if self.a == self.b else wrong
+            raise Inadmissible(
+                f"a = {float(self.a):g} and b = {float(self.b):g} are {words}; a > b ≥ 0 is needed"
+            )
+        if self.m == 0:
+            raise Inadmissible("m = 0: the roots (ℓ±1)/2m are at infinity; m > 0 or m < 0 would do")
+
+    @staticmethod
+    def of(a: Real, b: Real, m: Real, ell: Real) -> Parameters:
+        r"""The constants a, b, m and :math:`\ell`.
+
+        Raises :class:`Inadmissible` unless a > b ≥ 0 and m ≠ 0, and ``ValueError`` for
+        what is no finite number.
+        """
+        value = exact(ell)
+        return Parameters(exact(a), exact(b), exact(m), value**2, (value > 0) - (value < 0))
+
+    @staticmethod
+    def at_energy(a: Real, b: Real, m: Real, h: Real) -> Parameters:
+        r"""The constants a, b, m and the energy h, by :math:`\ell^2=2p^2m^2+2hm+1`, ℓ ≥ 0."""
+        first = Parameters.of(a, b, m, 0)
+        square = 2 * first.p_square * first.m**2 + 2 * exact(h) * first.m + 1
+        if square < 0:
+            bound = float(-(2 * first.p_square * first.m**2 + 1) / (2 * first.m))
+            sign = "≥" if first.m > 0 else "≤"
+            raise Inadmissible(
+                f"ℓ² = 2p²m²+2hm+1 = {float(square):.6g} is negative; h {sign} {bound:.6g} would do"
+            )
+        return Parameters(first.a, first.b, first.m, square, int(square > 0))
+
+    # -- ℓ, and linear expressions in it -------------------------------------------
+
+    def sign(self, slope: Fraction, constant: Fraction) -> int:
+        r"""The sign of slope·ℓ + constant, exactly."""
+        left = self.ell_sign * _sign(slope)
+        right = _sign(constant)
+        if left * right >= 0:
+            return left or right
+        return left * _sign(slope**2 * self.ell_square - constant**2)
+
+    def value(self, slope: Fraction, constant: Fraction) -> arb:
+        r"""The value of slope·ℓ + constant, to the full relative precision of FLINT's context."""
+        root = rational_root(self.ell_square)
+        if root is not None:
+            return ball(slope * self.ell_sign * root + constant)
+        term = ball(slope) * self.ell_sign * ball(self.ell_square).sqrt()
+        if _sign(slope) * self.ell_sign * _sign(constant) >= 0:
+            return term + ball(constant)
+        # The numerator of the difference of squares is rational: nothing cancels.
+        return ball(slope**2 * self.ell_square - constant**2) / (term - ball(constant))
+
+    @property
+    def ell(self) -> arb:
+        r""":math:`\ell` at the precision of FLINT's context."""
+        return self.value(Fraction(1), Fraction(0))
+
+    def mirrored(self) -> Parameters:
+        r"""The same motions by the other root :math:`\sqrt{x_1x_2}`: ℓ, s1, s2 change sign."""
+        return Parameters(self.a, self.b, self.m, self.ell_square, -self.ell_sign)
+
+    # -- the other constants, all rational ------------------------------------------
+
+    @property
+    def p_square(self) -> Fraction:
+        """p² = a² + b²."""
+        return self.a**2 + self.b**2
+
+    @property
+    def r_square(self) -> Fraction:
+        """r² = a² − b²."""
+        return self.a**2 - self.b**2
+
+    @property
+    def h(self) -> Fraction:
+        r"""The energy: :math:`\ell^2=2p^2m^2+2hm+1` solved for h."""
+        return (self.ell_square - 1 - 2 * self.p_square * self.m**2) / (2 * self.m)
+
+    @property
+    def k(self) -> Fraction:
+        """The constant of K: r⁴m²."""
+        return self.r_square**2 * self.m**2
+
+    @property
+    def g(self) -> Fraction:
+        """The constant of the third integral: 2g − p²h = r⁴m."""
+        return (self.r_square**2 * self.m + self.p_square * self.h) / 2
+
+
+def exact(value: Real) -> Fraction:
+    """The number as a fraction; raises ``ValueError`` unless it is finite and of usable size.
+
+    >>> exact("0.3"), exact(0.5)
+    (Fraction(3, 10), Fraction(1, 2))
+    """
+    if isinstance(value, str) and len(value) > 1000:
+        raise ValueError("a number of more than 1000 characters")
+    if isinstance(value, str):
+        _, _, exponent = value.lower().partition("e")
+        if exponent.strip().lstrip("+-").isdigit() and len(exponent.strip()) > 4:
+            raise ValueError(f"“{value}” is too large or too small")
+    try:
+        return Fraction(value)
+    except (ValueError, OverflowError, ZeroDivisionError):
+        raise ValueError(f"“{value}” is no finite number") from None
+
+
+def rational_root(square: Fraction) -> Fraction | None:
+    """The root of a square of a rational number, and None for any other number."""
+    above, below = isqrt(square.numerator), isqrt(square.denominator)
+    root = Fraction(above, below)
+    return root if root**2 == square else None
+
+
+def ball(value: Fraction) -> arb:
+    """A rational number as a ball at the precision of FLINT's context."""
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+def precision(bits: int) -> Any:
+    """A context in which FLINT computes with so many bits."""
+    return ctx.workprec(bits)
+
+
+def _sign(value: Fraction) -> int:
+    return (value > 0) - (value < 0)

@@ -1,0 +1,120 @@
+"""The closed form against balls, against integration, and against its own laws."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from kowalevski_cas.motion import Inadmissible, Motion, Parameters, all_regimes, load
+from kowalevski_cas.motion.formulas import INTEGRALS, equations, integrals
+from kowalevski_cas.motion.methods.ball import enclosures
+from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
+
+closed, ball, dop853 = load("closed"), load("ball"), load("dop853")
+ORIGINS = (Fraction(1, 3), Fraction(-1, 7))
+ALL = [*EVERY_REGIME, *SEPARATING.values()]
+
+times = st.lists(st.floats(-1e6, 1e6), min_size=1, max_size=4).map(np.array)
+lengths = st.tuples(st.fractions(0, 2, max_denominator=50), st.fractions(0, 2, max_denominator=50))
+constants = st.fractions(-3, 3, max_denominator=60)
+signs = st.sampled_from([(1, 1), (1, -1), (-1, 1), (-1, -1)])
+
+
+def relative(found, expected):
+    difference = np.linalg.norm(found - expected, axis=1)
+    return np.max(difference / np.linalg.norm(expected, axis=1))
+
+
+def drift(states):
+    """How far each integral is from its first value."""
+    values = np.array(integrals()(*states.T))
+    return np.max(np.abs(values - values[:, :1]))
+
+
+@st.composite
+def motions(draw):
+    """A motion with random constants, phases and signs."""
+    (b, a), m, ell = sorted(draw(lengths)), draw(constants), draw(constants)
+    try:
+        parameters = Parameters.of(a, b, m, ell)
+        return Motion(parameters, (draw(constants), draw(constants)), draw(signs))
+    except Inadmissible:
+        assume(False)
+
+
+def test_the_regions_are_all_regimes():
+    assert {motion(*region).regime for region in EVERY_REGIME} == set(all_regimes())
+
+
+@given(motions(), times)
+def test_it_agrees_with_balls_at_any_time(motion, t):
+    assert relative(closed(motion, t), ball(motion, t)) < 1e-13
+
+
+@pytest.mark.parametrize("region", ALL)
+def test_it_agrees_with_balls_in_every_regime(region):
+    moved = motion(*region, origins=ORIGINS)
+    t = np.array([0, 0.1, 1, -7, 55.5, 1e6, -1e15, 1e100, 3e250])
+    assert relative(closed(moved, t), ball(moved, t)) < 1e-14
+
+
+@pytest.mark.parametrize("region", ALL)
+@pytest.mark.parametrize("signs", [(1, 1), (-1, -1)])
+def test_it_solves_the_nine_equations(region, signs):
+    moved = motion(*region, origins=ORIGINS, signs=signs)
+    t = np.linspace(-3, 3, 7)
+    assert relative(closed(moved, t), dop853(moved, t)) < 1e-9
+
+
+@given(motions(), times)
+def test_its_derivative_is_the_right_hand_side(motion, t):
+    # Five points of balls: an error of h⁴, far below what rounding leaves of floats.
+    h = Fraction(1, 2**40)
+    for start in t.tolist():
+        points = [Fraction(start) + k * h for k in (-2, -1, 0, 1, 2)]
+        a, b, c, d, e = (
+            [float(x.mid() - y.mid()) for x, y in zip(state, middle, strict=True)]
+            for states in [enclosures(motion, points, 300)]
+            for middle in [states[2]]
+            for state in states
+        )
+        slope = [
+            (w - 8 * x + 8 * y - z) / float(12 * h) for w, x, y, z in zip(a, b, d, e, strict=True)
+        ]
+        expected = equations()(*closed(motion, np.array([start]))[0])
+        scale = 1 + np.linalg.norm(expected)
+        assert np.linalg.norm(np.array(slope) - expected) < 1e-11 * scale
+        assert c == [0.0] * 9
+
+
+@given(motions(), times)
+def test_its_integrals_are_constant_to_rounding(motion, t):
+    states = closed(motion, np.concatenate([[0.0], t]))
+    size = max(1.0, np.max(np.abs(states))) ** 6
+    assert drift(states) < 1e-13 * size
+
+
+@given(motions(), times)
+def test_its_integrals_have_the_values_of_its_constants(motion, t):
+    values = dict(zip(INTEGRALS, integrals()(*closed(motion, t).T), strict=True))
+    known = motion.parameters
+    size = max(1.0, np.max(np.abs(closed(motion, t)))) ** 6
+    for name, value in {
+        "H": known.h, "K": known.k, "a^2": known.a**2, "b^2": known.b**2, "c": 0, "F_1": 0, "F_2": 0,
+    }.items():  # fmt: skip
+        assert np.max(np.abs(values[name] - float(value))) < 1e-13 * size
+
+
+@given(motions(), times)
+def test_backwards_in_time_the_angular_velocity_turns_round(motion, t):
+    # t → −t, ω → −ω leaves the equations alone; so does a turn of the whole motion by π.
+    turned = np.array([-1, -1, -1, 1, 1, 1, 1, 1, 1])
+    mirrored = Motion(motion.parameters, tuple(-o for o in motion.origins), motion.signs)
+    there, back = closed(motion, t) * turned, closed(mirrored, -t)
+    for signs in (1, 1), (1, -1), (-1, 1), (-1, -1):
+        sent = Motion(mirrored.parameters, mirrored.origins, signs)
+        if relative(closed(sent, -t), there) < 1e-12:
+            return
+    pytest.fail(f"{there} is none of the tori of {back}")
