@@ -94,12 +94,15 @@ class FirstIntegral(Claim):
         return None if self.on else self._rates(formula, stage)
 
     def _rates(self, formula: Formula, stage: Stage) -> list[Element]:
-        """The derivatives of the members; not of names that are defined by the others."""
+        return [stage.derivative(scalar(m, stage)) for m in self.constants(stage, formula)]
+
+    def constants(self, stage: Stage, formula: Formula) -> list[Formula]:
+        """The members that have to be constant; not names that are defined by the others."""
         chain = members(formula) if isinstance(formula, Relation) else [formula]
         here = {n for n, place in self.scene.definitions.items() if place == self.printed}
         chain = [m for m in chain if not (isinstance(m, Name) and m.name in here)] or chain
         known = [member for member in chain if not _is_level(member, stage)]
-        return [stage.derivative(scalar(member, stage)) for member in known or chain]
+        return known or chain
 
 
 def _is_level(formula: Formula, stage: Stage) -> bool:

@@ -92,6 +92,17 @@ def certificate(claim: Claim, outcome: Outcome, bench: Bench, mended: Bench) -> 
     return Written(claim.id, text, notes=tuple(dict.fromkeys(parts.notes)))
 
 
+def stated(claim: Claim, bench: Bench) -> str:
+    """What the certificate of a claim would be: nobody has asked whether the claim holds.
+
+    Raises:
+        CertificateError: there are no certificates for it.
+    """
+    parts = Parts(bench)
+    state(claim, parts)
+    return dump(claim.id, "", *_complete(parts))
+
+
 KEYS = ("claim", "statement", "spaces", "parts")
 
 

@@ -34,7 +34,7 @@ from kowalevski_cas.claims import (
 from kowalevski_cas.claims.claim import equation, members
 from kowalevski_cas.claims.dimension import Set
 from kowalevski_cas.claims.membership import combination
-from kowalevski_cas.notation import Constant, Formula, Name, Relation, Sum, Unwritten
+from kowalevski_cas.notation import Constant, Formula, Relation, Sum, Unwritten
 from kowalevski_cas.proof.parts import Parts, minus
 from kowalevski_cas.proof.scales import scale
 from kowalevski_cas.proof.spaces import SpaceWriter
@@ -233,13 +233,13 @@ def _scaling(claim: Scaling, parts: Parts) -> None:
 @state.register
 def _first_integral(claim: FirstIntegral, parts: Parts) -> None:
     space = parts.space(claim.scene)
-    formula = space.stage.texts.formula(_printed(claim))
-    if isinstance(formula, Relation):
-        formula = next(m for m in members(formula) if not isinstance(m, Name))
-    sides = [["D", space.tree(formula)], 0]
+    constants = claim.constants(space.stage, space.stage.texts.formula(_printed(claim)))
+    rates: list[list[Tree]] = [[["D", space.tree(constant)], 0] for constant in constants]
     if not claim.on:
-        parts.equal(space, sides)
+        parts.equal(space, *rates)
         return
+    moving = (k for k, sides in enumerate(rates) if not space.difference(sides)[0].is_zero)
+    sides = rates[next(moving, 0)]
     bench = parts.bench.finder
     row = combination(bench, claim.scene, claim.id, claim.rate, claim.generators, claim.main)
     parts.follows(space, [sides], _equations(space, claim.on), [_found(row)])
