@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from importlib import import_module
 
+from kowalevski_cas.arithmetic.points import Points
 from kowalevski_cas.arithmetic.polynomials import Polynomials
 
 Arithmetic = type[Polynomials]
 
 EXACT = ("flint", "symengine", "sympy")
 """The arithmetics that decide, the default first."""
+
+POINTS = ("modular",)
+"""The arithmetics that screen: they look at points."""
 
 
 def load(name: str) -> Arithmetic:
@@ -18,3 +22,11 @@ def load(name: str) -> Arithmetic:
         raise ValueError(f"unknown arithmetic “{name}”; there are {', '.join(EXACT)}")
     arithmetic: Arithmetic = import_module(f"{__name__}.{name}").Arithmetic
     return arithmetic
+
+
+def load_points(name: str, seed: int = 1) -> Points:
+    """The arithmetic of points with this name; ``seed`` chooses its points."""
+    if name not in POINTS:
+        raise ValueError(f"unknown arithmetic of points “{name}”; there are {', '.join(POINTS)}")
+    points: Points = import_module(f"{__name__}.{name}").Arithmetic(seed)
+    return points

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import singledispatch
 
 from kowalevski_cas.arithmetic.polynomials import Polynomial
 from kowalevski_cas.arithmetic.tower import Element, Ring
@@ -12,6 +13,7 @@ Field = Mapping[str, Element]
 """The derivative of each generator; generators that are not named are constants."""
 
 
+@singledispatch
 def along(element: Element, field: Field) -> Element:
     r"""The derivative of an element along a field, by the product and chain rules.
 

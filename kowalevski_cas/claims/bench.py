@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from typing import Any, TypeVar
 
-from kowalevski_cas.arithmetic import Arithmetic, load
+from kowalevski_cas.arithmetic import POINTS, Arithmetic, load
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage
@@ -46,7 +46,15 @@ class Bench:
     def stage(self, scene: Scene) -> Stage:
         """The stage of a scene; shared by all texts that do not differ on it."""
         key = (self.arithmetic, scene, self.texts.changes(self._places(scene)))
-        if key not in self._stages:
+        if key not in self._stages and self.arithmetic in POINTS:
+            # Programs know no arithmetic: all that look at points share them.
+            shared = ("programs", *key[1:])
+            if shared not in self._stages:
+                from kowalevski_cas.stage.programs import ProgramStage
+
+                self._stages[shared] = ProgramStage(self.finder.stage(scene))
+            self._stages[key] = self._stages[shared]
+        elif key not in self._stages:
             kind: Arithmetic = load(self.arithmetic)
             self._stages[key] = Stage(scene, kind, self.texts)
         return self._stages[key].under(self.texts)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
     Claim,
     Finding,
     Neighbour,
+    ask,
     counterexample,
     green,
     refuted,
@@ -42,6 +44,10 @@ class ChangedEquation(Identity):
         if forward.verdict.green != backward.verdict.green:
             return Finding(Verdict.ERROR, message="the two directions of the change disagree")
         return forward
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        for scene in (self.scene, self.old):
+            yield from Identity(self.id, scene, self.printed, self.words).questions(bench)
 
     def scenes(self) -> Iterator[Scene]:
         yield from (self.scene, self.old)
@@ -78,6 +84,11 @@ class InvertibleChange(Claim):
             shown = [f"{name} = {show(value, stage)}" for name, value in inverse.items()]
             steps.append(Step("The inverse, as solved for:", r",\quad ".join(shown)))
         return green((), steps)
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        # The field of the scene is derived through the inverse, or there is none.
+        old, _ = bench.stage(self.old), bench.stage(self.scene).field
+        yield ask(old, [left - right for left, right in self._pairs(old)])
 
     def establishes(self) -> Iterator[Printed]:
         change = self.scene.field
@@ -126,6 +137,14 @@ class Unit(Claim):
                 words = f"the two sides of {row.place} after the change with this unit"
                 return refuted(replace(finding.counterexample, words=words))
         return Finding(Verdict.UNDECIDED)
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        """Whether rows hold that have to: those of the printed unit, or those of a better one."""
+        own = self._rows_that_hold(bench)
+        others = [bench.with_texts(n.texts) for n in self.neighbours(bench.texts)]
+        best = max((self._rows_that_hold(other) for other in others), key=len, default=[])
+        for row in own if len(own) >= len(best) else best:
+            yield from self._row(row).questions(bench)
 
     def _row(self, row: Printed) -> Identity:
         return Identity(f"{self.id}/{row.place}", self.scene, row, "")

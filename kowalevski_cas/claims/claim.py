@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
 from kowalevski_cas.arithmetic.numbers import Substitution, number_ring
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.bench import Bench, Key
@@ -18,6 +19,8 @@ from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.evaluate import Triple, Value
 from kowalevski_cas.texts import Printed, Texts
 
+ExactPoint = dict[str, tuple[Fraction, Fraction]]
+
 NUMBERS = Vocabulary(scalars=frozenset({"i"}))
 """What is needed to print numbers in a tower of roots."""
 
@@ -27,7 +30,8 @@ class Finding:
     """The verdict on a claim in one arithmetic, with its evidence.
 
     ``correction`` is the nearest true statement where the claim itself proves
-    one; a formula that is one edit away is searched for elsewhere.
+    one; a formula that is one edit away is searched for elsewhere. ``chance`` and
+    ``radius`` are those of an outcome.
     """
 
     verdict: Verdict
@@ -36,6 +40,8 @@ class Finding:
     counterexample: Counterexample | None = None
     message: str = ""
     correction: Correction | None = None
+    chance: float | None = None
+    radius: float | None = None
 
 
 @dataclass(frozen=True)
@@ -66,6 +72,9 @@ class Claim(ABC):
     def decide(self, bench: Bench) -> Finding:
         """Decide the claim in the arithmetic of the bench."""
 
+    beyond_points = ""
+    """What is claimed and cannot be seen at points, if there is something."""
+
     def residuals(self, formula: Formula, stage: Stage) -> list[Element] | None:
         """Elements that vanish if the formula is true in place of the printed one.
 
@@ -73,6 +82,14 @@ class Claim(ABC):
         to be decided in full.
         """
         return None
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        """What can be asked at points; the claim is false if one answer is no."""
+        if self.printed is not None:
+            stage = bench.stage(self.scene)
+            residuals = self.residuals(bench.texts.formula(self.printed), stage)
+            if residuals is not None:
+                yield ask(stage, residuals)
 
     def places(self) -> Iterator[Printed]:
         """The places of the paper that the claim names, its own first; not those of its scene."""
@@ -98,6 +115,39 @@ class Claim(ABC):
         """The places that are right if the claim is."""
         if self.printed is not None:
             yield self.printed
+
+
+def ask(
+    stage: Stage,
+    residuals: Sequence[Element] = (),
+    given: Callable[[Stage], Sequence[Element]] = lambda stage: (),
+    rows: Sequence[Sequence[Element]] = (),
+    rank: int = 0,
+    somewhere: Sequence[Element] = (),
+) -> Question:
+    """A question to points of a stage of programs; see :class:`Question`.
+
+    The exact points on ``given`` are real ones, found with FLINT.
+    """
+    from kowalevski_cas.stage.programs import ProgramStage, programs
+
+    assert isinstance(stage, ProgramStage)
+    exact = stage.exact
+
+    def points() -> Iterator[ExactPoint]:
+        from kowalevski_cas.search.real import real_points
+
+        return real_points(exact, given(exact), [scalar(f, exact) for f in exact.granted()])
+
+    return Question(
+        stage.programs,
+        residuals=programs(residuals),
+        given=programs(given(stage)),
+        rows=[programs(row) for row in rows],
+        rank=rank,
+        somewhere=programs(somewhere),
+        exact=points,
+    )
 
 
 def members(relation: Relation) -> list[Formula]:
@@ -269,6 +319,7 @@ __all__ = [
     "Claim",
     "Finding",
     "Neighbour",
+    "ask",
     "components",
     "conditions_of",
     "counterexample",

@@ -69,6 +69,9 @@ class Coefficient(Claim):
         pairs = [(generated, scalar(member, stage)) for member in chain]
         return [*pairs, (self._partial(generated, stage), stage.ring.zero)]
 
+    def residuals(self, formula: Formula, stage: Stage) -> list[Element]:
+        return [left - right for left, right in self.pairs(formula, stage)]
+
     def _partial(self, element: Element, stage: Stage) -> Element:
         return along(element, {self.variable: stage.ring.one})
 

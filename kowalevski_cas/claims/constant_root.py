@@ -8,6 +8,7 @@ from itertools import islice, product
 
 from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.numbers import rational, square_root
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.present import fraction_formula
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
@@ -15,6 +16,7 @@ from kowalevski_cas.claims.claim import (
     AtPoint,
     Claim,
     Finding,
+    ask,
     conditions_of,
     equation,
     green,
@@ -55,12 +57,7 @@ class ConstantRoot(Claim):
         if guess is None:
             found = self._inconsistent(bench)
             return refuted(found) if found else Finding(Verdict.UNDECIDED)
-        root = stage.ring.zero
-        for coefficient, tex in zip(guess, self.basis, strict=True):
-            term = scalar(stage.formula(tex), stage)
-            root = root + stage.ring.number(coefficient) * term
-        constant, linear, quadratic = self._coefficients(stage)
-        value = constant + linear * root + quadratic * root * root
+        value = self._value(guess, stage)
         if not value.is_zero:
             return Finding(Verdict.UNDECIDED, message="the combination fits points only")
         terms = [
@@ -71,6 +68,22 @@ class ConstantRoot(Claim):
         shown = " + ".join(terms).replace("+ -", "- ")
         steps = [Step("The constant root that the program found:", f"{self.unknown} = {shown}")]
         return green(conditions_of([value], stage), steps if bench.explain else ())
+
+    def _value(self, guess: Guess, stage: Stage) -> Element:
+        """The value of the equation at a combination."""
+        root = stage.ring.zero
+        for coefficient, tex in zip(guess, self.basis, strict=True):
+            term = scalar(stage.formula(tex), stage)
+            root = root + stage.ring.number(coefficient) * term
+        constant, linear, quadratic = self._coefficients(stage)
+        return constant + linear * root + quadratic * root * root
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        """Whether the combination that exact points give is a root."""
+        guess = bench.found(("constant", self.id), self._search)
+        if guess is not None:
+            stage = bench.stage(self.scene)
+            yield ask(stage, [self._value(guess, stage)])
 
     def expressions(self) -> Iterator[str]:
         yield from self.basis

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from itertools import combinations_with_replacement
 
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
@@ -13,6 +14,7 @@ from kowalevski_cas.claims.claim import (
     Claim,
     Finding,
     Neighbour,
+    ask,
     conditions_of,
     green,
     locus_of,
@@ -85,6 +87,16 @@ class CriticalSet(Claim):
         conditions |= {tex: None for k, tex in enumerate(problem.loci(stage)) if k in needed}
         shown = tuple(self._where_it_fails(bench, problem, tex) for tex in conditions)
         return green(shown, steps)
+
+    beyond_points = "whether other points are critical cannot be seen at points of the set"
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        stage, problem = bench.stage(self.scene), self._problem(bench)
+
+        def given(stage: Stage) -> list[Element]:
+            return [*problem.goals(stage), problem.beside(stage)]
+
+        yield ask(stage, problem.rates(stage), given)
 
     def _problem(self, bench: Bench) -> CriticalEquations:
         """The equations as the texts of the bench print them, with weights that were found."""

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kowalevski_cas.arithmetic.derivation import along
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
     Claim,
     Finding,
     Neighbour,
+    ask,
     conditions_of,
     counterexample,
     green,
@@ -48,6 +50,10 @@ class Degree(Claim):
             words=f"the partial derivative of order {self.degree + 1} of a component, and zero",
         )
         return refuted(found) if found else Finding(Verdict.UNDECIDED)
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        stage = bench.stage(self.scene)
+        yield ask(stage, self._derivatives(stage))
 
     def _derivatives(self, stage: Stage) -> list[Element]:
         elements = [x for name, x in stage.field.items() if name != self.variable]

@@ -8,6 +8,7 @@ from itertools import combinations, islice
 
 from kowalevski_cas.arithmetic.derivation import gradient
 from kowalevski_cas.arithmetic.numbers import rank
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench, Key
 from kowalevski_cas.claims.claim import (
@@ -15,6 +16,7 @@ from kowalevski_cas.claims.claim import (
     Claim,
     Finding,
     Neighbour,
+    ask,
     conditions_of,
     equation,
     green,
@@ -99,6 +101,13 @@ class Set(Claim):
             return None
         return _rank(stage, system(stage), at), at
 
+    def rank_of(self, bench: Bench, rank: int) -> Question:
+        """Whether all differentials have this rank on the set."""
+        stage = bench.stage(self.scene)
+        system = [*self.level_functions(stage), *self.constraints(stage), *self.extra(stage)]
+        rows = [gradient(function, self.scene.variables) for function in system]
+        return ask(stage, given=self.constraints, rows=rows, rank=rank)
+
     def extra(self, stage: Stage) -> list[Element]:
         """Further functions whose differentials take part."""
         return []
@@ -136,6 +145,9 @@ class Dimension(Set):
         for locus in self.scene.loci:
             conditions += self._on_locus(bench, locus)
         return green(tuple(conditions), steps)
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        yield self.rank_of(bench, len(self.scene.variables) - self.dimension)
 
     def _on_locus(self, bench: Bench, locus: Locus) -> list[Condition]:
         """A condition, if on the locus some equations say nothing and the dimension is another."""
@@ -205,6 +217,9 @@ class Independence(Set):
             f"At {_values(at)}, all {full} differentials are independent",
         )] if bench.explain else []  # fmt: skip
         return green(conditions_of(self.constraints(stage), stage), steps)
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        yield self.rank_of(bench, len(self.levels) + len(self.equations) + len(self.functions))
 
     def _is_redundant(self, stage: Stage) -> bool:
         """Whether the differentials of two functions or levels are parallel everywhere."""

@@ -40,6 +40,8 @@ class Equilibria(StatesOfRest):
     negative.
     """
 
+    beyond_points = "how many roots of an equation are real cannot be seen at points"
+
     def decide(self, bench: Bench) -> Finding:
         """Solve the system by one root, and show that all roots are real and distinct."""
         stage = bench.stage(self.scene)

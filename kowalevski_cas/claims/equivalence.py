@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
     Claim,
     Finding,
+    ask,
     conditions_of,
     counterexample,
     equation,
@@ -66,6 +68,12 @@ class Equivalence(Claim):
 
     def _sides(self, stage: Stage) -> list[Element]:
         return [equation(self._printed, stage), equation(self.to, stage)]
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        """Whether each equation holds where the other one does."""
+        stage = bench.stage(self.scene)
+        for holds, follows in ((self.to, self._printed), (self._printed, self.to)):
+            yield ask(stage, [equation(follows, stage)], partial(equations, [holds]))
 
     def _refute(self, bench: Bench) -> Finding:
         """A point where one equation holds and the other does not, in either direction."""

@@ -34,6 +34,8 @@ class SolvedExponents(Claim):
     ansatz: Printed
     variable: str
 
+    beyond_points = "that no other exponents do cannot be seen at points"
+
     def decide(self, bench: Bench) -> Finding:
         """Generate the coefficient, set up the two equations, solve, and compare."""
         stage = bench.stage(self.scene)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
     Claim,
     Finding,
+    ask,
     conditions_of,
     counterexample,
     equations,
@@ -92,6 +94,14 @@ class FirstIntegral(Claim):
 
     def residuals(self, formula: Formula, stage: Stage) -> list[Element] | None:
         return None if self.on else self._rates(formula, stage)
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        if not self.on:
+            yield from super().questions(bench)
+            return
+        stage = bench.stage(self.scene)
+        yield ask(stage, somewhere=[self.rate(stage)])
+        yield ask(stage, [self.rate(stage)], self.generators)
 
     def _rates(self, formula: Formula, stage: Stage) -> list[Element]:
         return [stage.derivative(scalar(m, stage)) for m in self.constants(stage, formula)]

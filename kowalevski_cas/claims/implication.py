@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import partial
 
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
     Claim,
     Finding,
+    ask,
     conditions_of,
     counterexample,
     equations,
@@ -107,6 +109,10 @@ class Implication(Claim):
         if row is None or any(cofactor.denominator for cofactor in row):
             return [condition], []
         return [], [Step(f"For {locus.words} it holds as well, by a separate division.")]
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        stage = bench.stage(self.scene)
+        yield ask(stage, self._targets(stage), self.generators)
 
     def _refute(self, bench: Bench) -> Finding:
         def pairs(stage: Stage) -> list[tuple[Element, Element]]:

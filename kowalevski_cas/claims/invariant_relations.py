@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
     Claim,
     Finding,
+    ask,
     conditions_of,
     counterexample,
     equations,
@@ -93,6 +95,12 @@ class InvariantRelations(Claim):
                 return None
             rows.append(row)
         return rows
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        """Whether the functions do not move where they vanish."""
+        stage = bench.stage(self.scene)
+        rates = [self.rate(stage, index) for index in range(len(self.relations))]
+        yield ask(stage, rates, self.functions)
 
     def _where_it_fails(self, bench: Bench, condition: Condition) -> Condition:
         """A condition with a point of the set on its locus where the derivative does not vanish."""

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
     Claim,
     Finding,
     Neighbour,
+    ask,
     conditions_of,
     counterexample,
     green,
@@ -80,6 +82,13 @@ class Limit(Claim):
                  _shown(rows, stage)),
         ] if bench.explain else ()  # fmt: skip
         return green(conditions_of(entries, stage), steps)
+
+    beyond_points = "whether the two cofactor matrices agree cannot be seen at points"
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        """Whether the general functions vanish where the special ones do."""
+        stage = bench.stage(self.scene)
+        yield ask(stage, self.general.functions(stage), self.special.functions)
 
     def _transition(self, bench: Bench) -> Matrix | None:
         """The matrix T with F = T e, found by division."""

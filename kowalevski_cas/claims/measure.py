@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kowalevski_cas.arithmetic.derivation import along
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
     Claim,
     Finding,
     Neighbour,
+    ask,
     conditions_of,
     counterexample,
     green,
@@ -63,6 +65,18 @@ class LastMultiplier(Claim):
             words="the rate at which the measure with this density changes, and zero",
         )  # fmt: skip
         return refuted(found) if found else Finding(Verdict.UNDECIDED)
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        """The rate of the measure, and the trace of the cofactor matrix that FLINT found."""
+        stage = bench.stage(self.scene)
+        yield ask(stage, [self._rate(stage)])
+        matrix = self.relations.matrix(bench.finder)
+        if matrix is not None:
+            other = bench.stage(self.relations.scene)
+            trace = other.ring.zero
+            for k, row in enumerate(matrix):
+                trace = trace + other.carry(row[k])
+            yield ask(other, [trace])
 
     def _divergence(self, stage: Stage) -> Element:
         total = stage.ring.zero

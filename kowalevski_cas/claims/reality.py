@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import (
     Claim,
     Finding,
     Neighbour,
+    ask,
     conditions_of,
     counterexample,
     green,
@@ -42,6 +44,10 @@ class Reality(Claim):
             words="the expression, and what it should equal",
         )
         return refuted(found) if found else Finding(Verdict.UNDECIDED)
+
+    def questions(self, bench: Bench) -> Iterator[Question]:
+        stage = bench.stage(self.scene)
+        yield ask(stage, [left - right for left, right in self._pairs(stage)])
 
     def _pairs(self, stage: Stage) -> list[tuple[Element, Element]]:
         pairs = []

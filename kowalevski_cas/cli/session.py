@@ -34,6 +34,7 @@ def run(
     explain: bool = False,
     timeout: float | None = None,
     evidence: dict[str, Evidence] | None = None,
+    seed: int = 1,
 ) -> Run:
     """A run of a derivation, with the evidence kept in its folder and progress on a terminal."""
     ids = [claim.id for claim in derivation.claims]
@@ -49,7 +50,9 @@ def run(
     if evidence is None:
         evidence = load_evidence(folder)
     with progress_bar() as progress:
-        return verify(derivation, arithmetics, only, explain, progress, evidence, timeout)
+        return verify(
+            derivation, arithmetics, only, explain, progress, evidence, timeout, seed=seed
+        )
 
 
 class progress_bar:

@@ -8,7 +8,7 @@ from kowalevski_cas.dataclass import dataclass, field
 
 
 class Verdict(StrEnum):
-    """How sure the tool is. Only the first two are green."""
+    """How sure the tool is. Only the first two are green; points say the next two."""
 
     PROVED = "proved"
     CONDITIONAL = "conditional"
@@ -23,6 +23,11 @@ class Verdict(StrEnum):
     def green(self) -> bool:
         """Whether the statement is established, perhaps under named conditions."""
         return self in (Verdict.PROVED, Verdict.CONDITIONAL)
+
+    @property
+    def likely(self) -> bool:
+        """Whether the statement is established, or nothing was seen at points that denies it."""
+        return self.green or self in (Verdict.PROBABLE, Verdict.ENCLOSED)
 
 
 @dataclass(frozen=True)
@@ -79,7 +84,8 @@ class Outcome:
 
     ``products`` counts the multiplications of polynomials that the decision
     took: a cost that is the same on every machine. ``seconds`` and ``verdicts``
-    hold the measured time and the verdict of each arithmetic.
+    hold the measured time and the verdict of each arithmetic. ``chance`` bounds the
+    probability that ``probable`` is wrong, ``radius`` that of the ball of ``enclosed``.
     """
 
     claim: str
@@ -98,6 +104,8 @@ class Outcome:
     products: int = 0
     seconds: dict[str, float] = field(default_factory=dict)
     verdicts: dict[str, Verdict] = field(default_factory=dict)
+    chance: float | None = None
+    radius: float | None = None
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from kowalevski_cas.dataclass import dataclass
-from kowalevski_cas.proof.outcome import Outcome, Run
+from kowalevski_cas.proof.outcome import Outcome, Run, Verdict
 
 FILE = "record.json"
 
@@ -96,6 +96,20 @@ def differences(
     if whole:
         gone = [claim for claim in record if claim not in found]
         result += [Difference(c, str(record[c].get("verdict")), "not a claim") for c in gone]
+    return result
+
+
+def contradictions(run: Run, record: dict[str, dict[str, object]]) -> list[Difference]:
+    """Where a screening denies the record; that it proves less is no difference."""
+    result = []
+    for outcome in run.outcomes:
+        then = record.get(outcome.claim, {})
+        recorded, found = str(then.get("verdict", "not in the record")), outcome.verdict
+        refuted = recorded == Verdict.REFUTED
+        if then.get("statement") != outcome.digest or (
+            found.likely if refuted else found is Verdict.REFUTED
+        ):
+            result.append(Difference(outcome.claim, recorded, str(found)))
     return result
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from time import perf_counter
 
+from kowalevski_cas.arithmetic import POINTS, load_points
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.derivation import Derivation
@@ -30,6 +31,7 @@ def verify(
     evidence: dict[str, Evidence] | None = None,
     timeout: float | None = None,
     sources: Mapping[str, str] | None = None,
+    seed: int = 1,
 ) -> Run:
     """Decide the claims of a derivation.
 
@@ -39,13 +41,16 @@ def verify(
     their steps and outcomes what they rest on. ``evidence`` saves the searches
     whose results it holds; what is found anew is added to it. ``timeout`` is in
     seconds, for each claim in each arithmetic. ``sources`` holds displays, by id,
-    that are to be read instead of what the derivation prints.
+    that are to be read instead of what the derivation prints. ``seed`` chooses the
+    points of the arithmetics that only screen.
     """
     kept = {} if evidence is None else evidence
-    return Session(derivation, arithmetics, explain, kept, timeout, sources).run(only, progress)
+    session = Session(derivation, arithmetics, explain, kept, timeout, sources, seed)
+    return session.run(only, progress)
 
 
 DECIDED = (Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED)
+ANSWERED = (*DECIDED, Verdict.PROBABLE, Verdict.ENCLOSED)
 
 
 def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
@@ -64,11 +69,13 @@ class Session:
         evidence: dict[str, Evidence],
         timeout: float | None = None,
         sources: Mapping[str, str] | None = None,
+        seed: int = 1,
     ) -> None:
         self.derivation = derivation
         self.arithmetics = arithmetics
         self.explain = explain
         self.timeout = timeout
+        self.points = {name: load_points(name, seed) for name in arithmetics if name in POINTS}
         self.evidence = evidence
         self.texts = derivation.texts(sources)
         self.dependencies = Dependencies(self.texts)
@@ -146,7 +153,7 @@ class Session:
             shown = ", ".join(f"{name}: {v}" for name, v in verdicts.items())
             verdict, message = Verdict.ERROR, f"the arithmetics disagree ({shown})"
         else:
-            open_ones = [f for f in findings.values() if f.verdict not in DECIDED]
+            open_ones = [f for f in findings.values() if f.verdict not in ANSWERED]
             if open_ones:
                 verdict, message = open_ones[0].verdict, open_ones[0].message
         kept.found = {label: value for label, value in self.shelf.items() if label not in known}
@@ -175,6 +182,8 @@ class Session:
             products=products,
             seconds=seconds,
             verdicts=verdicts,
+            chance=first.chance,
+            radius=first.radius,
         )
 
     def _digest(self, claim: Claim) -> tuple[str, Evidence]:
@@ -193,7 +202,12 @@ class Session:
     def _decide(self, claim: Claim, bench: Bench) -> Finding:
         try:
             with time_limit(self.timeout):
-                return claim.decide(bench)
+                points = self.points.get(bench.arithmetic)
+                if points is None:
+                    return claim.decide(bench)
+                from kowalevski_cas.proof.screen import screen
+
+                return screen(claim, bench, points)
         except TimeoutError:
             message = f"not decided within {self.timeout:g} s by {bench.arithmetic}"
             return Finding(Verdict.TIMEOUT, message=message)
@@ -207,7 +221,7 @@ class Session:
     def _find(self, claim: Claim, arithmetic: str, kept: Evidence) -> Finding:
         """The finding in one arithmetic; evidence that does not help is searched for anew."""
         finding = self._decide(claim, self._bench(arithmetic, self.texts))
-        if finding.verdict in DECIDED or not kept.found:
+        if finding.verdict in DECIDED or not kept.found or arithmetic in POINTS:
             return finding
         for label in kept.found:
             self.shelf.pop(label, None)
@@ -228,7 +242,7 @@ class Session:
         ]
         verdicts = {finding.verdict for finding in findings}
         verdict = findings[0].verdict if len(verdicts) == 1 else Verdict.ERROR
-        if verdict.green:
+        if verdict.likely:
             self.texts = texts
         return Correction(
             printed=to_latex(texts.formula(place)),

@@ -8,7 +8,7 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Neighbour
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.stage import StageError
-from kowalevski_cas.stage.residues import ResidueStage
+from kowalevski_cas.stage.programs import ProgramStage
 
 DECIDED = 400
 """How many candidates are decided in full, for claims that cannot be screened."""
@@ -17,7 +17,7 @@ DECIDED = 400
 def correction(claim: Claim, bench: Bench) -> Neighbour | None:
     """The first neighbour of a refuted claim that is true, the most plausible first.
 
-    Candidates are screened at a point modulo a prime where the kind of claim
+    Candidates are screened at points modulo primes where the kind of claim
     allows it; the others are decided in full, with FLINT.
     """
     finder = bench.finder
@@ -38,8 +38,7 @@ def _screened(claim: Claim, finder: Bench) -> Iterator[Neighbour]:
     )
     stage = None
     if claim.printed is not None:
-        stage = ResidueStage(finder.stage(claim.scene))
-        stage.memory = {}
+        stage = ProgramStage(finder.stage(claim.scene))
     decided = 0
     for neighbour in neighbours:
         verdict = None
@@ -52,8 +51,8 @@ def _screened(claim: Claim, finder: Bench) -> Iterator[Neighbour]:
             yield neighbour
 
 
-def _passes(claim: Claim, neighbour: Neighbour, stage: ResidueStage) -> bool | None:
-    """Whether the residuals of a candidate vanish at the point; ``None`` if there are none."""
+def _passes(claim: Claim, neighbour: Neighbour, stage: ProgramStage) -> bool | None:
+    """Whether the residuals of a candidate vanish at the points; ``None`` if there are none."""
     assert neighbour.edit is not None
     try:
         residuals = claim.residuals(neighbour.edit.formula, stage)

@@ -379,7 +379,7 @@ def test_an_interrupt_leaves_the_record_as_it_was(cli, write, monkeypatch):
     before = {path.name: path.read_bytes() for path in Path(folder).glob("*.json")}
     write(TRUE + WRONG)
 
-    def interrupted(*_):
+    def interrupted(*_, **__):
         raise KeyboardInterrupt
 
     for place in ("kowalevski_cas.cli.session.verify", "os.replace", "os.chmod"):
@@ -442,3 +442,22 @@ def test_python_m_is_the_command():
     done = process("verify", "--only", "eq6", "--arithmetic", "sympy")
     assert (done.returncode, done.stderr) == (0, "")
     assert "1 claims: 1 proved; sympy" in done.stdout
+
+
+def test_a_screening_refutes_and_proves_nothing(cli, write):
+    code, out, _ = cli("verify", write(TRUE), "--arithmetic", "modular", "--seed", 7)
+    assert code == 0 and "wrong with probability below" in out and "seed 7" in out
+    assert "proved" not in out
+    code, out, _ = cli("verify", write(TRUE + WRONG), "--arithmetic", "modular")
+    assert code == 1 and "✗ refuted" in out
+
+
+def test_a_screening_that_saw_nothing_is_no_success(cli):
+    code, out, _ = cli("verify", "kharlamov2002", "--arithmetic", "modular", "--only", "equilibria")
+    assert code == 3 and "cannot be seen at points" in out
+
+
+def test_a_screening_is_compared_with_the_record(cli):
+    only = ("--only", "eq14", "--only", "eq12")
+    code, out, _ = cli("verify", "kharlamov2002", "--arithmetic", "modular", *only)
+    assert code == 0 and out.rstrip().endswith("as recorded")

@@ -49,6 +49,8 @@ def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
             for c in outcome.conditions
             if c.witness is not None
         ],
+        "chance": outcome.chance,
+        "radius": outcome.radius,
         "seconds": {name: round(value, 6) for name, value in outcome.seconds.items()},
         "products": outcome.products,
         "counterexample": counterexample(outcome.counterexample),

@@ -14,6 +14,8 @@ MARKS = {
     Verdict.PROVED: ("✓", "32"),
     Verdict.CONDITIONAL: ("◐", "36"),
     Verdict.REFUTED: ("✗", "31"),
+    Verdict.PROBABLE: ("≈", "34"),
+    Verdict.ENCLOSED: ("≈", "34"),
 }
 """Mark and colour; everything else is a question."""
 
@@ -46,7 +48,11 @@ def _line(outcome: Outcome, colour: bool) -> str:
     notes = [f"where {plain(c.tex)} ≠ 0" for c in outcome.conditions]
     if outcome.verdict is Verdict.REFUTED:
         notes = ["see the errata"]
-    if outcome.message and not outcome.verdict.green:
+    if outcome.chance is not None:
+        notes.append(f"wrong with probability below {outcome.chance:.0e}")
+    if outcome.radius is not None:
+        notes.append(f"within {outcome.radius:.0e}")
+    if outcome.message and outcome.verdict is not Verdict.REFUTED and not outcome.verdict.green:
         notes.append(outcome.message if "\n" not in outcome.message else "see the errors")
     time = f"{1000 * sum(outcome.seconds.values()):8.1f} ms"
     return f"  {outcome.claim:<20} {head} {time}  {', '.join(notes)}".rstrip()

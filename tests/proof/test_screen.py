@@ -1,0 +1,38 @@
+"""Screening a derivation at points: nothing is proved, what is false is refuted."""
+
+import pytest
+
+from kowalevski_cas.arithmetic import POINTS
+from kowalevski_cas.proof.evidence import load_evidence
+from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.proof.record import contradictions, load_record
+from kowalevski_cas.proof.verify import verify
+
+BEYOND = {"ansatz-exponents", "equilibria", "critical-set", "limit"}
+"""Claims that say what no point can show."""
+
+
+@pytest.fixture(scope="module", params=POINTS)
+def screening(request, derivation, folder):
+    return verify(derivation, (request.param,), evidence=load_evidence(folder))
+
+
+def test_the_paper_is_screened_as_it_is_recorded(screening, folder):
+    record = load_record(folder)
+    assert contradictions(screening, record) == []
+    for outcome in screening.outcomes:
+        recorded = record[outcome.claim]["verdict"]
+        if outcome.claim in BEYOND:
+            assert outcome.verdict is Verdict.UNDECIDED and outcome.message
+        elif recorded == "refuted":
+            assert outcome.verdict is Verdict.REFUTED, outcome
+            assert outcome.counterexample is not None and outcome.counterexample.point.values
+        else:
+            assert outcome.verdict in (Verdict.PROBABLE, Verdict.ENCLOSED), outcome
+            assert not outcome.verdict.green
+
+
+def test_misprints_are_corrected_for_what_comes_after_them(screening):
+    mended = [o for o in screening.outcomes if o.correction is not None]
+    assert len(mended) >= 8
+    assert all(o.correction.verdict.likely and not o.correction.verdict.green for o in mended)
