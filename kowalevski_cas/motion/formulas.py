@@ -5,10 +5,10 @@ The nine equations and the integrals are those of Kharlamov (2002), read from it
 
 from __future__ import annotations
 
-from dataclasses import replace as replace_in
 from functools import cache
 
 from kowalevski_cas.arithmetic import load as load_arithmetic
+from kowalevski_cas.dataclass import replace as changed
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.library import load as load_derivation
 from kowalevski_cas.motion.compile import Function, function
@@ -62,7 +62,7 @@ def integrals() -> Function:
     derivation, scene = _kowalevski()
     printed = {display.id: display for display in derivation.displays()}
     eq4, eq16, xi = printed["eq4"], printed["eq16"], printed["xi"]
-    full = replace_in(
+    full = changed(
         scene,
         definitions={**scene.definitions, "c": eq4[3], r"\xi_1": xi[1], r"\xi_2": xi[2]},
         roots={"a": eq4[1], "b": eq4[2]},

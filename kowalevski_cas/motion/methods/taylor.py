@@ -1,0 +1,53 @@
+"""Taylor series of the nine equations, by heyoka where it is installed."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.methods import MethodError
+from kowalevski_cas.motion.methods.integrators import initial_state
+from kowalevski_cas.motion.motion import Motion
+
+TOLERANCE = 1e-16
+
+
+def states(
+    motion: Motion, times: NDArray[np.float64], tolerance: float = TOLERANCE
+) -> NDArray[np.float64]:
+    """The states at these times, an array of shape (N, 9).
+
+    Raises :class:`~kowalevski_cas.motion.methods.MethodError` if heyoka is missing or stops.
+    """
+    return integrate(initial_state(motion), times, tolerance)
+
+
+def integrate(
+    start: NDArray[np.float64], times: NDArray[np.float64], tolerance: float = TOLERANCE
+) -> NDArray[np.float64]:
+    """The states at these times, in any order, of the motion with this state at t = 0."""
+    try:
+        import heyoka
+    except ImportError:
+        raise MethodError(
+            "the method taylor needs heyoka: pip install 'kowalevski-cas[taylor]'"
+        ) from None
+    variables = heyoka.make_vars(*(f"x{index}" for index in range(9)))
+    system = list(zip(variables, formulas.equations()(*variables), strict=True))
+    integrator = heyoka.taylor_adaptive(system, list(start), tol=tolerance)
+    found = np.empty((len(times), 9))
+    for sign in (1, -1):
+        chosen = np.flatnonzero(times >= 0 if sign > 0 else times < 0)
+        if not len(chosen):
+            continue
+        # The grid begins at 0 and is strictly monotonic, away from 0.
+        since, places = np.unique(np.abs(times[chosen]), return_inverse=True)
+        added = int(since[0] > 0)
+        grid = sign * np.concatenate([[0.0] * added, since])
+        integrator.time, integrator.state[:] = 0.0, start
+        outcome, *_, values = integrator.propagate_grid(grid)
+        if outcome != heyoka.taylor_outcome.time_limit:
+            raise MethodError(f"taylor stopped at t = {integrator.time:g}: {outcome}")
+        found[chosen] = values[added:][places]
+    return found
