@@ -56,10 +56,12 @@ class Scene:
     ``unit``
         the printed relation that the imaginary unit obeys; the letter is ``i``.
     ``definitions``
-        names that stand for an expression, with the place that prints it.
+        names that stand for an expression, with the place that prints it; a function
+        comes with its arguments, as ``\varphi(s)``.
     ``roots``
         square roots, as generators: either printed as a root of an expression,
-        ``\sqrt{x_1x_2}``, or a name with the place that prints its square.
+        ``\sqrt{x_1x_2}``, or a name with the place that prints its square. A printed
+        root with a place is no generator: its value is printed there.
     ``powers``
         pairs of a name and a symbolic exponent, as ``(\theta, m)``.
     ``undefined``
@@ -110,7 +112,9 @@ class Scene:
         yield from self.variables
         yield from self.constants
         yield from self.undefined
-        yield from (name for name in self.definitions if not is_bold(name))
+        for name in self.definitions:
+            function, arguments = head(name)
+            yield from arguments if arguments else () if is_bold(name) else (function,)
         yield from (name for name in self.roots if not name.startswith(r"\sqrt"))
         if self.unit is not None:
             yield "i"
@@ -119,6 +123,16 @@ class Scene:
 def is_bold(name: str) -> bool:
     """Whether a name is printed in bold, that is, denotes a vector or a matrix."""
     return name.startswith((r"\boldsymbol", r"\mathbf"))
+
+
+def head(name: str) -> tuple[str, tuple[str, ...]]:
+    r"""The function and its arguments in a head like ``\varphi(s)``; a bare name has none.
+
+    >>> head(r"\varphi(s)"), head("H")
+    (('\\\\varphi', ('s',)), ('H', ()))
+    """
+    function, _, arguments = name.partition("(")
+    return function, tuple(arguments.removesuffix(")").split(",")) if arguments else ()
 
 
 def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
@@ -130,6 +144,6 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
         scalars=times.union(name for scene in scenes for name in scene.names()),
         vectors=frozenset(bold) - matrices,
         matrices=matrices,
-        functions=frozenset(),
+        functions=frozenset(head(n)[0] for s in scenes for n in s.definitions if head(n)[1]),
         times=times,
     )

@@ -18,7 +18,7 @@ def along(element: Element, field: Field) -> Element:
     r"""The derivative of an element along a field, by the product and chain rules.
 
     A root :math:`g^2=r` that has no component of its own in the field changes by
-    :math:`g' = r'g/(2r)`.
+    :math:`g' = r'g/(2r)`, and if :math:`r'=gq` by :math:`q/2`, without a division.
     """
     ring = element.ring
     total = ring.zero
@@ -74,5 +74,8 @@ def _root_along(ring: Ring, bit: int, name: str, field: Field) -> Element:
     change = along(ring.radicands[bit], field)
     if change.is_zero:
         return change
+    if all(mask >> bit & 1 for mask in change.parts):
+        rest = {mask ^ (1 << bit): part for mask, part in change.parts.items()}
+        return Element(ring, rest, change.denominator) * ring.number(Fraction(1, 2))
     twice = ring.radicands[bit] * ring.number(2)
     return change * ring.generator(name) * twice.inverse()

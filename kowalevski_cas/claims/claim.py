@@ -191,23 +191,42 @@ def show_number(number: Element) -> str:
 
 
 def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition, ...]:
-    """What the denominators of these elements assume to be non-zero."""
+    """What the denominators of these elements assume to be non-zero, each factor once."""
     ring = stage.ring
     indices = sorted({index for element in elements for index in element.denominator})
     granted = {_shape(scalar(f, stage)) for f in stage.granted()}
     names = {_shape(scalar(f, stage)): f for f in stage.landmarks()}
     shown: dict[str, None] = {}
-    for index in indices:
-        divisor = Element(ring, {0: ring.divisors[index]}, {})
+    divisors = [Element(ring, {0: ring.divisors[index]}, {}) for index in indices]
+    known = granted | {_shape(divisor) for divisor in divisors if len(divisor.terms()[0]) == 1}
+    for divisor in divisors:
         shape = _shape(divisor)
         if shape in granted:
             continue
-        shown[to_latex(names[shape]) if shape in names else show(divisor, stage)] = None
+        if shape not in names and shape not in known:
+            divisor = _without(divisor, known)
+        if divisor is not ring.one:
+            shown[to_latex(names[shape]) if shape in names else show(divisor, stage)] = None
     for first, second in stage.scene.conjugates:
         if first in shown and second in shown:
             del shown[second]
             shown = {(f"{first}{second}" if tex == first else tex): None for tex in shown}
     return tuple(Condition(tex, "the formulas divide by it") for tex in shown)
+
+
+def _without(divisor: Element, known: set[frozenset[object]]) -> Element:
+    """A polynomial without its factors that are known, which all are after that."""
+    from kowalevski_cas.search.factors import irreducible_factors
+
+    ring, result = divisor.ring, divisor.ring.one
+    factors = irreducible_factors(divisor.terms()[0])
+    new = [(f, e) for terms, e in factors if _shape(f := ring.from_terms({0: terms})) not in known]
+    known.update(_shape(factor) for factor, _ in new)
+    if len(new) == len(factors) and all(exponent == 1 for _, exponent in new):
+        return divisor
+    for factor, _ in new:
+        result = result * factor
+    return result
 
 
 def locus_of(condition: Condition, stage: Stage) -> Locus | None:

@@ -5,7 +5,7 @@ r"""LaTeX to formula to LaTeX: a derivation as its author printed it.
 "x_1' = \\frac{1}{x_2}"
 """
 
-from kowalevski_cas.notation.edits import Edit, edits, is_small_change, replace, subtree
+from kowalevski_cas.notation.edits import Edit, edits, is_small_change, replace, substitute, subtree
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
     Application,
@@ -69,6 +69,7 @@ __all__ = [
     "read_display",
     "replace",
     "split_display",
+    "substitute",
     "subtree",
     "to_latex",
 ]

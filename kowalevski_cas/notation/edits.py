@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from kowalevski_cas.dataclass import dataclass, field, fields
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.formula import Formula, Negative, Sum
+from kowalevski_cas.notation.formula import Formula, Name, Negative, Sum
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.misprints import misprints
@@ -148,6 +148,21 @@ def replace(formula: Formula, path: Path, new: Formula) -> Formula:
     if first >= count:
         raise IndexError(f"no child {first} in {type(formula).__name__}")
     return type(formula)(*values)
+
+
+def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:
+    r"""The formula with other formulas in the place of names.
+
+    >>> to_latex(substitute(Sum((Name("s"), Negative(Name("a")))), {"s": Name("s_1")}))
+    's_1 - a'
+    """
+    if isinstance(formula, Name):
+        return values.get(formula.name, formula)
+    result = formula
+    for place, child in enumerate(formula.children()):
+        if (new := substitute(child, values)) is not child:
+            result = replace(result, (place,), new)
+    return result
 
 
 LARGEST_CHANGE = 4

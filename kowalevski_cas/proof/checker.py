@@ -68,11 +68,9 @@ class Element:
         return reduce(Element.__mul__, [self] * exponent, self.space.number(1))
 
     def __str__(self) -> str:
-        shown = []
-        for m, c in self.terms.items():
-            names = (f"{n}^{m >> s & MASK}" for n, s in self.space.at.items() if m >> s & MASK)
-            shown.append(" ".join([str(c), *names]))
-        return " + ".join(shown) or "0"
+        at, terms = self.space.at.items(), self.terms.items()
+        shown = ([str(c), *(f"{n}^{e}" for n, s in at if (e := m >> s & MASK))] for m, c in terms)
+        return " + ".join(map(" ".join, shown)) or "0"
 
     def split(self, name: str) -> dict[int, Element]:
         """The coefficients of the powers of a name."""
@@ -89,11 +87,16 @@ class Element:
 
     def vanishes(self) -> bool:
         """Whether the element is zero wherever the divisors are not: times them, it is zero."""
-        value, zero = self, self.space.number(0)
+        return not self.cleared()[0].terms
+
+    def cleared(self) -> tuple[Element, Element]:
+        """The element times powers of the divisors that clear it of them, and these powers."""
+        value, powers, zero = self, self.space.number(1), self.space.number(0)
         for name, divisor in self.space.divisors.items():
-            parts = value.split(name)
-            value = sum((p * divisor ** (max(parts) - e) for e, p in parts.items()), zero)
-        return not value.terms
+            top = max(parts := value.split(name), default=0)
+            value = sum((p * divisor ** (top - e) for e, p in parts.items()), zero)
+            powers = powers * divisor**top
+        return value, powers
 
     def inverse(self) -> Element:
         """One over the element: its conjugates over its norm, a multiple of a divisor."""
@@ -101,32 +104,30 @@ class Element:
         for name in reversed(space.roots):
             if 1 in norm.split(name):
                 above, norm = above * norm.flipped(name), norm * norm.flipped(name)
+        norm, powers = norm.cleared()
         top = max(norm.terms, default=0)
         for name, divisor in (("", space.number(1)), *space.divisors.items()):
             if top in norm.terms and top in divisor.terms:
                 ratio = Element(space, {0: Fraction(divisor.terms[top]) / norm.terms[top]})
                 if not (norm * ratio - divisor).terms:
-                    return above * ratio * (space.generator(name) if name else divisor)
+                    return above * powers * ratio * (space.generator(name) if name else divisor)
         raise Rejected(f"division by {norm}, which may be zero", norm)
 
     def along(self, rates: Elements) -> Element:
         """The derivative; what has no rate is constant, or a root, or one over a divisor."""
         space, change = self.space, self.space.number(0)
         for name in space.at:
-            for e, part in self.split(name).items():
-                if e:
-                    own = space.generator(name)
-                    if name not in rates:
-                        rates[name] = space.rate(own, name, rates)
-                    change = change + space.number(e) * part * own ** (e - 1) * rates[name]
+            for e in (parts := self.split(name)).keys() - {0}:
+                own = space.generator(name)
+                rates[name] = rates[name] if name in rates else space.rate(own, name, rates)
+                change = change + space.number(e) * parts[e] * own ** (e - 1) * rates[name]
         return change
 
     def image(self, images: Elements, space: Space) -> Element:
         """The value when the names take values in a space."""
-        value = space.number(0)
+        value, at = space.number(0), self.space.at.items()
         for m, c in self.terms.items():
-            powers = ((name, m >> shift & MASK) for name, shift in self.space.at.items())
-            factors = (images[name] ** e for name, e in powers if e)
+            factors = (images[name] ** e for name, shift in at if (e := m >> shift & MASK))
             value = value + reduce(Element.__mul__, factors, Element(space, {0: c}))
         return value
 
@@ -143,11 +144,10 @@ class Space:
         need(len(set(names)) == len(names), "a name is given twice")
         self.names = [name for name in names if name not in divided]
         self.at = {name: WIDTH * k for k, name in enumerate(names)}
-        self.top, self.work = WIDTH * len(names), 0
+        self.top, self.work, self.old = WIDTH * len(names), 0, list[Element]()
         self.unit = {name: (1 << shift) + (1 << self.top) for name, shift in self.at.items()}
         self.roots, self.divisors, self.rates, self.bar = (Elements() for _ in range(4))
         self.env: dict[str, Value] = {n: (self.generator(n),) for n in plain}
-        self.old: list[Element] = []
         for name, tree in zip(divided, self.nonzero, strict=True):
             self.divisors[name] = self.scalar(tree)
             need(self.divisors[name].terms.keys() - {0}, "a number is assumed to be non-zero")
@@ -160,13 +160,11 @@ class Space:
             self.env[name] = self.value(tree) if kind == "let" else (self.generator(name),)
             if kind == "root":
                 self.roots[name] = self.scalar(tree)
-        rates = self.changed(spaces, **data["change"]) if "change" in data else Elements()
-        self.rates = rates
+        rates = self.rates = self.changed(spaces, **data["change"]) if "change" in data else {}
         for names, factor, right in data.get("field", []):
-            rows = [*zip(names, self.value(factor), self.value(right), strict=True)]
-            for name, below, above in rows:
-                need(name not in rates, "a variable moves twice")
-                rates[name] = above * below.inverse()
+            for n, below, above in zip(names, self.value(factor), self.value(right), strict=True):
+                need(n not in rates, "a variable moves twice")
+                rates[n] = above * below.inverse()
         self.rates = {name: rate for name, rate in rates.items() if name in self.at}
         known = {*self.variables, *self.roots, *(self.env.keys() - self.at.keys())}
         need(not rates or set(self.variables) <= rates.keys() <= known, "a constant moves")
@@ -196,6 +194,8 @@ class Space:
         if name in self.divisors:
             return self.number(-1) * own * own * self.divisors[name].along(rates)
         if name in self.roots and not (change := self.roots[name].along(rates)).vanishes():
+            if (parts := change.split(name)).keys() == {1}:
+                return parts[1] * Element(self, {0: Fraction(1, 2)})
             return own * change * (self.roots[name] + self.roots[name]).inverse()
         return self.number(0)
 

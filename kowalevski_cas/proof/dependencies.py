@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kowalevski_cas.claims import Claim
-from kowalevski_cas.notation import Formula, Name, Root, to_latex
-from kowalevski_cas.scene import Change, Scene
+from kowalevski_cas.notation import Application, Formula, Name, Root, to_latex
+from kowalevski_cas.scene import Change, Scene, head
 from kowalevski_cas.texts import Printed, Texts
 
 
@@ -61,7 +61,8 @@ class _Closure:
         found: dict[Printed, None] = {}
         self._known[name] = found
         scene = self.scene
-        place = scene.unit if name == "i" else scene.definitions.get(name)
+        heads = {head(defined)[0]: place for defined, place in scene.definitions.items()}
+        place = scene.unit if name == "i" else heads.get(name)
         place = place or scene.roots.get(name)
         for component in scene.vectors.get(name, ()):
             found.update(self.of(component))
@@ -83,9 +84,11 @@ def _field(scene: Scene) -> Iterator[Printed]:
 
 
 def names(formula: Formula) -> Iterator[str]:
-    """The names and printed roots in a formula."""
+    """The names, printed roots and functions in a formula."""
     if isinstance(formula, Name):
         yield formula.name
+    if isinstance(formula, Application):
+        yield formula.function
     if isinstance(formula, Root):
         yield to_latex(formula)
     for child in formula.children():

@@ -10,6 +10,7 @@ from kowalevski_cas.arithmetic.present import polynomial_formula
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.claim import AtPoint
 from kowalevski_cas.notation import (
+    Application,
     Conjugate,
     Derivative,
     Formula,
@@ -108,7 +109,13 @@ class SpaceWriter:
                 rate = Derivative(self._plain(argument), self.mark)
                 if (self.stage.time_factor(mark, False) - self.stage.ring.one).is_zero:
                     return rate
-                return Quotient(rate, self._per_time())
+                if self.scene.time == "t":
+                    return Quotient(rate, self._per_time())
+                return Product((self._per_time(), rate))
+            case Application():
+                return self._plain(self.stage.applied(formula))
+            case Root() if (value := self._printed_value(formula)) is not None:
+                return value
             case Power(Name(base), exponent) if not isinstance(exponent, Number):
                 return self._symbolic(base, exponent)
             case Name(name) if name in self.stage.powers.values():
@@ -117,6 +124,20 @@ class SpaceWriter:
             if (plain := self._plain(child)) != child:
                 formula = replace(formula, (place,), plain)
         return formula
+
+    def _printed_value(self, root: Formula) -> Formula | None:
+        """What a place prints for a root that is no generator; its square is the radicand."""
+        scene = self.scene
+        printed = (n for n, place in scene.roots.items() if place and n.startswith(r"\sqrt"))
+        name = next((n for n in printed if self._same(self.stage.formula(n), root)), None)
+        if name is None or not isinstance(root, Root):
+            return None
+        value = self._plain(self.stage.definition(name))
+        square = self.tree(Power(value, Number(2)))
+        step = ["where", square, self.tree(root.argument)]
+        if step not in self.steps:
+            self.steps.append(step)
+        return value
 
     def _same(self, left: Formula, right: Formula) -> bool:
         """Whether two formulas have the same value."""

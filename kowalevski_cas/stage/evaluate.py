@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.notation import (
+    Application,
     Conjugate,
     CrossProduct,
     Derivative,
@@ -150,10 +151,23 @@ def _inverse(element: Element, formula: Formula) -> Element:
 
 
 def _quotient(formula: Quotient, stage: Stage, conjugated: bool) -> Value:
-    below = scalar(formula.denominator, stage, conjugated)
-    return multiply(
-        evaluate(formula.numerator, stage, conjugated), _inverse(below, formula.denominator)
-    )
+    value = evaluate(formula.numerator, stage, conjugated)
+    for divisor, exponent in _divisors(formula.denominator):
+        below = _inverse(scalar(divisor, stage, conjugated), divisor)
+        value = multiply(value, below**exponent)
+    return value
+
+
+def _divisors(formula: Formula) -> Iterator[tuple[Formula, int]]:
+    """The factors of a denominator as it is printed, with exponents."""
+    match formula:
+        case Product(factors):
+            for factor in factors:
+                yield from _divisors(factor)
+        case Power(base, Number(exponent)):
+            yield base, exponent
+        case _:
+            yield formula, 1
 
 
 def _power(formula: Power, stage: Stage, conjugated: bool) -> Value:
@@ -211,6 +225,7 @@ _RULES: dict[type[Formula], Callable[[Any, Stage, bool], Value]] = {
     Quotient: _quotient,
     Power: _power,
     Root: lambda f, stage, conjugated: stage.root(f.argument, conjugated),
+    Application: lambda f, stage, conjugated: evaluate(stage.applied(f), stage, conjugated),
     Derivative: _derivative,
     Conjugate: lambda f, stage, conjugated: evaluate(f.argument, stage, not conjugated),
     RealPart: _real_part,

@@ -9,8 +9,18 @@ from fractions import Fraction
 from kowalevski_cas.arithmetic.derivation import Field, along
 from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
 from kowalevski_cas.arithmetic.tower import Element, Ring
-from kowalevski_cas.notation import Constant, Formula, Name, Number, Relation, Root, to_latex
-from kowalevski_cas.scene import Change, Scene
+from kowalevski_cas.notation import (
+    Application,
+    Constant,
+    Formula,
+    Name,
+    Number,
+    Relation,
+    Root,
+    substitute,
+    to_latex,
+)
+from kowalevski_cas.scene import Change, Scene, head
 from kowalevski_cas.stage.change import Carrier
 from kowalevski_cas.stage.evaluate import StageError, Triple, Value, evaluate, scalar
 from kowalevski_cas.stage.field import printed_field, time_scale
@@ -89,11 +99,14 @@ class Stage:
             unit = self.ring.adjoin("i", self.square("i", self.scene.unit))
             self._values["i", False], self._values["i", True] = unit, -unit
         for name, printed in self.scene.roots.items():
-            if printed is None:
-                root = self.texts.expression(name)
-                if not isinstance(root, Root):
-                    raise StageError(f"{name} is not printed as a square root")
+            root = self.formula(name)
+            if isinstance(root, Root):
                 radicand = scalar(root.argument, self)
+                if printed is not None:
+                    self._roots.append((radicand, self._printed_root(name, printed, radicand)))
+                    continue
+            elif printed is None:
+                raise StageError(f"{name} is not printed as a square root")
             else:
                 radicand = self.square(name, printed)
             value = self.ring.zero if radicand.is_zero else self.ring.adjoin(name, radicand)
@@ -104,6 +117,13 @@ class Stage:
         for name, partner in self._conjugates.items():
             if name in self.scene.roots:
                 self._values[name, True] = self._values[partner, False]
+
+    def _printed_root(self, name: str, printed: Printed, radicand: Element) -> Element:
+        """The value that a place prints for a root; its square has to be the radicand."""
+        value = scalar(self.definition(name), self)
+        if not (value * value - radicand).is_zero:
+            raise StageError(f"the value at {printed.place} is not {name}")
+        return value
 
     def _conjugate(self, element: Element) -> Element:
         """The conjugate of an element, by the conjugates of the generators."""
@@ -185,12 +205,27 @@ class Stage:
         It is the first member of the printed chain that is not a bare name, or
         else another name; a formula that is no equation is the expression itself.
         """
-        formula = self.texts.formula(self.scene.definitions[name])
+        printed = self.scene.definitions.get(name) or self.scene.roots.get(name)
+        if printed is None:
+            raise StageError(f"nothing defines {name}", name)
+        formula = self.texts.formula(printed)
         members = formula.members if isinstance(formula, Relation) else (formula,)
-        others = [m for m in members if m != Name(name) and not isinstance(m, Constant)]
+        own = self.formula(name)
+        others = [m for m in members if m != own and not isinstance(m, Constant)]
         if not others:
             raise StageError(f"no expression stands for {name} in its definition", name)
         return next((m for m in others if not isinstance(m, Name)), others[0])
+
+    def applied(self, formula: Application) -> Formula:
+        """The expression for which a function with these arguments stands."""
+        for name in self.scene.definitions:
+            function, arguments = head(name)
+            if arguments and function == formula.function:
+                if len(arguments) != len(formula.arguments):
+                    raise StageError(f"{name} is used with {len(formula.arguments)} arguments")
+                values = dict(zip(arguments, formula.arguments, strict=True))
+                return substitute(self.definition(name), values)
+        raise StageError(f"the function {formula.function} has no meaning here", formula.function)
 
     def square(self, name: str, printed: Printed) -> Element:
         r"""What the square of a root equals, by a printed equation in which it stands.
@@ -212,6 +247,8 @@ class Stage:
         own = {n: v for (n, barred), v in self._values.items() if not barred}
         image = {n: v for n, v in own.items() if isinstance(v, Element)}
         stage = Stage(self.scene, self.arithmetic, self.texts, self.ring, {**image, name: value})
+        if name not in self.scene.variables:
+            stage._old = self._old
         sides = []
         for member in self.relation(printed).members:
             try:
@@ -305,6 +342,8 @@ class Stage:
             still = [name for name in self.scene.variables if name not in found]
             if still:
                 raise StageError(f"no equation of motion for {still[0]}", still[0])
+            for name in self.scene.roots.keys() & found.keys():
+                found[name] = self._rate_of_generator(name, found)
             for (base, exponent), power in self.powers.items():
                 value = scalar(self.formula(base), self)
                 rate = along(value, found) * value.inverse()
@@ -312,6 +351,17 @@ class Stage:
                 found = {**found, power: rate}
             self._field.append(found)
         return self._field[0]
+
+    def _rate_of_generator(self, name: str, rates: Field) -> Element:
+        """The derivative of the generator that gives a moving root, perhaps over a divisor."""
+        value = self.value(name)
+        assert isinstance(value, Element)
+        below = self.ring.divisor_product(value.denominator)
+        if below is None:
+            return rates[name]
+        (part,) = value.parts.values()
+        factor = self.ring.element({0: below}, {}) / self.ring.element({0: part}, {})
+        return rates[name] * factor + value * along(factor, rates)
 
     def derivative(self, element: Element) -> Element:
         """The derivative along the field, by the scene's time."""
@@ -326,4 +376,5 @@ class Stage:
             return self.ring.one
         if scene.clock is None:
             raise StageError(f"no derivative is printed as “{mark}” on “{scene.name}”")
-        return time_scale(scene.clock, self, conjugated).inverse()
+        scale = time_scale(scene.clock, self, conjugated)
+        return scale.inverse() if scene.time == "t" else scale

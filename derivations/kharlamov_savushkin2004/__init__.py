@@ -1,0 +1,16 @@
+"""M. P. Kharlamov, A. Yu. Savushkin (2004): the motions on N^4, separated and solved."""
+
+from kowalevski_cas.derivation import Derivation
+
+from . import phase_point, separation, setting, third_integral
+
+derivation = Derivation(
+    name="kharlamov_savushkin2004",
+    title=(
+        "Separation of variables and integral manifolds in one partial problem of motion "
+        "of the generalized Kowalevski top"
+    ),
+    author="M. P. Kharlamov, A. Yu. Savushkin",
+    source="Ukr. Math. Bull. 1 (2004), restated in the notation of Kharlamov (2002)",
+    sections=(setting.section, third_integral.section, separation.section, phase_point.section),
+)
