@@ -22,6 +22,7 @@ COMMANDS = {
     "witness": "let another program confirm the certificates",
     "mutants": "change one token at a time, and count what an audit notices",
     "study": "measure what each way of checking costs, how sure it is, and where it fails",
+    "motion": "follow a motion on N⁴ by its closed form, or by an integrator",
     "record": "write the record of verdicts, and the evidence behind them, anew",
 }
 

@@ -16,6 +16,7 @@ A method takes a motion and an array of times and returns the states (ω, α, β
 from kowalevski_cas.motion.methods import METHODS, MethodError, load
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Inadmissible, Parameters
+from kowalevski_cas.motion.point import through
 from kowalevski_cas.motion.regimes import Regime, all_regimes, coincidences, regime_of
 
 __all__ = [
@@ -29,4 +30,5 @@ __all__ = [
     "coincidences",
     "load",
     "regime_of",
+    "through",
 ]

@@ -96,6 +96,36 @@ def phase_point() -> Function:
     return function([values[name] for name in STATE], ARGUMENTS)
 
 
+@cache
+def theta() -> Function:
+    r"""The value of :math:`x_1x_2`, by the nine variables."""
+    return _complex("x_1x_2")
+
+
+@cache
+def constants() -> Function:
+    r"""The values of :math:`x_1x_2`, :math:`x_1x_2+z_1z_2`, :math:`w_1w_2` and m.
+
+    m is real on N⁴ only; its real part is taken.
+    """
+    return _complex(
+        "x_1x_2",
+        "x_1x_2+z_1z_2",
+        "w_1w_2",
+        r"\mathop{\rm Re}\nolimits[\frac{1}{c_2}\frac{x_2}{x_1}(w_1^2+x_1)]",
+    )
+
+
+def _complex(*printed: str) -> Function:
+    """Expressions in the complex variables (9), by the nine variables."""
+    derivation, _ = _kowalevski()
+    name = "initial variables with the constants (4)"
+    scene = next(scene for scene in derivation.scenes() if scene.name == name)
+    texts = derivation.texts({"eq9.i": "i^2=-1"})  # the misprint i^2=1, corrected
+    stage = Stage(scene, load_arithmetic("flint"), texts)
+    return function([scalar(texts.expression(tex), stage) for tex in printed], STATE)
+
+
 def _named(formula: Formula, wanted: Formula, name: Name) -> Formula:
     """The formula with a name in place of a subformula."""
     if formula == wanted:

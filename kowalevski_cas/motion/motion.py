@@ -1,12 +1,12 @@
 r"""A motion on N⁴: its constants, its regime, and where it is at t = 0.
 
 The closed form in the time t − t_j, with signs ±1 that choose the torus where there are
-several, is the motion; :func:`through` finds them for a given state.
+several, is the motion; :func:`~kowalevski_cas.motion.point.through` finds them for a state.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
@@ -22,7 +22,8 @@ class Motion:
     ``origins`` are the times t1, t2 at which s1 and s2 are at the first root p of their
     arcs (see :mod:`~kowalevski_cas.motion.oscillation`). ``signs`` choose among the tori where
     an arc has two components: the sign of S at t_j + 0, or of f where S changes sign at t_j.
-    ``turn`` is (cos χ, sin χ) of the rotation that brings (α, β) = c to zero.
+    ``turn`` is (cos χ, sin χ) of the rotation that brings (α, β) = c to zero. ``point`` is the
+    state at t = 0 from which integrators start, where it is not that of the closed form.
 
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` where there is no motion.
     """
@@ -31,6 +32,7 @@ class Motion:
     origins: tuple[Fraction, Fraction] = (Fraction(0), Fraction(0))
     signs: tuple[int, int] = (1, 1)
     turn: tuple[Fraction, Fraction] = (Fraction(1), Fraction(0))
+    point: tuple[float, ...] | None = None
 
     def __post_init__(self) -> None:
         """Refuse constants that leave no real motion."""
@@ -47,12 +49,3 @@ class Motion:
             Oscillation(self.parameters, self.regime.s1, True),
             Oscillation(self.parameters, self.regime.s2, False),
         )
-
-    def reversed(self) -> Motion:
-        """The same motion backwards in time, with ω turned round."""
-        raise NotImplementedError
-
-    def shifted(self, time: Fraction) -> Motion:
-        """The motion that is at t where this one is at t + ``time``."""
-        first, second = self.origins
-        return replace(self, origins=(first - time, second - time))

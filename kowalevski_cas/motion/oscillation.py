@@ -139,14 +139,19 @@ class Oscillation:
         p, q, _, _ = self.roots
         return 1 if self.kappa * self.gap(q, p) > 0 else -1
 
+    @property
+    def field_pair(self) -> tuple[str, str]:
+        """The roots of S²."""
+        return FIELD_1 if self.first else FIELD_2
+
     @cached_property
     def field_roots(self) -> tuple[int, int]:
-        """The places among p, q, u, v of the roots of S²."""
-        return self._places(FIELD_1 if self.first else FIELD_2)
+        """The places of the roots of S² among p, q, u, v."""
+        return self._places(self.field_pair)
 
     @cached_property
     def phi_roots(self) -> tuple[int, int]:
-        """The places among p, q, u, v of the roots of f²."""
+        """The places of the roots of f² among p, q, u, v."""
         return self._places(PHI)
 
     @cached_property

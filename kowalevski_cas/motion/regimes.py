@@ -108,6 +108,11 @@ def regime_of(parameters: Parameters) -> Regime:
     raise Inadmissible(_why_not(parameters))
 
 
+def extreme_ell(a: Fraction, b: Fraction, m: Fraction) -> Fraction:
+    """The least |ℓ| of a motion if m > 0, the greatest if m < 0."""
+    return max(2 * a * m - 1, 1 - 2 * b * m) if m > 0 else 1 - 2 * b * m
+
+
 def coincidences(parameters: Parameters) -> list[str]:
     """Which roots coincide: the separating curves on which the constants lie."""
     found = [
@@ -161,13 +166,13 @@ def _why_not(parameters: Parameters) -> str:
     """Which radicand is negative, and what range of ℓ would do."""
     a, b, m = parameters.a, parameters.b, parameters.m
     ell = f"|ℓ| = {float(abs(parameters.ell)):.6g}"
-    first, second = 2 * a * m - 1, 1 - 2 * b * m
-    if m < 0:
-        words, bound, sign = "f2² = φ(s2) is negative for all |s2| ≤ b", second, "≤"
-    elif parameters.sign(Fraction(parameters.ell_sign), -first) < 0:
-        words, bound, sign = "f1² = −φ(s1) is negative for all |s1| ≥ a", max(first, second), "≥"
+    bound = extreme_ell(a, b, m)
+    below_first = parameters.sign(Fraction(parameters.ell_sign), 1 - 2 * a * m) < 0
+    if m > 0 and below_first:
+        words = "f1² = −φ(s1) is negative for all |s1| ≥ a"
     else:
-        words, bound, sign = "f2² = φ(s2) is negative for all |s2| ≤ b", max(first, second), "≥"
+        words = "f2² = φ(s2) is negative for all |s2| ≤ b"
+    sign = "≥" if m > 0 else "≤"
     energy = (bound**2 - 1 - 2 * parameters.p_square * m**2) / (2 * m)
     return (
         f"{ell} with m = {float(m):.6g}: {words}; "

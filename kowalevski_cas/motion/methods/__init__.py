@@ -28,7 +28,11 @@ METHODS = {
 
 
 class MethodError(RuntimeError):
-    """A method that cannot be used here, or that gave up; the message says why."""
+    """A method that gave up; the message says why."""
+
+
+class Missing(MethodError):
+    """A method whose library is not installed."""
 
 
 def load(name: str) -> Callable[[Motion, NDArray[np.float64]], NDArray[np.float64]]:

@@ -18,7 +18,9 @@ TOLERANCE = 1e-12
 
 def initial_state(motion: Motion) -> Array:
     """The state at t = 0 from which integrators start."""
-    start: Array = closed(motion, np.zeros(1))[0]
+    start: Array = (
+        closed(motion, np.zeros(1))[0] if motion.point is None else np.array(motion.point)
+    )
     return start
 
 

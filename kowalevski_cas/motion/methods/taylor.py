@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
-from kowalevski_cas.motion.methods import MethodError
+from kowalevski_cas.motion.methods import MethodError, Missing
 from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.motion.motion import Motion
 
@@ -30,7 +30,7 @@ def integrate(
     try:
         import heyoka
     except ImportError:
-        raise MethodError(
+        raise Missing(
             "the method taylor needs heyoka: pip install 'kowalevski-cas[taylor]'"
         ) from None
     variables = heyoka.make_vars(*(f"x{index}" for index in range(9)))

@@ -1,0 +1,137 @@
+"""Follow a motion on N⁴: the states at equal steps of time, the invariants, the regime.
+
+A motion is given by the lengths of the two fields with m and the energy or the constant ℓ, or
+by a state. By constants alone, s1 and s2 start at the first root of their arcs at t = 0.
+
+  kowalevski-cas motion --a 1 --b 0.4 --m 0.8 --l 0.9 --until 1e6
+  kowalevski-cas motion --a 1 --b 0.4 --m -0.3 --h 1.2 --method ball --format csv --out orbit
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import sys
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kowalevski_cas.cli.exits import AS_RECORDED, UNDECIDED, USAGE, CommandError
+from kowalevski_cas.cli.motion_formats import FORMATS, load_format
+from kowalevski_cas.motion.methods import METHODS
+
+if TYPE_CHECKING:
+    from kowalevski_cas.motion.motion import Motion
+    from kowalevski_cas.motion.result import Result
+
+LARGEST_COUNT = 10_000_000
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    # Numbers are decimals, -1e-3, or quotients, -1/3; argparse knows the plain ones only.
+    parser._negative_number_matcher = re.compile(r"^-[.\d]")
+    parser.add_argument("--a", metavar="A", help="the length of the longer field")
+    parser.add_argument("--b", metavar="B", help="the length of the other field, b < a")
+    parser.add_argument("--m", metavar="M", help="the constant m, not zero")
+    parser.add_argument("--l", metavar="L", help="the constant ℓ")
+    parser.add_argument("--h", metavar="H", help="the energy, instead of ℓ")
+    parser.add_argument(
+        "--point",
+        nargs="+",
+        metavar="X",
+        help="the state at t = 0 instead: ω, α, β, nine numbers; the fields at any angle",
+    )
+    parser.add_argument("--until", default="10", metavar="T", help="the last time, default 10")
+    parser.add_argument(
+        "--samples", type=int, default=101, metavar="N", help="how many states, default 101"
+    )
+    words = "; ".join(f"{name}: {words}" for name, words in METHODS.items())
+    parser.add_argument("--method", choices=METHODS, default="closed", help=words)
+    parser.add_argument("--format", choices=FORMATS, default="json")
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="write DIR/motion.FORMAT instead of printing"
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run the command and return its exit code."""
+    binary = arguments.format == "npz" and arguments.out is None
+    if binary and sys.stdout.isatty():
+        raise CommandError("npz is not for a terminal; give --out DIR, or send it to a file")
+    contents = load_format(arguments.format)(_followed(arguments))
+    if arguments.out is not None:
+        print(_written(arguments.out / f"motion.{arguments.format}", contents))
+    elif binary:
+        sys.stdout.buffer.write(contents)
+    else:
+        sys.stdout.write(contents.decode())
+    return AS_RECORDED
+
+
+def _followed(arguments: argparse.Namespace) -> Result:
+    import numpy as np
+
+    from kowalevski_cas.motion.methods import MethodError, Missing, load
+    from kowalevski_cas.motion.methods.ball import Unresolved
+    from kowalevski_cas.motion.parameters import exact
+    from kowalevski_cas.motion.result import Result
+
+    if not 1 <= arguments.samples <= LARGEST_COUNT:
+        raise CommandError(f"--samples has to be from 1 to {LARGEST_COUNT}")
+    try:
+        until = float(exact(arguments.until))
+    except (ValueError, OverflowError):
+        raise CommandError(f"--until {arguments.until} is no finite number") from None
+    motion = _motion(arguments)
+    times = np.linspace(0.0, until, arguments.samples)
+    try:
+        return Result(motion, times, load(arguments.method)(motion, times))
+    except MethodError as error:
+        code = USAGE if isinstance(error, Missing) else UNDECIDED
+        raise CommandError(str(error), code) from None
+    except Unresolved as error:
+        raise CommandError(str(error), UNDECIDED) from None
+    except ValueError as error:
+        raise CommandError(str(error)) from None
+
+
+def _motion(arguments: argparse.Namespace) -> Motion:
+    """The motion that the arguments describe; a message for every way in which they do not."""
+    from kowalevski_cas.motion import Motion, Parameters, through
+
+    given = {name: getattr(arguments, name) for name in ("a", "b", "m", "l", "h")}
+    named = [f"--{name}" for name, value in given.items() if value is not None]
+    try:
+        if arguments.point is not None:
+            if named:
+                raise CommandError(
+                    f"--point says it all; {', '.join(named)} cannot stand beside it"
+                )
+            return through([x for word in arguments.point for x in word.split(",") if x])
+        missing = [f"--{name}" for name in "abm" if given[name] is None]
+        if missing:
+            raise CommandError(f"{', '.join(missing)} missing; or give a state by --point")
+        if (given["l"] is None) == (given["h"] is None):
+            raise CommandError(
+                "one of --l and --h is needed" + ", not both" * (given["l"] is not None)
+            )
+        if given["l"] is None:
+            return Motion(Parameters.at_energy(*(given[name] for name in "abmh")))
+        return Motion(Parameters.of(*(given[name] for name in "abml")))
+    except ValueError as error:
+        raise CommandError(str(error)) from None
+
+
+def _written(path: Path, contents: bytes) -> Path:
+    """Write a file whole: under another name first, then in its place."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
+            file.write(contents)
+        os.chmod(file.name, 0o644)
+        os.replace(file.name, path)
+    except OSError as error:
+        raise CommandError(f"{path} cannot be written: {error.strerror}") from None
+    return path

@@ -1,0 +1,208 @@
+r"""The motion through a point of N⁴: its constants, its phases, its signs.
+
+A given state is exact for us, but hardly ever on N⁴ exactly. The constants are those of the
+printed formulas at the state, to many more digits than any float has; the phases come from
+whichever of s, S, f is the sharpest. So the closed form returns to the state within a few
+units of its last place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from flint import acb, arb
+
+from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.oscillation import Oscillation
+from kowalevski_cas.motion.parameters import (
+    Inadmissible,
+    Parameters,
+    Real,
+    ball,
+    exact,
+    precision,
+    rational_root,
+)
+from kowalevski_cas.motion.phases import as_fraction
+from kowalevski_cas.motion.regimes import PHI, coordinates, extreme_ell, regime_of
+
+BITS = 320
+"""To how many bits constants and phases are found."""
+
+TOLERANCE = 1e-8
+"""How far from N⁴ a state may be, relative to its size."""
+
+
+def through(state: Sequence[Real]) -> Motion:
+    """The motion that is at the state (ω, α, β), nine numbers, at t = 0.
+
+    The fields may have any angle and lengths that are not equal and orthogonal at once. Raises
+    :class:`~kowalevski_cas.motion.parameters.Inadmissible` if the state is not on N⁴, or is at
+    x1x2 = 0, where m and ℓ have no value of their own.
+    """
+    given = [exact(value) for value in state]
+    if len(given) != 9:
+        raise ValueError(f"a state has nine numbers, ω, α, β; {len(given)} are given")
+    _check(given)
+    with precision(BITS):
+        turn = _turn(given)
+        straight = turned(given, *turn) if turn[1] else given
+        parameters, root = _parameters(straight)
+        motion = Motion(parameters, turn=turn, point=tuple(map(float, given)))
+        S1, f1, S2, f2, s1, s2 = _variables(straight, parameters, root)
+        starts = [
+            _start(oscillation, *values)
+            for oscillation, values in zip(
+                motion.oscillations(), ((s1, S1, f1), (s2, S2, f2)), strict=True
+            )
+        ]
+    origins, signs = zip(*starts, strict=True)
+    return Motion(parameters, origins, signs, turn, motion.point)
+
+
+def _check(state: list[Fraction]) -> None:
+    """Refuse a state off N⁴, and fields for which N⁴ is not separated."""
+    _, _, a_square, b_square, c, first, second = formulas.integrals()(*state)
+    if (a_square - b_square) ** 2 + 4 * c**2 == 0:
+        raise Inadmissible("the fields are orthogonal and of equal size: r = 0, nothing separates")
+    size = max(map(abs, state))
+    for number, value, degree in (1, first, 3), (2, second, 6):
+        if abs(value) > Fraction(TOLERANCE) * (1 + size) ** degree:
+            raise Inadmissible(
+                f"the state is not on N⁴: the left side of (16), equation {number}, "
+                f"is {float(value):.3g} there"
+            )
+    if formulas.theta()(*state) == (0,):
+        raise Inadmissible(
+            "x1x2 = 0 at the state, and m, ℓ have no value there; take a state a moment later"
+        )
+
+
+def _turn(state: list[Fraction]) -> tuple[Fraction, Fraction]:
+    """The cosine and sine of the angle χ that makes the fields orthogonal, a > b."""
+    _, _, a_square, b_square, c, *_ = formulas.integrals()(*state)
+    if c == 0 and a_square > b_square:
+        return Fraction(1), Fraction(0)
+    twice = arb.atan2(ball(2 * c), ball(a_square - b_square))
+    sine, cosine = (twice / 2).sin_cos()
+    return as_fraction(cosine), as_fraction(sine)
+
+
+def _parameters(state: list[Fraction]) -> tuple[Parameters, arb]:
+    """The constants at a state in fields at right angles, and the root of x1x2."""
+    _, _, a_square, b_square, *_ = formulas.integrals()(*state)
+    theta, total, w_square, m = formulas.constants()(*state)
+    a, b, root = (_root(square) for square in (a_square, b_square, theta))
+    m = as_fraction(ball(m))
+    if m == 0:
+        raise Inadmissible("m = 0 at the state: the roots (ℓ±1)/2m are at infinity")
+    ell = as_fraction((ball(w_square) + ball(total) * ball(m)) / ball(root))
+    found = Parameters.of(a, b, m, ell)
+    try:
+        regime_of(found)
+    except Inadmissible:
+        # A state at rest in one variable is on the boundary, but for rounding.
+        bound = extreme_ell(a, b, m)
+        if abs(abs(ell) - bound) > Fraction(TOLERANCE) * (1 + abs(bound)):
+            raise
+        found = Parameters.of(a, b, m, bound if ell > 0 else -bound)
+    return found, ball(root)
+
+
+def _root(square: Fraction) -> Fraction:
+    exactly = rational_root(square)
+    return as_fraction(ball(square).sqrt()) if exactly is None else exactly
+
+
+def _variables(state: list[Fraction], parameters: Parameters, root: arb) -> tuple[arb, ...]:
+    """S1, f1, S2, f2, s1, s2 at a state, from the printed formulas solved for them."""
+    omega1, omega2, omega3, _, alpha2, alpha3, beta1, _, beta3 = map(ball, state)
+    _, total, *_ = formulas.constants()(*state)
+    r_square, m, ell = ball(parameters.r_square), ball(parameters.m), parameters.ell
+    r = r_square.sqrt()
+    s1, s2 = (ball(total) + r_square) / (2 * root), (ball(total) - r_square) / (2 * root)
+    d = r_square / root
+    S1, S2 = alpha3 * d / r, beta3 * d / r
+    product = -2 * d**2 * (alpha2 + beta1) / r_square  # f1·f2
+    by_f1, by_f2 = r * (ell - 2 * m * s2) / (2 * d), r * (ell - 2 * m * s1) / (2 * d)
+    # ω1 and ω2 give f2 and f1; one of them surely, the other by ω3 and f1·f2 as well.
+    if parameters.m > 0:
+        f1 = omega2 / by_f1
+        f2 = _fitted((by_f2, omega1), (S1, -omega3 * d - S2 * f1), (f1, product))
+    else:
+        f2 = omega1 / by_f2
+        f1 = _fitted((by_f1, omega2), (S2, -omega3 * d - S1 * f2), (f2, product))
+    return S1, f1, S2, f2, s1, s2
+
+
+def _fitted(*equations: tuple[arb, arb]) -> arb:
+    """The best x for coefficient·x = value, in the least squares."""
+    above = sum((c * v for c, v in equations), arb(0))
+    below = sum((c * c for c, _ in equations), arb(0))
+    return above / below if below > 0 else arb(0)
+
+
+def _start(oscillation: Oscillation, s: arb, S: arb, f: arb) -> tuple[Fraction, int]:
+    """The time t_j and the sign with which a variable has these values at t = 0."""
+    if oscillation.kind == "rest":
+        value = S if oscillation.field_roots == (2, 3) else f * oscillation.orientation
+        return Fraction(0), _sign(value)
+    p, q, _, _ = oscillation.roots
+    distances = {root: _distance(oscillation, root, s, S, f) for root in oscillation.roots}
+    weighted = [distances[root] / oscillation.coefficients[root] for root in (p, q)]
+    weight = _sign(sum(weighted, arb(0)))  # Δ is negative beyond infinity
+    first, second = (_positive(weight * value).sqrt() for value in weighted)
+    S_sign, f_sign = _sign(weight * S), _sign(weight * oscillation.orientation * f)
+    sign = 1
+    if oscillation.components == 1:
+        by_field = next(place for place in oscillation.field_roots if place < 2)
+        first_sign, second_sign = (S_sign, f_sign) if by_field == 0 else (f_sign, S_sign)
+    else:
+        sign = S_sign if oscillation.field_roots == (2, 3) else f_sign
+        first_sign, second_sign = S_sign * f_sign, 1
+    argument = _argument(oscillation, first, second) * first_sign * second_sign
+    if second_sign < 0:
+        argument += 2 * oscillation.quarter
+    return as_fraction(-argument / oscillation.rate), sign
+
+
+def _argument(oscillation: Oscillation, first: arb, second: arb) -> arb:
+    """The argument at which the first two of the quadruple have this quotient, both positive."""
+    if oscillation.kind == "exponential":
+        return (first / second).log()
+    if second == 0 and oscillation.kind == "separatrix":
+        raise Inadmissible(
+            "the state rests on a double root: it is the limit of the asymptotic motions"
+        )
+    if oscillation.kind == "separatrix":
+        return (first / second).asinh()
+    amplitude = arb.atan2(first, second)
+    value = acb.elliptic_f(acb(amplitude), acb(oscillation.modulus_square))
+    return arb(value.real.mid())
+
+
+def _distance(oscillation: Oscillation, root: str, s: arb, S: arb, f: arb) -> arb:
+    """The distance s − root, by S² or f² where s itself would lose digits."""
+    parameters = oscillation.parameters
+    pair = next(p for p in (oscillation.field_pair, PHI) if root in p)
+    other = pair[0] if root == pair[1] else pair[1]
+    direct = s - parameters.value(*coordinates(parameters, root))
+    further = s - parameters.value(*coordinates(parameters, other))
+    if abs(direct) > abs(further):
+        return direct
+    sign = 1 if oscillation.first else -1
+    if pair == oscillation.field_pair:
+        return sign * S * S / further
+    return -sign * f * f / (4 * ball(parameters.m) * further)
+
+
+def _sign(value: arb) -> int:
+    return -1 if value < 0 else 1
+
+
+def _positive(value: arb) -> arb:
+    middle = value.mid()
+    return middle if middle > 0 else arb(0)
