@@ -43,21 +43,27 @@ class Closed:
 
     def __call__(self, t: Array) -> Array:
         """The states at times t of shape (N,), as an array of shape (9, N)."""
-        states = np.empty((9, len(t)))
-        for start in range(0, len(t), BLOCK):
+        return self.torus(t, t)
+
+    def torus(self, first: Array, second: Array) -> Array:
+        """The states (9, N) where each variable has a time (N,) of its own: points of the torus."""
+        states = np.empty((9, len(first)))
+        for start in range(0, len(first), BLOCK):
             block = slice(start, start + BLOCK)
-            states[:, block] = self._point(*self.variables(t[block]), _select)
+            states[:, block] = self._point(*self.variables(first[block], second[block]), _select)
         if self._sin:
             states = np.array(turned(list(states), self._cos, -self._sin))
         return states
 
-    def variables(self, t: Array) -> tuple[Solved, Solved]:
-        """The two solved variables at times t."""
-        first, second = (
+    def variables(self, first: Array, second: Array) -> tuple[Solved, Solved]:
+        """The two solved variables, each at times of its own."""
+        solved = [
             variable(quadruple(t))
-            for variable, quadruple in zip(self._variables, self._jacobi, strict=True)
-        )
-        return first, second
+            for variable, quadruple, t in zip(
+                self._variables, self._jacobi, (first, second), strict=True
+            )
+        ]
+        return solved[0], solved[1]
 
 
 def states(motion: Motion, times: Array) -> Array:

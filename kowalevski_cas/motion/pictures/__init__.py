@@ -1,0 +1,39 @@
+"""Pictures of a motion, one module each: ``draw(motion)`` is the figure, ``CAPTION`` explains it.
+
+A new picture is one new module and one line in :data:`PICTURES`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from kowalevski_cas.motion.motion import Motion
+
+PICTURES = {
+    "hodographs": "of the angular velocity, in the body and in space",
+    "traces": "of the field vectors on their spheres in the body",
+    "torus": "which one trajectory fills",
+    "rectangle": "of the separated variables, and the curve in it",
+    "bifurcation": "diagrams in the planes of (m, h) and (m, ℓ)",
+    "atlas": "of all regimes in these fields",
+}
+
+
+class Picture(NamedTuple):
+    """How a picture is drawn, and what it shows: text with mathematics between dollars."""
+
+    draw: Callable[[Motion], Figure]
+    caption: str
+
+
+def load(name: str) -> Picture:
+    """The picture with this name."""
+    if name not in PICTURES:
+        raise ValueError(f"there is no picture “{name}”; there are {', '.join(PICTURES)}")
+    module = import_module(f"{__name__}.{name}")
+    return Picture(module.draw, module.CAPTION)

@@ -1,0 +1,69 @@
+"""All regimes of N⁴: the hodograph of the angular velocity in the body, one for each."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.parameters import Parameters
+from kowalevski_cas.motion.pictures.bifurcation import regime_at
+from kowalevski_cas.motion.pictures.orbit import orbit
+from kowalevski_cas.motion.pictures.space import View, blank, curve
+from kowalevski_cas.motion.regimes import Regime, all_regimes
+from kowalevski_cas.pictures import mark, new_figure
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+CAPTION = (
+    "The hodograph of the angular velocity in the body, for one motion in each regime in these "
+    "fields. A regime is an order of the roots; under it stand $m$, $\\ell$ and the number of tori."
+)
+
+TURNS, POINTS, GRID, COLUMNS = 10, 2000, 241, 3
+
+
+def draw(motion: Motion) -> Figure:
+    """A hodograph for every regime, in the fields of a motion."""
+    found = examples(motion.parameters)
+    rows = -(-len(found) // COLUMNS)
+    figure = new_figure(height=2.2 * rows)
+    tiles = list(figure.subplots(rows, COLUMNS).flat)
+    view = View()
+    for axes in tiles:
+        blank(axes)
+    for axes, (regime, example) in zip(tiles, found, strict=False):
+        omega = orbit(example, TURNS, POINTS)[:, :3]
+        curve(axes, view, omega, mark(0 if regime.sign > 0 else 1).colour, 0.6)
+        order = "<".join(regime.order)
+        m, ell = float(example.parameters.m), float(example.parameters.ell)
+        tori = "1 torus" if regime.tori == 1 else f"{regime.tori} tori"
+        words = f"${order}$\n$m={m:.2g}$, $\\ell={ell:.2g}$: {tori}"
+        axes.set_title(words, size=7.5, loc="center")
+    return figure
+
+
+def examples(parameters: Parameters) -> list[tuple[Regime, Motion]]:
+    """A motion from the middle of each regime's region, but for the mirrored ones.
+
+    Coordinates are rounded to two digits.
+    """
+    from scipy.ndimage import distance_transform_edt
+
+    a, b = parameters.a, parameters.b
+    reach = 1.5 / float(2 * b) if b else 2 / float(a)
+    m, ell = np.meshgrid(
+        np.linspace(-reach, reach, 2 * GRID), np.linspace(0, 2 * float(a) * reach, GRID)
+    )
+    regime = regime_at(parameters, m, ell)
+    found = []
+    for number, kind in enumerate(all_regimes()):
+        here = np.pad(regime == number, 1)
+        if here.any():
+            depth = distance_transform_edt(here)[1:-1, 1:-1]
+            place = np.unravel_index(np.argmax(depth), depth.shape)
+            one = Parameters.of(a, b, f"{m[place]:.3g}", f"{ell[place]:.3g}")
+            found.append((kind, Motion(one)))
+    return found

@@ -1,0 +1,168 @@
+r"""The bifurcation diagrams of N⁴, in the planes of (m, h) and of (m, ℓ).
+
+The regions are those of the regimes, and the separating curves are found where roots coincide.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.parameters import Parameters
+from kowalevski_cas.motion.regimes import FIELD_1, FIELD_2, PHI, all_regimes, coordinates
+from kowalevski_cas.pictures import FAINT, INK, mark, new_figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+Map = Callable[[Array, Array], Array]
+
+CAPTION = (
+    "Bifurcation diagrams of $N^4$ in the planes of $(m,h)$ and of $(m,\\ell)$; $\\ell$ and "
+    "$-\\ell$ are the same motions. Numbers count the tori of a region; there is no motion where "
+    "the paper is white. A separating curve is thick where it parts two regimes, and faint where "
+    "it does not. The cross is the motion of the other pictures."
+)
+
+GREYS = {1: "#efefef", 2: "#d6d6d6", 4: "#b0b0b0"}
+"""The shade of a region, by its number of tori."""
+
+GRID = 501
+"""Points of the grid on which regions are found, along each axis."""
+
+
+def draw(motion: Motion) -> Figure:
+    """Both diagrams for the fields of a motion, which is marked in them."""
+    parameters = motion.parameters
+    square, m, ell, h = (
+        float(value)
+        for value in (parameters.p_square, parameters.m, abs(parameters.ell), parameters.h)
+    )
+    a, b = float(parameters.a), float(parameters.b)
+
+    def energy(m: Array, ell: Array) -> Array:
+        return (ell**2 - 1 - 2 * square * m**2) / (2 * m)
+
+    def ell_at(m: Array, h: Array) -> Array:
+        with np.errstate(invalid="ignore"):
+            return np.asarray(np.sqrt(2 * square * m**2 + 2 * h * m + 1))
+
+    reach = 1.25 * max(abs(m), 1 / (2 * b) if b > a / 4 else 2 / a)
+    top = 2 * a + (a * a - b * b) * reach
+    figure = new_figure(height=3.9)
+    left, right = figure.subplots(1, 2)
+    for axes, unit, bottom, height, ell_of, ordinate, here in (
+        (left, "$h$", -0.9 * max(top, abs(h)), 1.1 * max(top, abs(h)), ell_at, energy, h),
+        (right, r"$\ell$", -0.03 * a, 1.2 * max(2 * a * reach, ell), _second, _absolute, ell),
+    ):
+        axes.set(xlim=(-reach, reach), ylim=(bottom, height), xlabel="$m$")
+        axes.set_ylabel(unit, rotation=0)
+        axes.grid(False)
+        _regions(axes, parameters, ell_of, (m, here))
+        _curves(axes, parameters, ordinate)
+        axes.plot(m, here, "x", color=INK, ms=6, mew=1.4, zorder=5)
+    figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    return figure
+
+
+def _second(m: Array, ell: Array) -> Array:
+    return ell
+
+
+def _absolute(m: Array, ell: Array) -> Array:
+    return np.abs(ell)
+
+
+def regime_at(parameters: Parameters, m: Array, ell: Array) -> NDArray[np.int64]:
+    """The place among all regimes of each (m, ℓ) in the fields of a motion; −1 if there is none."""
+    roots = {}
+    for root in (*FIELD_1, *FIELD_2, *PHI):
+        slope, constant = _line(parameters, m, root)
+        with np.errstate(invalid="ignore"):  # at m = 0 there are no roots, and no regime
+            roots[root] = slope * ell + constant
+    found = np.full(m.shape, -1)
+    for number, regime in enumerate(all_regimes()):
+        inside = np.sign(m) == regime.sign
+        for low, high in pairwise(regime.order):
+            inside &= roots[low] < roots[high]
+        found[inside] = number
+    return found
+
+
+def _line(parameters: Parameters, m: Array, root: str) -> tuple[Array, Array]:
+    """A root as a linear expression in ℓ, for each m; those of φ are proportional to 1/m."""
+    one = Parameters.of(parameters.a, parameters.b, 1, 0)
+    slope, constant = (float(value) for value in coordinates(one, root))
+    with np.errstate(divide="ignore"):
+        scale = 1 / m if root in PHI else np.ones_like(m)
+    return slope * scale, constant * scale
+
+
+def _regions(axes: Axes, parameters: Parameters, ell_of: Map, taken: tuple[float, float]) -> None:
+    """Shade the regions, and write the number of tori into each, away from the place taken."""
+    from scipy.ndimage import distance_transform_edt, label
+
+    across, up = axes.get_xlim(), axes.get_ylim()
+    m, y = np.meshgrid(np.linspace(*across, GRID + 1), np.linspace(*up, GRID))
+    regime = regime_at(parameters, m, ell_of(m, y))
+    near = np.hypot((m - taken[0]) / np.ptp(across), (y - taken[1]) / np.ptp(up)) < 0.03
+    for number, kind in enumerate(all_regimes()):
+        here = regime == number
+        if not here.any():
+            continue
+        axes.contourf(m, y, here, levels=(0.5, 1.5), colors=[GREYS[kind.tori]], zorder=0)
+        pieces, count = label(here)
+        for piece in range(1, count + 1):
+            free = np.pad((pieces == piece) & ~near, 1)
+            depth = distance_transform_edt(free)[1:-1, 1:-1]
+            place = np.unravel_index(np.argmax(depth), depth.shape)
+            if depth[place] < 0.008 * GRID:
+                continue  # a sliver that the frame of the picture cuts off
+            small = depth[place] < 0.03 * GRID
+            axes.text(
+                m[place], y[place], str(kind.tori),
+                ha="center", va="center", size=6 if small else 9, zorder=4,
+            )  # fmt: skip
+
+
+def _curves(axes: Axes, parameters: Parameters, ordinate: Map) -> None:
+    """Draw the separating curves, thick where the regimes on their two sides differ."""
+    m = np.linspace(*axes.get_xlim(), 4 * GRID)
+    m = m[m != 0]
+    low, high = axes.get_ylim()
+    gap = 1e-6 * (high - low)
+    drawn: set[str] = set()
+    for words, style, ell in separating(parameters, m):
+        sides = [regime_at(parameters, m, np.abs(ell + shift)) for shift in (gap, -gap)]
+        parts = sides[0] != sides[1] if ell.any() else sides[0] >= 0
+        y = ordinate(m, ell)
+        y[np.abs(y) > 3 * (high - low)] = np.nan
+        one = mark(style)
+        for side in (m < 0, m > 0):  # no line across m = 0
+            axes.plot(m[side], y[side], color=FAINT, lw=0.5, zorder=1)
+            axes.plot(
+                m[side], np.where(parts, y, np.nan)[side],
+                color=one.colour, ls=one.dashes, lw=1.3, zorder=2,
+                label=words if words not in drawn else None,
+            )  # fmt: skip
+            drawn.add(words)
+    axes.axvline(0, color=INK, lw=0.9, zorder=2, label="$m=0$")
+
+
+def separating(parameters: Parameters, m: Array) -> Iterator[tuple[str, int, Array]]:
+    """The separating curves as ℓ(m), with words and a style for each: which roots coincide."""
+    for style, (words, ends) in enumerate(
+        ((r"$\ell=\pm 2am\pm 1$", FIELD_1), (r"$\ell=\pm 2bm\pm 1$", FIELD_2))
+    ):
+        for end in ends:
+            for root in PHI:
+                slope, constant = _line(parameters, m, root)
+                yield words, style, (_line(parameters, m, end)[1] - constant) / slope
+    yield r"$\ell=0$", 2, np.zeros_like(m)

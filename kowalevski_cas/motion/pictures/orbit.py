@@ -1,0 +1,79 @@
+"""The motion as curves: for how long, how finely, and its torus as a net."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kowalevski_cas.motion.methods.closed import Closed
+from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.oscillation import Oscillation
+
+Array = NDArray[np.float64]
+
+ARRIVED = 12.0
+"""The argument nt at which a motion that tends to rest is as good as there."""
+
+
+def periods(motion: Motion) -> tuple[float, float]:
+    """The periods of the two angles of the torus; infinite where one of them only tends to rest.
+
+    A variable that rests has the period zero.
+    """
+    first, second = (_period(oscillation) for oscillation in motion.oscillations())
+    return first, second
+
+
+def _period(oscillation: Oscillation) -> float:
+    """The time after which not only s, but also S and f have the same values again."""
+    if oscillation.kind == "rest":
+        return 0.0
+    if oscillation.kind != "elliptic":
+        return np.inf
+    return float(4 * oscillation.quarter / oscillation.rate) / oscillation.components
+
+
+def times(motion: Motion, turns: float, points: int) -> Array:
+    """Equidistant times in which the slower angle makes so many turns, or comes to rest."""
+    slower = max(periods(motion))
+    if np.isfinite(slower):
+        return np.linspace(0.0, turns * slower or 1.0, points)
+    rates = [float(o.rate) for o in motion.oscillations() if o.kind not in ("rest", "elliptic")]
+    reach = ARRIVED / min(rates)
+    return np.linspace(-reach, reach, points)
+
+
+def orbit(motion: Motion, turns: float, points: int) -> Array:
+    """The states (N, 9) along the motion."""
+    t = times(motion, turns, points)
+    return Closed(motion, float(np.max(np.abs(t))))(t).T
+
+
+def net(motion: Motion, lines: int, points: int) -> list[Array]:
+    """Curves (N, 9) on the torus on which one of its angles rests, so many of each kind."""
+    whole = [period if np.isfinite(period) else 0.0 for period in periods(motion)]
+    closed = Closed(motion, max(*whole, 1.0))
+    turns = np.linspace(0.0, 1.0, points)
+    found = []
+    for share in np.arange(lines) / lines:
+        for first, second in ((turns, share), (share, turns)):
+            one, two = (
+                part * np.ones(points) * period
+                for part, period in zip((first, second), whole, strict=True)
+            )
+            found.append(closed.torus(one, two).T)
+    return found
+
+
+def in_space(states: Array) -> Array:
+    """The angular velocity (N, 3) by axes that stand still in space, which the fields fix.
+
+    The first axis is along α, the third along α×β; the second is along β if the fields are at
+    right angles.
+    """
+    omega, alpha, beta = states[:, :3], states[:, 3:6], states[:, 6:]
+    third = np.cross(alpha, beta)
+    axes = np.stack((alpha, np.cross(third, alpha), third), axis=1)
+    unit = axes / np.linalg.norm(axes, axis=2, keepdims=True)
+    found: Array = np.einsum("nij,nj->ni", unit, omega)
+    return found

@@ -1,0 +1,96 @@
+"""Across N⁴: the cofactor matrix along motions, and how fast motions near N⁴ leave it."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from kowalevski_cas.motion import load
+from kowalevski_cas.motion.methods.closed import Closed
+from kowalevski_cas.motion.methods.integrators import initial_state, integrate
+from kowalevski_cas.motion.transverse import distance, exponent, mean, transverse
+from tests.motion.regions import EVERY_REGIME, motion
+
+closed = load("closed")
+TIMES = np.linspace(0.1, 7.0, 40)
+
+
+@pytest.mark.parametrize("region", EVERY_REGIME)
+def test_motions_on_n4_stay_there(region):
+    assert np.max(distance(closed(motion(*region), TIMES))) < 1e-11
+
+
+def test_a_motion_off_n4_is_off_it():
+    state = closed(motion("0.5", "1.45"), TIMES[:1])[0]
+    state[2] += 1e-6
+    assert distance(state) > 1e-7
+
+
+@pytest.mark.parametrize("region", EVERY_REGIME)
+def test_the_matrix_has_the_exponents_that_the_separated_variables_give(region):
+    """The square of the eigenvalues of M is −m(s1−s2)², at every point."""
+    here = motion(*region)
+    first, second = Closed(here, 10.0).variables(TIMES, TIMES)
+    m, regular = float(here.parameters.m), abs(first.weight) > 1e-3
+    gap = first.s[regular] / first.weight[regular] - (second.s / second.weight)[regular]
+    matrix = transverse()(closed(here, TIMES[regular]))[1]
+    assert np.all(matrix[:, 0, 0] == 0) and np.all(matrix[:, 1, 1] == 0)
+    np.testing.assert_allclose(matrix[:, 0, 1] * matrix[:, 1, 0], -m * gap**2, rtol=1e-9)
+    ratio = matrix[:, 1, 0] / matrix[:, 0, 1]
+    np.testing.assert_allclose(ratio, 4 * float(here.parameters.r_square) ** 2 * m, rtol=1e-9)
+
+
+def test_the_matrix_is_the_rate_of_the_functions_off_n4():
+    start = initial_state(motion("0.5", "1.45")) + 0.05 * np.arange(9)
+    step = 1e-4
+    before, here, after = integrate("DOP853", start, np.array([1 - step, 1.0, 1 + step]), 1e-13)
+    values, matrix = transverse()(here)
+    rate = (transverse()(after)[0] - transverse()(before)[0]) / (2 * step)
+    np.testing.assert_allclose(matrix @ values, rate, rtol=1e-6)
+
+
+@pytest.mark.parametrize("region", EVERY_REGIME)
+def test_the_mean_of_a_variable_is_its_mean_over_a_period(region):
+    """Simple poles, where s1 passes infinity, are taken away with their principal value, zero."""
+    here = motion(*region)
+    for index, oscillation in enumerate(here.oscillations()):
+        period = float(2 * oscillation.quarter / oscillation.rate)
+        t = (np.arange(2000) + 0.5) * period / 2000
+        solve = Closed(here, period).variables
+        values = solve(t, t)[index].s / solve(t, t)[index].weight
+        if oscillation.arc.infinite:
+            half = period / 2
+
+            def weight(x, solve=solve, index=index):
+                return float(solve(np.array([x]), np.array([x]))[index].weight[0])
+
+            pole = brentq(weight, 0.0, half, xtol=1e-15)
+            near = solve(np.array([pole - 1e-6]), np.array([pole - 1e-6]))[index]
+            sign = np.sign(near.s[0] * near.weight[0])
+            residue = -sign / np.sqrt(-float(here.parameters.m)) * np.pi / period
+            for place, size in ((pole, residue), (-pole, -residue)):
+                values = values - size / np.tan(np.pi * (t - place) / period)
+        assert np.mean(values) == pytest.approx(mean(oscillation), abs=2e-6)
+
+
+@pytest.mark.parametrize(("m", "ell"), [("-0.8", "0.5"), ("-0.5", "0.8"), ("-0.3", "0.5")])
+def test_motions_leave_n4_at_the_predicted_rate(m, ell):
+    """A displacement by 1e-12 grows like exp(|λ|t) while it is small."""
+    here = motion(m, ell)
+    rate = abs(exponent(here.parameters).real)
+    state = initial_state(here)
+    state[2] += 1e-12
+    span = 20 / rate
+    times = np.linspace(0, span, 4000)
+    far = np.log(distance(integrate("DOP853", state, times, 1e-13)))
+    late = times > 0.2 * span
+    assert np.polyfit(times[late], far[late], 1)[0] == pytest.approx(rate, rel=0.1)
+
+
+@pytest.mark.parametrize(("m", "ell"), [("0.8", "0.9"), ("0.5", "1.45"), ("0.3", "1.7")])
+def test_motions_near_elliptic_tori_stay_near(m, ell):
+    here = motion(m, ell)
+    assert exponent(here.parameters).real == 0 != exponent(here.parameters).imag
+    state = initial_state(here)
+    state[2] += 1e-9
+    far = distance(integrate("DOP853", state, np.linspace(0, 200, 500), 1e-13))
+    np.testing.assert_allclose(far, far[0], rtol=1e-2)
