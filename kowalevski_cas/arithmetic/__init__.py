@@ -12,7 +12,7 @@ Arithmetic = type[Polynomials]
 EXACT = ("flint", "symengine", "sympy")
 """The arithmetics that decide, the default first."""
 
-POINTS = ("modular",)
+POINTS = ("modular", "ball", "floating")
 """The arithmetics that screen: they look at points."""
 
 

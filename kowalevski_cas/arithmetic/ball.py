@@ -1,0 +1,166 @@
+r"""Complex balls at exact points: rigorous when they refute, and never a proof of equality.
+
+A residual is enclosed by a ball that certainly contains its value. A ball without
+zero refutes. A ball with zero says nothing more than its radius, so the precision
+is raised until a ball decides or the last precision is reached.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from itertools import islice
+from random import Random
+
+from flint import acb, arb, ctx, fmpq
+
+from kowalevski_cas.arithmetic.points import Answer, ExactPoint, Points, Question
+from kowalevski_cas.arithmetic.valuation import Valuation
+
+PRECISIONS = (64, 128, 256, 512)
+"""Bits, in the order in which they are tried."""
+
+POINTS = 3
+"""How many points are taken."""
+
+TRIES = 30
+"""How many points are looked at for those at which nothing is divided by zero."""
+
+GRID = 64
+"""The denominator of coordinates that are chosen at random, between -4 and 4."""
+
+
+class Arithmetic(Points):
+    """Balls by FLINT's ``acb``."""
+
+    name = "ball"
+
+    def answer(self, question: Question) -> Answer:
+        """No at the first ball without zero; yes, with the largest radius, if there is none."""
+        found, radius, bits = 0, 0.0, 0
+        for exact in islice(self._points(question), TRIES):
+            answer, used = self._at(question, exact)
+            if answer is None:
+                continue
+            if not answer.holds:
+                return answer
+            found, radius, bits = found + 1, max(radius, answer.radius or 0.0), max(bits, used)
+            if found == POINTS:
+                break
+        if not found:
+            return Answer(None, "no exact point was found at which everything is defined")
+        words = f"{found} exact points, {bits} bits, seed {self.seed}"
+        return Answer(True, words, radius=radius)
+
+    def _points(self, question: Question) -> Iterable[ExactPoint]:
+        if question.given:
+            return question.exact()
+        random = Random(self.seed)
+        return (random_point(question.ring.generators, random) for _ in range(TRIES))
+
+    def _at(self, question: Question, exact: ExactPoint) -> tuple[Answer | None, int]:
+        """What one point says, and with how many bits; ``None`` if something is undefined there."""
+        answer: Answer | None = None
+        for bits in PRECISIONS:
+            with ctx.workprec(bits):
+                point = ball_point(question, exact)
+                answer = _residuals(question, point) if question.residuals else None
+                answer = answer or _rest(question, point)
+            if answer is not None and (not answer.holds or not question.residuals):
+                break
+        return answer, bits
+
+
+def random_point(names: Iterable[str], random: Random) -> ExactPoint:
+    """Random Gaussian rationals on a grid."""
+
+    def coordinate() -> Fraction:
+        return Fraction(random.randint(-4 * GRID, 4 * GRID), GRID)
+
+    return {name: (coordinate(), coordinate()) for name in names}
+
+
+def number(value: Fraction) -> acb:
+    """A rational number as a ball."""
+    return acb(arb(fmpq(value.numerator, value.denominator)))
+
+
+def ball_point(question: Question, exact: ExactPoint) -> Valuation:
+    """The valuation at an exact point, in the precision that is set."""
+    unit = acb(0, 1)
+    values = {name: number(re) + number(im) * unit for name, (re, im) in exact.items()}
+    before = Valuation(number, values)
+    roots = {}
+    for name, radicand in zip(question.ring.roots, question.ring.radicands, strict=True):
+        if name not in values:
+            before.values[name] = square_root(before(radicand))
+        roots[name] = before.values[name]
+    generators = {name: values[name] for name in question.ring.generators}
+    return Valuation(number, generators, roots)
+
+
+def square_root(value: acb) -> acb:
+    """A square root, with the branch cut turned away from the value."""
+    return value.sqrt() if value.real.mid() >= 0 else acb(0, 1) * (-value).sqrt()
+
+
+def _residuals(question: Question, point: Valuation) -> Answer | None:
+    """What the balls around the residuals say; ``None`` if they are not finite."""
+    balls = [point(program) for program in question.residuals]
+    if not all(ball.is_finite() for ball in balls):
+        return None
+    for ball in balls:
+        if not ball.contains(0):
+            return _no(question, point, ball.str(8), "0", "left minus right side")
+    return Answer(True, radius=max(float(ball.rad()) for ball in balls))
+
+
+def _rest(question: Question, point: Valuation) -> Answer | None:
+    """What is said of something that has to move, or of a rank; ``None`` if it is not clear."""
+    if question.somewhere:
+        values = [point(program) for program in question.somewhere]
+        away = [value for value in values if value.is_finite() and not value.contains(0)]
+        return Answer(True, radius=float(away[0].rad())) if away else None
+    if not question.rows:
+        return None
+    rows = [[point(entry) for entry in row] for row in question.rows]
+    found, radius = rank(rows)
+    if found > question.rank or question.rank > min(len(rows), len(rows[0])):
+        words = "the rank there is at least this, and the one claimed"
+        return _no(question, point, str(found), str(question.rank), words)
+    return Answer(True, radius=radius) if found == question.rank else None
+
+
+def rank(rows: list[list[acb]]) -> tuple[int, float]:
+    """The rank that balls without zero guarantee, and the largest radius that was met."""
+    rows, found, radius = [list(row) for row in rows], 0, 0.0
+    while rows:
+        radius = max(radius, *(float(entry.rad()) for row in rows for entry in row))
+        sure = [
+            (float(entry.abs_lower()), k, column)
+            for k, row in enumerate(rows)
+            for column, entry in enumerate(row)
+            if entry.is_finite() and not entry.contains(0)
+        ]
+        if not sure:
+            break
+        found += 1
+        _, k, column = max(sure)
+        pivot = rows.pop(k)
+        factors = [row[column] / pivot[column] for row in rows]
+        rows = [
+            [
+                a - f * b if j != column else acb(0)
+                for j, (a, b) in enumerate(zip(row, pivot, strict=True))
+            ]
+            for f, row in zip(factors, rows, strict=True)
+        ]
+    return found, radius
+
+
+def _no(question: Question, point: Valuation, left: str, right: str, words: str) -> Answer:
+    names = [*question.ring.generators, *question.ring.roots]
+    values = {name: point.values[name].str(8, radius=False) for name in names}
+    return Answer(
+        False, f"{words}, in balls of {ctx.prec} bits", point=values, left=left, right=right
+    )
