@@ -8,7 +8,8 @@ with other texts.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
+from functools import cache
 
 from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import (
@@ -128,9 +129,16 @@ class Texts:
         """The TeX of a display."""
         return self.sources.get(display.id, display.tex)
 
-    def changes(self, places: Collection[Printed]) -> frozenset[object]:
+    def changes(self, places: frozenset[Printed]) -> frozenset[object]:
         """What differs from the derivation at these places, as a key."""
-        ids = {printed.display.id for printed in places}
-        sources = {item for item in self.sources.items() if item[0] in ids}
-        edits = {(p, edit.formula) for p, edit in self.edits.items() if p in places}
-        return frozenset(sources | edits)
+        changed: set[object] = {(p, e.formula) for p, e in self.edits.items() if p in places}
+        if self.sources:
+            ids = _displays(places)
+            changed |= {item for item in self.sources.items() if item[0] in ids}
+        return frozenset(changed)
+
+
+@cache
+def _displays(places: frozenset[Printed]) -> frozenset[str]:
+    """The ids of the displays in which places stand."""
+    return frozenset(printed.display.id for printed in places)

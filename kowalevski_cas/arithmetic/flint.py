@@ -45,6 +45,8 @@ class Arithmetic(Polynomials):
     def terms(self, polynomial: fmpq_mpoly) -> Terms:
         return {
             tuple(map(int, exponents)): Fraction(int(value.p), int(value.q))
+            if value.q != 1
+            else Fraction(int(value.p))
             for exponents, value in polynomial.to_dict().items()
         }
 

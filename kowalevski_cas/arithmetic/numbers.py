@@ -17,6 +17,12 @@ def number_ring(arithmetic: type[Polynomials]) -> Ring:
     return ring
 
 
+def gaussian(numbers: Ring, re: Fraction, im: Fraction) -> Element:
+    """The number re + im·i of a :func:`number_ring`."""
+    constant = numbers.polynomials.constant
+    return Element(numbers, {mask: constant(v) for mask, v in ((0, re), (1, im)) if v}, {})
+
+
 def square_root(value: Fraction) -> Fraction | None:
     """The rational square root of a rational number, if there is one."""
     if value < 0:
@@ -121,8 +127,7 @@ def _reduced(terms: Terms, numbers: Ring) -> Element:
     parts = [Fraction(0), Fraction(0)]
     for (exponent,), value in terms.items():
         parts[exponent & 1] += -value if exponent & 2 else value
-    constant = numbers.polynomials.constant
-    return Element(numbers, {m: constant(v) for m, v in enumerate(parts) if v}, {})
+    return gaussian(numbers, *parts)
 
 
 def rank(matrix: list[list[Element]]) -> int:

@@ -49,7 +49,7 @@ def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
             else:
                 terms = quotient
     shown = []
-    for bit, radicand in enumerate(ring.radicands):
+    for bit, radicand in enumerate(ring.radicands if below else ()):
         inner = _generators_of(radicand, divisors)
         if inner is None or any(not below.get(index) for index in inner):
             continue

@@ -113,8 +113,10 @@ class Ring:
 
     def divisor(self, polynomial: Polynomial) -> int:
         """The index of a polynomial among the divisors, where it is entered if it is new."""
+        return self._entered(polynomial, self.polynomials.terms(polynomial))
+
+    def _entered(self, polynomial: Polynomial, terms: Terms) -> int:
         # Fractions are slow to hash, whole numbers are not.
-        terms = self.polynomials.terms(polynomial)
         key = frozenset((e, v.numerator, v.denominator) for e, v in terms.items())
         if key not in self._divisor_index:
             self._divisor_index[key] = len(self.divisors)
@@ -134,7 +136,7 @@ class Ring:
         """One over a polynomial; a monomial is taken apart into its generators."""
         terms = self.polynomials.terms(polynomial)
         if len(terms) > 1:
-            return Element(self, {0: self.polynomials.one}, {self.divisor(polynomial): 1})
+            return Element(self, {0: self.polynomials.one}, {self._entered(polynomial, terms): 1})
         ((exponents, value),) = terms.items()
         denominator = {
             self.divisor(self.polynomials.generator(index)): exponent

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
-from kowalevski_cas.arithmetic.numbers import Substitution, number_ring
+from kowalevski_cas.arithmetic.numbers import Substitution, gaussian, number_ring
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element, Ring
@@ -265,11 +265,7 @@ class AtPoint:
     def __init__(self, stage: Stage, point: dict[str, tuple[Fraction, Fraction]]) -> None:
         self.stage = stage
         self.numbers: Ring = number_ring(stage.arithmetic)
-        unit = self.numbers.generator("i")
-        self.values = {
-            name: self.numbers.number(re) + self.numbers.number(im) * unit
-            for name, (re, im) in point.items()
-        }
+        self.values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
         self.value = Substitution(stage.ring, self.values, self.numbers)
 
     def __call__(self, element: Element) -> Element:

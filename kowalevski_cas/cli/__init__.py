@@ -41,12 +41,13 @@ def main(argv: Sequence[str] | None = None) -> int:
         prog=f"kowalevski-cas {arguments[0]}",
         description=module.__doc__,
         epilog=EXIT_CODES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_Help,
     )
     module.add_arguments(parser)
     try:
         code: int = module.run(parser.parse_args(arguments[1:]))
         sys.stdout.flush()
+        gc.freeze()  # the process ends: nobody need look for cycles in what is left
     except CommandError as error:
         print(f"kowalevski-cas {arguments[0]}: {error}", file=sys.stderr)
         return error.code
@@ -60,6 +61,17 @@ def main(argv: Sequence[str] | None = None) -> int:
     return code
 
 
+class _Help(argparse.RawDescriptionHelpFormatter):
+    """Help as wide as the terminal; argparse itself loads archive formats to ask how wide it is."""
+
+    def __init__(self, prog: str) -> None:
+        try:
+            columns = int(os.environ.get("COLUMNS") or os.get_terminal_size().columns)
+        except (OSError, ValueError):
+            columns = 80
+        super().__init__(prog, width=columns - 2)
+
+
 def _overview(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="kowalevski-cas",
@@ -68,7 +80,7 @@ def _overview(arguments: list[str]) -> int:
         + "\n".join(f"  {name:14}{words}" for name, words in COMMANDS.items())
         + "\n\n`kowalevski-cas COMMAND --help` says more.\n\n"
         + EXIT_CODES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_Help,
     )
     parser.add_argument("--version", action="version", version=f"kowalevski-cas {__version__}")
     parser.add_argument("command", choices=list(COMMANDS), metavar="COMMAND", help="see below")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 
 _LETTERS = {
     "alpha": "α", "beta": "β", "gamma": "γ", "theta": "θ", "omega": "ω", "xi": "ξ", "tau": "τ",
@@ -19,6 +20,7 @@ _DROPPED = re.compile(
 )
 
 
+@cache
 def plain(tex: str) -> str:
     """The formula as one line of text; what has no plain form stays as it is.
 

@@ -241,7 +241,7 @@ class SpaceWriter:
         found = {}
         for name, element in carrier.inverse().items():
             generators = [Name(g) for g in carrier.bridge.polynomials.generators]
-            unit: list[Formula] = [Name("i")] if carrier.unit else []
+            unit: list[Formula] = [Name("i")] if carrier.bridge.roots else []
             terms = {
                 (*exponents, *([mask] if unit else [])): value
                 for mask, part in element.terms().items()

@@ -6,6 +6,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from kowalevski_cas.arithmetic.derivation import gradient
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.notation import Name
 from kowalevski_cas.scene import Change
@@ -28,12 +29,13 @@ class Carrier:
         self.stage = stage
         self.old = change.source.variables
         self.new = stage.scene.variables
-        self.bridge = Ring(stage.arithmetic((*self.new, *stage.scene.constants)))
-        self.unit: dict[str, Element] = {}
+        self.unit_square: Fraction | None = None
         if change.source.unit is not None:
             square = stage.square("i", change.source.unit)
-            value = sum((v for t in square.terms().values() for v in t.values()), Fraction(0))
-            self.unit = {"i": self.bridge.adjoin("i", self.bridge.number(value))}
+            self.unit_square = sum(
+                (v for t in square.terms().values() for v in t.values()), Fraction(0)
+            )
+        self.bridge = self._with_unit(self.new)
 
     def field(self) -> dict[str, Element]:
         """The field in the new variables, by the inverse change and the chain rule."""
@@ -68,11 +70,32 @@ class Carrier:
     @cached_property
     def matrix(self) -> list[list[Element]]:
         """The matrix of the change: a row a new variable, a column an old one."""
-        columns = []
-        for name in self.old:
-            image = self._image({n: self.bridge.number(int(n == name)) for n in self.old})
-            columns.append([self._new_value(new, image) for new in self.new])
-        return [list(row) for row in zip(*columns, strict=True)]
+        source = self._with_unit(self.old)
+        image = self._image({name: source.generator(name) for name in self.old}, source)
+        return [
+            [
+                self._number(partial, name)
+                for partial in gradient(self._new_value(name, image), self.old)
+            ]
+            for name in self.new
+        ]
+
+    def _number(self, coefficient: Element, name: str) -> Element:
+        """A coefficient of the change, in the ring of the new variables."""
+        terms = coefficient.terms()
+        if coefficient.denominator or any(any(e) for part in terms.values() for e in part):
+            raise StageError(f"the change of variables is not linear for {name}", name)
+        still = (0,) * len(self.bridge.polynomials.generators)
+        return self.bridge.from_terms(
+            {mask: {still: sum(part.values(), Fraction(0))} for mask, part in terms.items()}
+        )
+
+    def _with_unit(self, variables: tuple[str, ...]) -> Ring:
+        """The ring of these variables and the constants, with i if the change needs it."""
+        ring = Ring(self.stage.arithmetic((*variables, *self.stage.scene.constants)))
+        if self.unit_square is not None:
+            ring.adjoin("i", ring.number(self.unit_square))
+        return ring
 
     def inverse(self) -> dict[str, Element]:
         """The old variables through the new ones.
@@ -87,12 +110,13 @@ class Carrier:
                 raise StageError(f"the change of variables is not linear for {name}", name)
         return inverse
 
-    def _image(self, values: dict[str, Element]) -> Stage:
+    def _image(self, values: dict[str, Element], ring: Ring | None = None) -> Stage:
+        """The source scene in a ring, the bridge if none is given."""
+        ring = ring or self.bridge
         stage, scene = self.stage, self.change.source
-        kept = {n: self.bridge.generator(n) for n in scene.constants if n in stage.scene.constants}
-        return type(stage)(
-            scene, stage.arithmetic, stage.texts, self.bridge, {**kept, **values, **self.unit}
-        )
+        kept = {n: ring.generator(n) for n in scene.constants if n in stage.scene.constants}
+        unit = {name: ring.generator(name) for name in ring.roots}
+        return type(stage)(scene, stage.arithmetic, stage.texts, ring, {**kept, **values, **unit})
 
     def _new_value(self, name: str, image: Stage) -> Element:
         for printed in self.change.formulas:

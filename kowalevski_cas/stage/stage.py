@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from copy import copy
 from fractions import Fraction
 
 from kowalevski_cas.arithmetic.derivation import Field, along
@@ -60,6 +59,7 @@ class Stage:
         self._open: set[tuple[str, bool]] = set()  # definitions that are being evaluated
         self._field: list[Field] = []  # what is computed once is shared with views
         self._old: list[dict[str, Element]] = []
+        self._time_sign: list[int] = []
         self._conjugates = dict(scene.conjugates) | {b: a for a, b in scene.conjugates}
         self._place_generators(image)
 
@@ -67,8 +67,8 @@ class Stage:
         """The same stage, to evaluate formulas of texts that do not differ on its scene."""
         if texts is self.texts:
             return self
-        view = copy(self)
-        view.texts = texts
+        view = object.__new__(Stage)
+        view.__dict__ = {**self.__dict__, "texts": texts}
         return view
 
     # -- names ---------------------------------------------------------------
@@ -372,7 +372,9 @@ class Stage:
         scene = self.scene
         if mark == ("dot" if scene.time == "t" else "prime") or mark == scene.time:
             if conjugated and isinstance(scene.field, Change):
-                return self.ring.number(Carrier(scene.field, self).time_sign())
+                if not self._time_sign:
+                    self._time_sign.append(Carrier(scene.field, self).time_sign())
+                return self.ring.number(self._time_sign[0])
             return self.ring.one
         if scene.clock is None:
             raise StageError(f"no derivative is printed as “{mark}” on “{scene.name}”")
