@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 
 from kowalevski_cas.arithmetic.derivation import along
-from kowalevski_cas.arithmetic.points import Answer, Points, Question
+from kowalevski_cas.arithmetic.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.arithmetic.programs import Program, Programs
-from kowalevski_cas.arithmetic.residue_points import NoPoint, plan
+from kowalevski_cas.arithmetic.residue_points import plan
 from kowalevski_cas.arithmetic.valuation import Valuation
 
 POINTS = 64

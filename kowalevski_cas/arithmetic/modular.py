@@ -21,9 +21,9 @@ from random import Random
 from flint import fmpz, nmod
 
 from kowalevski_cas.arithmetic.bounds import Sizes
-from kowalevski_cas.arithmetic.points import Answer, Points, Question
+from kowalevski_cas.arithmetic.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.arithmetic.programs import Program
-from kowalevski_cas.arithmetic.residue_points import NoPoint, NoRoot, solved, square_root
+from kowalevski_cas.arithmetic.residue_points import NoRoot, solved, square_root
 from kowalevski_cas.arithmetic.valuation import Valuation
 
 LOWEST = 2**61
@@ -34,7 +34,7 @@ POINTS = 2
 """How many points are taken modulo each prime."""
 
 TRIES = 200
-"""How many random points are looked at for one at which all roots exist."""
+"""How many random points are looked at, times two for each root, for one where all roots exist."""
 
 LOG2_OF_PRIMES = 54.0
 r"""There are more than 2^54 primes that are 1 modulo 4 between 2^61 and 2^62.
@@ -95,7 +95,8 @@ def residue_point(question: Question, prime: int, random: Random) -> Valuation:
     Raises :class:`NoPoint` if none is found.
     """
     ring = question.ring
-    for _ in range(TRIES):
+    tries = TRIES << len(ring.roots)
+    for _ in range(tries):
         values = {name: nmod(random.randrange(1, prime), prime) for name in ring.generators}
         signs = {name: random.choice((1, -1)) for name in ring.roots}
         try:
@@ -113,7 +114,7 @@ def residue_point(question: Question, prime: int, random: Random) -> Valuation:
             return point
         except (ZeroDivisionError, NoRoot):
             continue
-    raise NoPoint(f"no point was found modulo {prime} in {TRIES} tries")
+    raise NoPoint(f"no point was found modulo {prime} in {tries} tries")
 
 
 def residue(value: Fraction, prime: int) -> nmod:

@@ -16,6 +16,10 @@ ExactPoint = Mapping[str, tuple[Fraction, Fraction]]
 """Real and imaginary parts of the generators."""
 
 
+class NoPoint(ValueError):
+    """No point could be found; the message says why."""
+
+
 @dataclass(frozen=True)
 class Question:
     """Whether ``residuals`` vanish wherever ``given`` do; or whether a matrix has a rank there.

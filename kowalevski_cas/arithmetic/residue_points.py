@@ -16,6 +16,7 @@ from typing import Any
 from flint import nmod, nmod_poly
 from flint.utils.flint_exceptions import DomainError
 
+from kowalevski_cas.arithmetic.points import NoPoint
 from kowalevski_cas.arithmetic.programs import Op, Program, steps
 from kowalevski_cas.arithmetic.valuation import Valuation
 
@@ -25,10 +26,6 @@ Plan = tuple[tuple[tuple[Program, ...], tuple[str, ...]], ...]
 
 LARGEST_SYSTEM = 2
 """How many equations that share their unknowns are solved together."""
-
-
-class NoPoint(ValueError):
-    """No point could be found; the message says why."""
 
 
 class NoRoot(ArithmeticError):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.arithmetic.points import Answer, Points
+from kowalevski_cas.arithmetic.points import Answer, NoPoint, Points
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.proof.outcome import Counterexample, Point, Verdict
@@ -16,7 +16,11 @@ def screen(claim: Claim, bench: Bench, points: Points) -> Finding:
     says what cannot be seen at points or where no point was found.
     """
     answers: list[Answer] = []
-    for question in claim.questions(bench):
+    try:
+        questions = list(claim.questions(bench))
+    except NoPoint as error:
+        return Finding(Verdict.UNDECIDED, message=str(error))
+    for question in questions:
         answer = points.answer(question)
         if answer.holds is False:
             names = {name: value for name, value in answer.point.items() if name}
@@ -30,7 +34,7 @@ def screen(claim: Claim, bench: Bench, points: Points) -> Finding:
         return Finding(Verdict.UNDECIDED, message="nothing in this claim can be asked at points")
     radii = [answer.radius for answer in answers if answer.radius is not None]
     bounds = [answer.bound for answer in answers if answer.bound is not None]
-    words = answers[0].words
+    words = answers[-1].words
     if radii:
         return Finding(Verdict.ENCLOSED, message=words, radius=max(radii))
     return Finding(Verdict.PROBABLE, message=words, chance=max(bounds, default=None))

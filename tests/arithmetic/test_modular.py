@@ -15,9 +15,9 @@ from kowalevski_cas.arithmetic.modular import (
     rank,
     residue_point,
 )
-from kowalevski_cas.arithmetic.points import Question
+from kowalevski_cas.arithmetic.points import NoPoint, Question
 from kowalevski_cas.arithmetic.programs import Programs
-from kowalevski_cas.arithmetic.residue_points import NoPoint, Rational, plan
+from kowalevski_cas.arithmetic.residue_points import Rational, plan
 
 
 def ring(*names):
