@@ -16,7 +16,7 @@ PYTHON = $(shell for p in python3.13 python3.12 python3.11 python3; do \
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help verify report certificates mutants test lint record study benchmark clean
+.PHONY: help verify motion report certificates mutants test lint record study benchmark clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -24,6 +24,9 @@ help: ## Show this list
 verify: $(VENV)/.installed ## Prove or refute every formula, check the certificates, write the report
 	@$(RUN) verify --report reports
 	@$(RUN) check --quiet
+
+motion: $(VENV)/.installed ## Draw a motion on N⁴ into reports/motion; the reports then show it
+	@$(RUN) pictures
 
 report: $(VENV)/.installed ## Write reports/*.tex and reports/*.pdf
 	@$(RUN) report --output reports

@@ -23,6 +23,7 @@ COMMANDS = {
     "mutants": "change one token at a time, and count what an audit notices",
     "study": "measure what each way of checking costs, how sure it is, and where it fails",
     "motion": "follow a motion on N⁴ by its closed form, or by an integrator",
+    "pictures": "draw a motion on N⁴: hodographs, traces, torus, bifurcation diagrams",
     "record": "write the record of verdicts, and the evidence behind them, anew",
 }
 

@@ -30,6 +30,21 @@ LARGEST_COUNT = 10_000_000
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
+    add_motion(parser)
+    parser.add_argument("--until", default="10", metavar="T", help="the last time, default 10")
+    parser.add_argument(
+        "--samples", type=int, default=101, metavar="N", help="how many states, default 101"
+    )
+    words = "; ".join(f"{name}: {words}" for name, words in METHODS.items())
+    parser.add_argument("--method", choices=METHODS, default="closed", help=words)
+    parser.add_argument("--format", choices=FORMATS, default="json")
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="write DIR/motion.FORMAT instead of printing"
+    )
+
+
+def add_motion(parser: argparse.ArgumentParser) -> None:
+    """The arguments that describe a motion, for every command about one."""
     # Numbers are decimals, -1e-3, or quotients, -1/3; argparse knows the plain ones only.
     parser._negative_number_matcher = re.compile(r"^-[.\d]")
     parser.add_argument("--a", metavar="A", help="the length of the longer field")
@@ -42,16 +57,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs="+",
         metavar="X",
         help="the state at t = 0 instead: ω, α, β, nine numbers; the fields at any angle",
-    )
-    parser.add_argument("--until", default="10", metavar="T", help="the last time, default 10")
-    parser.add_argument(
-        "--samples", type=int, default=101, metavar="N", help="how many states, default 101"
-    )
-    words = "; ".join(f"{name}: {words}" for name, words in METHODS.items())
-    parser.add_argument("--method", choices=METHODS, default="closed", help=words)
-    parser.add_argument("--format", choices=FORMATS, default="json")
-    parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="write DIR/motion.FORMAT instead of printing"
     )
 
 
@@ -84,7 +89,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
         until = float(exact(arguments.until))
     except (ValueError, OverflowError):
         raise CommandError(f"--until {arguments.until} is no finite number") from None
-    motion = _motion(arguments)
+    motion = motion_of(arguments)
     times = np.linspace(0.0, until, arguments.samples)
     try:
         return Result(motion, times, load(arguments.method)(motion, times))
@@ -97,7 +102,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
         raise CommandError(str(error)) from None
 
 
-def _motion(arguments: argparse.Namespace) -> Motion:
+def motion_of(arguments: argparse.Namespace) -> Motion:
     """The motion that the arguments describe; a message for every way in which they do not."""
     from kowalevski_cas.motion import Motion, Parameters, through
 

@@ -76,7 +76,9 @@ def triad(
 ) -> None:
     """Draw three axes of this length, labelled at their ends, from the origin or beyond it."""
     from matplotlib.patches import FancyArrowPatch
+    from matplotlib.patheffects import withStroke
 
+    clear = [withStroke(linewidth=2.5, foreground="white")]
     tips, near = view(length * np.eye(3))
     for label, tip, depth in zip(labels, tips, near, strict=True):
         arrow = FancyArrowPatch(
@@ -86,7 +88,7 @@ def triad(
         )  # fmt: skip
         axes.add_patch(arrow)
         x, y = tip + 0.1 * length * tip / max(float(np.hypot(*tip)), 1e-9)
-        axes.text(x, y, label, ha="center", va="center", zorder=4.0)
+        axes.text(x, y, label, ha="center", va="center", zorder=4.0, path_effects=clear)
         axes.update_datalim(((x, y),))
     axes.autoscale_view()
 

@@ -1,0 +1,89 @@
+"""Draw a motion on N⁴ as SVG, PDF and PNG; reports of the derivation show the pictures.
+
+A motion is given as for `kowalevski-cas motion`; if none is given, an example is drawn.
+
+  kowalevski-cas pictures
+  kowalevski-cas pictures torus traces --a 1 --b 0.4 --m 0.8 --l 0.9 --out portrait
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from kowalevski_cas.cli import session
+from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
+from kowalevski_cas.cli.motion import add_motion, motion_of
+from kowalevski_cas.motion.pictures import PICTURES, load
+from kowalevski_cas.report.plates import LIST
+
+if TYPE_CHECKING:
+    from kowalevski_cas.motion.motion import Motion
+
+EXAMPLE = ("1.2", "0.7", "-1.2", "0.3")
+"""The constants a, b, m, ℓ of the motion that is drawn if none is given."""
+
+DERIVATION = "kharlamov_savushkin2004"
+"""The derivation whose report shows the pictures."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    words = "; ".join(f"{name}: {words}" for name, words in PICTURES.items())
+    parser.add_argument(
+        "pictures", nargs="*", metavar="PICTURE", help=f"all of them if none is named; {words}"
+    )
+    add_motion(parser)
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=Path("reports/motion"),
+        metavar="DIR",
+        help="where to write (reports/motion)",
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run the command and return its exit code."""
+    unknown = [name for name in arguments.pictures if name not in PICTURES]
+    if unknown:
+        raise CommandError(
+            f"there is no picture “{unknown[0]}”; there are {', '.join(PICTURES)}", NOTHING
+        )
+    motion = _chosen(arguments)
+    names = arguments.pictures or list(PICTURES)
+    with session.progress_bar() as progress:
+        for done, name in enumerate(names):
+            progress(name, done, len(names))
+            _write(name, motion, arguments.out)
+    plates = [{"name": name, "caption": load(name).caption} for name in PICTURES]
+    content = {"derivation": DERIVATION, "plates": plates}
+    text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+    session.write_whole({arguments.out / LIST: text})
+    print(f"{arguments.out}: {', '.join(names)}")
+    return AS_RECORDED
+
+
+def _chosen(arguments: argparse.Namespace) -> Motion:
+    from kowalevski_cas.motion import Motion, Parameters
+
+    if any(getattr(arguments, name) is not None for name in ("a", "b", "m", "l", "h", "point")):
+        return motion_of(arguments)
+    return Motion(Parameters.of(*EXAMPLE))
+
+
+def _write(name: str, motion: Motion, folder: Path) -> None:
+    """Draw a picture; its files appear whole or not at all."""
+    from kowalevski_cas.pictures import save, style
+
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder) as unfinished, style():
+            for file in save(load(name).draw(motion), Path(unfinished), name):
+                os.replace(file, folder / file.name)
+    except OSError as error:
+        raise CommandError(f"{folder} cannot be written to: {error.strerror}") from None

@@ -1,0 +1,51 @@
+"""The command pictures."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from kowalevski_cas.cli import main
+from kowalevski_cas.motion.pictures import PICTURES
+from kowalevski_cas.report.plates import plates
+
+
+def test_it_writes_three_formats_and_the_list_for_the_report(tmp_path: Path) -> None:
+    assert main(["pictures", "rectangle", "--out", str(tmp_path / "motion")]) == 0
+    written = {path.name for path in (tmp_path / "motion").iterdir()}
+    assert written == {"rectangle.pdf", "rectangle.svg", "rectangle.png", "plates.json"}
+    listed = json.loads((tmp_path / "motion/plates.json").read_text(encoding="utf-8"))
+    assert [plate["name"] for plate in listed["plates"]] == list(PICTURES)
+    (shown,) = plates(tmp_path, listed["derivation"])
+    assert shown.place == "motion/rectangle"
+
+
+def test_a_motion_may_be_given_and_looks_different(tmp_path: Path) -> None:
+    for name, given in (("example", []), ("other", "--a 1 --b 0.4 --m 0.8 --l 0.9".split())):
+        assert main(["pictures", "rectangle", *given, "--out", str(tmp_path / name)]) == 0
+    pictures = [(tmp_path / name / "rectangle.svg").read_bytes() for name in ("example", "other")]
+    assert pictures[0] != pictures[1]
+
+
+@pytest.mark.parametrize(
+    ("given", "code", "said"),
+    [
+        (["portrait"], 6, "hodographs, traces"),
+        (["torus", "--a", "1"], 2, "--b, --m missing"),
+        ("torus --a 1 --b 0.4 --m 1 --l 0".split(), 2, "negative"),
+    ],
+)
+def test_what_cannot_be_drawn_is_said(
+    given: list[str], code: int, said: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert main(["pictures", *given, "--out", str(tmp_path)]) == code
+    assert said in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_that_cannot_be_written_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").write_text("")
+    assert main(["pictures", "rectangle", "--out", str(tmp_path / "file")]) == 2
+    assert "cannot be written" in capsys.readouterr().err
