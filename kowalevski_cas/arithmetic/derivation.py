@@ -52,9 +52,9 @@ def _polynomial_along(ring: Ring, polynomial: Polynomial, field: Field) -> Eleme
         component = field.get(name)
         if component is None or component.is_zero:
             continue
-        partial = ring.element({0: ring.polynomials.derivative(polynomial, index)}, {})
-        if not partial.is_zero:
-            total = total + (partial if component is ring.one else partial * component)
+        partial = ring.polynomials.derivative(polynomial, index)
+        if not ring.polynomials.is_zero(partial):
+            total = total + Element(ring, {0: partial}, {}) * component
     return total
 
 

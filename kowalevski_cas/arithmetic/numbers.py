@@ -52,7 +52,8 @@ class Substitution:
 
     def __init__(self, ring: Ring, values: Mapping[str, Element], numbers: Ring) -> None:
         self.numbers = numbers
-        self.polynomials = ring.polynomials
+        self.ring = ring
+        self._inverses: dict[int, Element] = {}
         self.values = [values[name] for name in ring.polynomials.generators]
         self._gaussian = _gaussian(self.values, numbers)
         self._monomials: dict[tuple[int, ...], Element] = {}
@@ -82,17 +83,22 @@ class Substitution:
                     value = value * root
             total = total + value
         for index, exponent in element.denominator.items():
-            divisor = self._polynomial(element.ring.divisors[index])
-            total = total * divisor.inverse() ** exponent
+            total = total * self._inverse(index) ** exponent
         return total
+
+    def _inverse(self, index: int) -> Element:
+        """One over a divisor of the ring; each is computed once."""
+        if index not in self._inverses:
+            self._inverses[index] = self._polynomial(self.ring.divisors[index]).inverse()
+        return self._inverses[index]
 
     def _polynomial(self, polynomial: Polynomial) -> Element:
         if self._gaussian is not None:
             target = self.numbers.polynomials
-            composed = self.polynomials.composed(polynomial, self._gaussian, target)
+            composed = self.ring.polynomials.composed(polynomial, self._gaussian, target)
             return _reduced(target.terms(composed), self.numbers)
         total = self.numbers.zero
-        for exponents, coefficient in self.polynomials.terms(polynomial).items():
+        for exponents, coefficient in self.ring.polynomials.terms(polynomial).items():
             total = total + self.numbers.number(coefficient) * self._monomial(exponents)
         return total
 

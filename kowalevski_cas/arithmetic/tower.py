@@ -90,6 +90,19 @@ class Ring:
         self.products += 1
         return self._product(left, right)
 
+    def add_parts(self, left: Parts, right: Parts) -> Parts:
+        """The sum of two numerators, without what vanishes."""
+        result = dict(left)
+        for mask, p in right.items():
+            own = result.get(mask)
+            if own is None:
+                result[mask] = p
+            elif self._is_zero(total := own + p):
+                del result[mask]
+            else:
+                result[mask] = total
+        return result
+
     def multiply_parts(self, left: Parts, right: Parts) -> Parts:
         """The product of two numerators, the roots reduced by their squares."""
         result: Parts = {}
@@ -183,9 +196,10 @@ class Element:
             return self
         left, right = self.denominator, other.denominator
         if left == right:
-            return self.ring.element(_sum(self.parts, other.parts), left)
+            return Element(self.ring, self.ring.add_parts(self.parts, other.parts), left)
         common = {k: max(left.get(k, 0), right.get(k, 0)) for k in (*left, *right)}
-        return self.ring.element(_sum(self._over(common), other._over(common)), common)
+        parts = self.ring.add_parts(self._over(common), other._over(common))
+        return Element(self.ring, parts, common)
 
     def _over(self, denominator: Mapping[int, int]) -> Parts:
         """The numerator over a larger denominator."""
@@ -240,6 +254,8 @@ class Element:
 
     def inverse(self) -> Element:
         """One over the element, by norms; raises ``ZeroDivisionError`` for zero."""
+        if self is self.ring.one:
+            return self
         if self.is_zero:
             raise ZeroDivisionError("division by an expression that vanishes identically")
         numerator = Element(self.ring, self.parts, {})
@@ -266,10 +282,3 @@ class Element:
         terms = self.ring.polynomials.terms
         divisors = self.ring.divisors
         return self.terms(), [(terms(divisors[k]), e) for k, e in self.denominator.items()]
-
-
-def _sum(left: Parts, right: Parts) -> Parts:
-    result = dict(left)
-    for mask, p in right.items():
-        result[mask] = result[mask] + p if mask in result else p
-    return result

@@ -194,6 +194,8 @@ def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition,
     """What the denominators of these elements assume to be non-zero, each factor once."""
     ring = stage.ring
     indices = sorted({index for element in elements for index in element.denominator})
+    if not indices:
+        return ()
     granted = {_shape(scalar(f, stage)) for f in stage.granted()}
     names = {_shape(scalar(f, stage)): f for f in stage.landmarks()}
     shown: dict[str, None] = {}
