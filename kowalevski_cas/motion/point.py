@@ -36,12 +36,16 @@ TOLERANCE = 1e-8
 """How far from N⁴ a state may be, relative to its size."""
 
 
+LEAST_THETA = 1e-12
+"""The least x1x2 over r⁴: its root is by how many digits s2 loses."""
+
+
 def through(state: Sequence[Real]) -> Motion:
     """The motion that is at the state (ω, α, β), nine numbers, at t = 0.
 
     The fields may have any angle and lengths that are not equal and orthogonal at once. Raises
-    :class:`~kowalevski_cas.motion.parameters.Inadmissible` if the state is not on N⁴, or is at
-    x1x2 = 0, where m and ℓ have no value of their own.
+    :class:`~kowalevski_cas.motion.parameters.Inadmissible` if the state is not on N⁴, or too
+    close to x1x2 = 0, where s1 is infinite.
     """
     given = [exact(value) for value in state]
     if len(given) != 9:
@@ -49,7 +53,7 @@ def through(state: Sequence[Real]) -> Motion:
     _check(given)
     with precision(BITS):
         turn = _turn(given)
-        straight = turned(given, *turn) if turn[1] else given
+        straight = [as_fraction(ball(x)) for x in turned(given, *turn)] if turn[1] else given
         parameters, root = _parameters(straight)
         motion = Motion(parameters, turn=turn, point=tuple(map(float, given)))
         S1, f1, S2, f2, s1, s2 = _variables(straight, parameters, root)
@@ -75,9 +79,11 @@ def _check(state: list[Fraction]) -> None:
                 f"the state is not on N⁴: the left side of (16), equation {number}, "
                 f"is {float(value):.3g} there"
             )
-    if formulas.theta()(*state) == (0,):
+    theta, *_, r_fourth = formulas.constants()(*state)
+    if theta <= Fraction(LEAST_THETA) * r_fourth:
         raise Inadmissible(
-            "x1x2 = 0 at the state, and m, ℓ have no value there; take a state a moment later"
+            f"x1x2 = {float(theta):.3g} at the state: s1 is infinite or nearly so, and the state "
+            "does not tell the motion; take one a moment later"
         )
 
 
@@ -94,12 +100,16 @@ def _turn(state: list[Fraction]) -> tuple[Fraction, Fraction]:
 def _parameters(state: list[Fraction]) -> tuple[Parameters, arb]:
     """The constants at a state in fields at right angles, and the root of x1x2."""
     _, _, a_square, b_square, *_ = formulas.integrals()(*state)
-    theta, total, w_square, m = formulas.constants()(*state)
+    theta, total, w_square, h, g, p_square, r_fourth = formulas.constants()(*state)
+    # 2g − p²h = r⁴m and ℓ² = 2p²m² + 2hm + 1: no division by x1x2.
+    m = (2 * g - p_square * h) / r_fourth
+    ell_square = 2 * p_square * m**2 + 2 * h * m + 1
     a, b, root = (_root(square) for square in (a_square, b_square, theta))
     m = as_fraction(ball(m))
-    if m == 0:
-        raise Inadmissible("m = 0 at the state: the roots (ℓ±1)/2m are at infinity")
-    ell = as_fraction((ball(w_square) + ball(total) * ball(m)) / ball(root))
+    ell = (w_square + total * m) / root
+    if ell_square > theta:  # near x1x2 = 0 the energy gives more digits
+        ell = _root(ell_square) * (-1 if ell < 0 else 1)
+    ell = as_fraction(ball(ell))
     found = Parameters.of(a, b, m, ell)
     try:
         regime_of(found)
@@ -126,15 +136,15 @@ def _variables(state: list[Fraction], parameters: Parameters, root: arb) -> tupl
     s1, s2 = (ball(total) + r_square) / (2 * root), (ball(total) - r_square) / (2 * root)
     d = r_square / root
     S1, S2 = alpha3 * d / r, beta3 * d / r
-    product = -2 * d**2 * (alpha2 + beta1) / r_square  # f1·f2
     by_f1, by_f2 = r * (ell - 2 * m * s2) / (2 * d), r * (ell - 2 * m * s1) / (2 * d)
-    # ω1 and ω2 give f2 and f1; one of them surely, the other by ω3 and f1·f2 as well.
+    by_product, product = r_square / (2 * d**2), -alpha2 - beta1
+    # ω1 and ω2 give f2 and f1; one of them surely, the other by ω3 and α2 + β1 as well.
     if parameters.m > 0:
         f1 = omega2 / by_f1
-        f2 = _fitted((by_f2, omega1), (S1, -omega3 * d - S2 * f1), (f1, product))
+        f2 = _fitted((by_f2, omega1), (S1 / d, -omega3 - S2 * f1 / d), (by_product * f1, product))
     else:
         f2 = omega1 / by_f2
-        f1 = _fitted((by_f1, omega2), (S2, -omega3 * d - S1 * f2), (f2, product))
+        f1 = _fitted((by_f1, omega2), (S2 / d, -omega3 - S1 * f2 / d), (by_product * f2, product))
     return S1, f1, S2, f2, s1, s2
 
 

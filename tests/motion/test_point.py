@@ -1,6 +1,7 @@
 """The motion through a point: there at t = 0, and with the same constants."""
 
 import re
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -31,14 +32,10 @@ def test_it_is_there_and_stays_with_the_motion(region, signs):
 def test_a_turning_point_costs_no_accuracy(region):
     # There s has half the digits only of the phase; S or f has them all.
     for origins in (0, 0), (0, 1e-9), (1e-9, 0):
-        state = closed(motion(*region, origins=tuple(map(fraction, origins))), START)
-        assert relative(closed(through(state[0].tolist()), START), state) < 1e-14
-
-
-def fraction(x):
-    from fractions import Fraction
-
-    return Fraction(x)
+        started = motion(*region, origins=tuple(map(Fraction, origins)))
+        if started.oscillations()[0].kind != "exponential":  # s1 is infinite there
+            state = closed(started, START)
+            assert relative(closed(through(state[0].tolist()), START), state) < 1e-14
 
 
 @given(motions(), st.floats(-3, 3))
