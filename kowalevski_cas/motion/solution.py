@@ -5,8 +5,8 @@ e, which come from the elliptic functions without cancellation; so
 :math:`\psi=2m\left[(s_1-A)(s_2-C)+(s_1-C)(s_2-A)\right]` and
 :math:`2(s_1s_2-a^2)=(s_1-a)(s_2+a)+(s_1+a)(s_2-a)` keep their accuracy as a → b.
 
-What belongs to s1 is multiplied by its denominator Δ. The phase point is homogeneous in it,
-so that :math:`s_1=\infty`, where Δ = 0, is a point like any other.
+What belongs to s1 is multiplied by a weight that vanishes with its denominator Δ. The phase point
+is homogeneous in it, so that :math:`s_1=\infty`, where Δ = 0, is a point like any other.
 """
 
 from __future__ import annotations
@@ -53,17 +53,19 @@ class Variable:
         self._phi = (number(turned * oscillation.phi_amplitude), oscillation.phi_roots)
 
     def __call__(self, quadruple: Sequence[Number]) -> Solved:
-        """The variable, with the weight Δ, where the quadruple is given."""
+        """The variable, with the weight Δ/(cn² + |κ| sn²), where the quadruple is given."""
         squares = [t * t for t in quadruple]
-        weight = squares[1] + self._kappa * squares[0]
-        distances = {name: c * squares[place] for name, place, c in self._places}
+        head, tail = squares[1], self._kappa * squares[0]
+        over = 1 / (head + abs(tail))  # so that the weight is 1, or between −1 and 1
+        weight = (head + tail) * over
+        distances = {name: c * squares[place] * over for name, place, c in self._places}
         field, (i, j) = self._field
         phi, (k, n) = self._phi
         return Solved(
             weight,
             self._start * weight + distances[self._places[0][0]],
-            field * quadruple[i] * quadruple[j],
-            phi * quadruple[k] * quadruple[n],
+            field * quadruple[i] * quadruple[j] * over,
+            phi * quadruple[k] * quadruple[n] * over,
             distances,
         )
 
@@ -82,9 +84,7 @@ class PhasePoint:
     ) -> tuple[Number, ...]:
         """The state; ``select(x, y, z)`` is y where x ≥ 0 and z elsewhere."""
         one, weight, m, gap = first.distances, first.weight, self._m, self._gap
-        over = 1 / second.weight
-        two = {name: distance * over for name, distance in second.distances.items()}
-        S2, f2 = second.S * over, second.f * over
+        two, S2, f2 = second.distances, second.S, second.f  # s2 is finite: its weight is 1
         shift = gap * weight
         # The nearest way from s2 to s1 goes through b and a, or through −b and −a.
         up, down = one["a"] + shift - two["b"] * weight, one["-a"] - shift - two["-b"] * weight

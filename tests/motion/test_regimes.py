@@ -1,0 +1,198 @@
+"""The regimes: which there are, where the radicands are non-negative, and how many tori."""
+
+from fractions import Fraction
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import assume, example, given
+from hypothesis import strategies as st
+
+from kowalevski_cas.motion import (
+    Inadmissible,
+    Motion,
+    Parameters,
+    all_regimes,
+    coincidences,
+    load,
+    regime_of,
+)
+from kowalevski_cas.motion.formulas import CONSTANTS, constants, integrals
+from kowalevski_cas.motion.parameters import ball, precision
+from kowalevski_cas.motion.regimes import coordinates, extreme_ell
+from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
+
+A, B = Fraction(1), Fraction(2, 5)
+positive = st.fractions(Fraction(1, 20), 3, max_denominator=40)
+signed = st.fractions(-4, 4, max_denominator=40)
+
+
+def radicands(m, ell, s1, s2):
+    """S1², S2², f1², f2² as they are printed."""
+
+    def phi(s):
+        return 4 * m * s**2 - 4 * ell * s + (ell**2 - 1) / m
+
+    return s1**2 - A**2, B**2 - s2**2, -phi(s1), phi(s2)
+
+
+@given(signed, signed)
+def test_there_is_a_regime_exactly_where_all_radicands_are_somewhere_non_negative(m, ell):
+    assume(m)
+    # The radicands change sign at the roots only: try these, and a point in each gap.
+    roots = sorted([A, -A, B, -B, (ell + 1) / (2 * m), (ell - 1) / (2 * m)])
+    points = [*roots, *(sum(pair) / 2 for pair in pairwise(roots)), roots[0] - 1, roots[-1] + 1]
+    first = any(min(radicands(m, ell, s, Fraction(0))[::2]) >= 0 for s in points)
+    second = any(min(radicands(m, ell, Fraction(0), s)[1::2]) >= 0 for s in points)
+    try:
+        regime_of(Parameters.of(A, B, m, ell))
+    except Inadmissible:
+        assert not (first and second)
+    else:
+        assert first and second
+
+
+@given(signed, signed)
+def test_on_the_arcs_the_radicands_are_positive(m, ell):
+    assume(m)
+    try:
+        regime = regime_of(Parameters.of(A, B, m, ell))
+    except Inadmissible:
+        assume(False)
+    parameters = Parameters.of(A, B, m, ell)
+    ends = []
+    for arc in (regime.s1, regime.s2):
+        low, high = (x * ell + y for x, y in (coordinates(parameters, r) for r in arc.roots[:2]))
+        ends.append([low + 1, high - 1] if arc.infinite else [(low + high) / 2])
+    for s1 in ends[0]:
+        assert min(radicands(m, ell, s1, ends[1][0])) >= 0
+
+
+def test_the_mirror_keeps_the_number_of_tori():
+    for m, ell in EVERY_REGIME:
+        there = regime_of(Parameters.of(A, B, m, ell))
+        back = regime_of(Parameters.of(A, B, m, ell).mirrored())
+        assert there.tori == back.tori
+        assert there.mirror + back.mirror == (there.sign > 0)
+
+
+def test_three_regimes_for_positive_m_and_nine_for_negative():
+    regimes = [regime for regime in all_regimes() if not regime.mirror]
+    assert [r.tori for r in regimes if r.sign > 0] == [1, 2, 4]
+    assert [r.tori for r in regimes if r.sign < 0] == [1, 2, 4, 2, 4, 2, 4, 2, 1]
+
+
+@pytest.mark.parametrize("region", EVERY_REGIME)
+def test_the_signs_count_the_tori_and_the_tori_are_apart(region):
+    t = np.linspace(-40, 40, 16001)
+    seen = {}
+    for signs in (1, 1), (1, -1), (-1, 1), (-1, -1):
+        oscillations = motion(*region).oscillations()
+        labels = tuple(
+            sign for sign, o in zip(signs, oscillations, strict=True) if o.components == 2
+        )
+        states = load("closed")(motion(*region, signs=signs), t)
+        seen.setdefault(labels, states)
+    assert len(seen) == motion(*region).regime.tori
+    for one, two in pairwise(seen.values()):
+        assert np.min(np.linalg.norm(one[:, None, :] - two[None, ::400, :], axis=2)) > 1e-3
+
+
+# -- real points of N⁴ ---------------------------------------------------------------
+
+
+def sampled(seed, count):
+    """States of N⁴ that no formula of the solution made: random frames, ω from (16)."""
+    random = np.random.default_rng(seed)
+    found = []
+    while len(found) < count:
+        frame, _ = np.linalg.qr(random.normal(size=(3, 3)))
+        alpha, beta = float(A) * frame[0], float(B) * frame[1]
+        x, y = alpha[0] - beta[1], alpha[1] + beta[0]
+        # The second of (16) with c = 0 is P(ω1² − ω2² + ξ1) + Q(2ω1ω2 + ξ2) = 0; turn ω so that
+        # it reads |P + iQ|·(u² − v²) + rest = 0 and take u freely.
+        p, q = -2 * x * y, x**2 - y**2
+        size, angle = np.hypot(p, q), np.arctan2(q, p) / 2
+        u = random.normal() * random.choice([0.1, 0.5, 2])
+        square = u**2 + (p * x + q * y) / size
+        if square < 0:
+            continue
+        v = np.sqrt(square) * random.choice([-1, 1])
+        w = complex(u, v) * np.exp(1j * angle)
+        omega3 = 2 * ((x * w.real + y * w.imag) * alpha[2] + (y * w.real - x * w.imag) * beta[2])
+        found.append([w.real, w.imag, omega3 / (x**2 + y**2), *alpha, *beta])
+    return np.array(found)
+
+
+def test_every_real_point_lies_in_a_regime_and_every_regime_has_points():
+    states = sampled(3, 600)
+    *_, first, second = integrals()(*states.T)
+    assert np.max(np.abs(first)) < 1e-12 and np.max(np.abs(second)) < 1e-11
+    values = dict(zip(CONSTANTS, constants()(*states.T), strict=True))
+    m = (2 * values["G"] - values["p^2"] * values["H"]) / values["c_1c_2"]
+    root = np.sqrt(values["x_1x_2"])
+    ell = (values["w_1w_2"] + values["x_1x_2+z_1z_2"] * m) / root
+    r_square = float(A**2 - B**2)
+    seen = set()
+    for k in range(len(states)):
+        parameters = Parameters.of(A, B, float(m[k]), float(ell[k]))
+        regime = regime_of(parameters)
+        seen.add(regime)
+        with precision(64):
+            ends = {
+                root: float(parameters.value(*coordinates(parameters, root)))
+                for root in regime.order
+            }
+        for arc, sign in ((regime.s1, 1), (regime.s2, -1)):
+            s = (values["x_1x_2+z_1z_2"][k] + sign * r_square) / (2 * root[k])
+            low, high = (ends[name] for name in arc.roots[:2])
+            inside = (s - low + 1e-9, high - s + 1e-9)
+            assert max(inside) > 0 if arc.infinite else min(inside) > 0
+    assert seen == {regime for regime in all_regimes() if not regime.mirror}
+    assert all(ell[m > 0] > 0)  # with the positive root of x1x2
+
+
+# -- the separating curves -------------------------------------------------------------
+
+
+@given(positive, st.sampled_from([1, -1]), st.sampled_from([1, -1]), st.sampled_from([A, B]))
+@example(Fraction(1, 2), 1, 1, A)
+def test_regimes_meet_where_roots_coincide(m, sign, side, length):
+    for sign_of_m in (1, -1):
+        ell = sign * 2 * length * sign_of_m * m + side
+        found = coincidences(Parameters.of(A, B, sign_of_m * m, ell))
+        assert any(name.strip("AC =-") == ("a" if length == A else "b") for name in found)
+
+
+def test_what_the_coincidences_are():
+    names = {
+        words: coincidences(motion(*region).parameters) for words, region in SEPARATING.items()
+    }
+    assert names["s1 rests"] == ["A = a"]
+    assert names["both rest"] == ["C = -b", "A = a"]
+    assert names["s1 goes from one double root to the other"] == ["C = a", "A = -a", "ℓ = 0"]
+    assert coincidences(motion("0.8", "0.9").parameters) == []
+
+
+@given(positive, signed)
+def test_the_least_and_the_greatest_ell(m, ell):
+    for m in (m, -m):
+        bound = extreme_ell(A, B, m)
+        allowed = abs(ell) >= bound if m > 0 else abs(ell) <= bound
+        try:
+            Motion(Parameters.of(A, B, m, ell))
+        except Inadmissible as error:
+            assert not allowed
+            assert f"{float(bound):.6g}" in str(error)
+        else:
+            assert allowed
+
+
+def test_the_modulus_is_between_zero_and_one_and_its_complement_is_exact():
+    for region in [*EVERY_REGIME, *SEPARATING.values()]:
+        with precision(200):
+            for oscillation in motion(*region).oscillations():
+                square, complement = oscillation.modulus_square, oscillation.complement_square
+                assert square >= 0 and complement >= 0
+                assert (square + complement - 1).contains(0)
+                assert abs(square + complement - 1) < ball(Fraction(1, 2**190))
