@@ -1,0 +1,138 @@
+"""The command motion: its formats, its methods, and a message for every wrong use."""
+
+import csv
+import io
+import json
+import sys
+
+import numpy as np
+import pytest
+
+from kowalevski_cas.cli import main
+from kowalevski_cas.motion import METHODS
+
+FIELDS = ["--a", "1", "--b", "0.4"]
+USUAL = [*FIELDS, "--m", "0.8", "--l", "0.9", "--until", "2", "--samples", "5"]
+
+
+@pytest.fixture
+def cli(capsys):
+    def cli(*arguments):
+        try:
+            code = main(["motion", *map(str, arguments)])
+        except SystemExit as stopped:
+            code = stopped.code
+        out, err = capsys.readouterr()
+        assert "Traceback" not in out + err
+        return code, out, err
+
+    return cli
+
+
+def states(text):
+    return np.array([[*s["omega"], *s["alpha"], *s["beta"]] for s in json.loads(text)["states"]])
+
+
+def test_json_has_states_invariants_and_regime(cli):
+    code, out, _ = cli(*USUAL)
+    result = json.loads(out)
+    assert code == 0 and set(result) == {"states", "invariants", "regime"}
+    assert [state["t"] for state in result["states"]] == [0, 0.5, 1, 1.5, 2]
+    assert all(len(s[name]) == 3 for s in result["states"] for name in ("omega", "alpha", "beta"))
+    assert result["invariants"]["h"] == -1.04675 and result["invariants"]["l"] == 0.9
+    assert max(result["invariants"]["drift"].values()) < 1e-14
+    assert result["regime"]["order"] == "m > 0, -a < -b < C < b < a < A"
+    assert result["regime"]["tori"] == 1
+
+
+@pytest.mark.parametrize("method", [m for m in METHODS if m != "taylor"])
+def test_every_method_follows_the_same_motion(cli, method):
+    code, out, _ = cli(*USUAL, "--method", method)
+    assert code == 0
+    assert np.max(np.abs(states(out) - states(cli(*USUAL)[1]))) < 1e-10
+
+
+def test_taylor_follows_it_too_or_says_what_to_install(cli):
+    code, out, err = cli(*USUAL, "--method", "taylor")
+    if code:
+        assert code == 2 and "pip install 'kowalevski-cas[taylor]'" in err
+    else:
+        assert np.max(np.abs(states(out) - states(cli(*USUAL)[1]))) < 1e-12
+
+
+def test_csv_and_npz_hold_the_same_states(cli, tmp_path):
+    expected = states(cli(*USUAL)[1])
+    header, *rows = csv.reader(io.StringIO(cli(*USUAL, "--format", "csv")[1]))
+    assert header[:4] == ["t", "omega1", "omega2", "omega3"]
+    assert np.array_equal(np.array(rows, dtype=float)[:, 1:], expected)
+    code, out, _ = cli(*USUAL, "--format", "npz", "--out", tmp_path / "new")
+    assert code == 0 and out.strip() == str(tmp_path / "new" / "motion.npz")
+    with np.load(tmp_path / "new" / "motion.npz") as saved:
+        assert np.array_equal(np.hstack([saved[n] for n in ("omega", "alpha", "beta")]), expected)
+        assert json.loads(str(saved["regime"]))["tori"] == 1
+
+
+def test_a_point_is_returned_to_at_once(cli):
+    point = states(cli(*USUAL)[1])[3]
+    for given in (map(repr, point.tolist()), [",".join(map(repr, point.tolist()))]):
+        code, out, _ = cli("--point", *given, "--samples", 1)
+        assert code == 0
+        assert np.max(np.abs(states(out)[0] - point)) < 1e-14
+        assert json.loads(out)["invariants"]["l"] == pytest.approx(0.9, rel=1e-14)
+
+
+def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
+    code, out, _ = cli(*FIELDS, "--m", "-1/3", "--h", "-1e-1", "--until", "-3", "--samples", 2)
+    assert code == 0
+    assert json.loads(out)["states"][1]["t"] == -3
+    assert json.loads(out)["invariants"]["h"] == -0.1
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        ([], "--a, --b, --m missing"),
+        ([*FIELDS, "--m", "1"], "one of --l and --h is needed"),
+        ([*FIELDS, "--m", "1", "--l", "2", "--h", "1"], "not both"),
+        (
+            [*FIELDS, "--m", "0.8", "--l", "0.1"],
+            "f1² = −φ(s1) is negative for all |s1| ≥ a; |ℓ| ≥ 0.6",
+        ),
+        (
+            [*FIELDS, "--m", "0.2", "--l", "0.1"],
+            "f2² = φ(s2) is negative for all |s2| ≤ b; |ℓ| ≥ 0.84",
+        ),
+        ([*FIELDS, "--m", "-1", "--l", "3"], "φ(s2) is negative for all |s2| ≤ b; |ℓ| ≤ 1.8"),
+        ([*FIELDS, "--m", "-1", "--h", "99"], "ℓ² = 2p²m²+2hm+1 = -194.68 is negative; h ≤"),
+        ([*FIELDS, "--m", "0", "--l", "1"], "m = 0"),
+        (["--a", "1", "--b", "2", "--m", "1", "--l", "1"], "a > b ≥ 0 is needed"),
+        ([*FIELDS, "--m", "x", "--l", "1"], "“x” is no finite number"),
+        ([*USUAL, "--until", "inf"], "--until inf is no finite number"),
+        ([*USUAL, "--until", "1e300"], "times have to be finite, up to 1e+290"),
+        ([*USUAL, "--samples", "0"], "--samples has to be from 1"),
+        ([*USUAL, "--method", "euler"], "invalid choice: 'euler'"),
+        ([*USUAL, "--point", "1"], "cannot stand beside it"),
+        (["--point", "1", "2"], "nine numbers"),
+        (["--point", *"123456789"], "the state is not on N⁴"),
+        ([*USUAL, "--out", "/dev/null/x"], "/dev/null/x/motion.json cannot be written"),
+    ],
+)
+def test_wrong_use_gets_a_message(cli, arguments, words):
+    code, out, err = cli(*arguments)
+    assert code == 2 and out == ""
+    assert words in err
+
+
+def test_following_a_motion_imports_no_pictures_and_the_command_line_no_arrays(cli):
+    import subprocess
+
+    script = (
+        "import sys; from kowalevski_cas.cli import main; main([]); "
+        "assert 'numpy' not in sys.modules; "
+        "main(['motion', *'--a 1 --b .4 --m .8 --l .9'.split()]); "
+        "assert not {'matplotlib', 'scipy', 'sympy'} & set(sys.modules)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 0, done.stderr
