@@ -14,8 +14,16 @@ from time import perf_counter
 
 ROUNDS = 9
 
-COMMANDS = {
+COMMANDS = {  # fmt: skip
     "import flint": ["-c", "import flint"],
+    "the first paper, FLINT, cold": [
+        "-m",
+        "kowalevski_cas",
+        "verify",
+        "kharlamov2002",
+        "--arithmetic",
+        "flint",
+    ],
     "verify, FLINT, cold": ["-m", "kowalevski_cas", "verify", "--arithmetic", "flint"],
     "verify, SymEngine, cold": ["-m", "kowalevski_cas", "verify", "--arithmetic", "symengine"],
     "verify, SymPy, cold": ["-m", "kowalevski_cas", "verify", "--arithmetic", "sympy"],

@@ -9,7 +9,9 @@ from pathlib import Path
 from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
+from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.dataclass import replace
+from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.proof.outcome import Run
 
 
@@ -32,10 +34,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    for folder, derivation in session.derivations(arguments.derivations):
-        found = session.run(folder, derivation, EXACT, explain=True)
-        write(replace(found, versions=session.versions()), arguments.output)
+    each(
+        lambda found: _report(*found, arguments.output), session.derivations(arguments.derivations)
+    )
     return AS_RECORDED
+
+
+def _report(folder: Path, derivation: Derivation, output: Path) -> None:
+    found = session.run(folder, derivation, EXACT, explain=True)
+    write(replace(found, versions=session.versions()), output)
 
 
 def write(run: Run, folder: Path) -> None:

@@ -7,6 +7,7 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
+from kowalevski_cas.cli import parallel
 from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.library import LibraryError, available, find, load
@@ -61,7 +62,7 @@ class progress_bar:
     def __enter__(self) -> Progress:
         """Start the bar and return what moves it."""
         self._stop: Callable[[], None] = lambda: None
-        if not sys.stderr.isatty():
+        if parallel.forked or not sys.stderr.isatty():
             return lambda claim, done, total: None
         from rich.console import Console
         from rich.progress import Progress as Bar

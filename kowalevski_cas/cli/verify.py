@@ -22,7 +22,9 @@ from kowalevski_cas.cli.exits import (
     CommandError,
 )
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
+from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.dataclass import replace
+from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.proof.record import RecordError, contradictions, differences, load_record
 from kowalevski_cas.proof.verify import disagreement
@@ -58,28 +60,31 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run_derivations(arguments: argparse.Namespace) -> list[Result]:
     """Run the derivations and compare them with their records."""
+    return each(
+        lambda found: _result(arguments, *found), session.derivations(arguments.derivations)
+    )
+
+
+def _result(arguments: argparse.Namespace, folder: Path, derivation: Derivation) -> Result:
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
     explain = arguments.report is not None or arguments.format == "json"
-    results = []
-    for folder, derivation in session.derivations(arguments.derivations):
-        found = session.run(
-            folder, derivation, arithmetics, arguments.only, explain, arguments.timeout,
-            seed=arguments.seed,
-        )  # fmt: skip
-        try:
-            record = load_record(folder)
-        except RecordError as error:
-            raise CommandError(str(error)) from None
-        if record is None:
-            compared = None
-        elif arguments.arithmetic in POINTS:
-            compared = contradictions(found, record)
-        else:
-            compared = differences(found, record, not arguments.only)
-        if explain:
-            found = replace(found, versions=session.versions())
-        results.append(Result(folder, found, compared))
-    return results
+    found = session.run(
+        folder, derivation, arithmetics, arguments.only, explain, arguments.timeout,
+        seed=arguments.seed,
+    )  # fmt: skip
+    try:
+        record = load_record(folder)
+    except RecordError as error:
+        raise CommandError(str(error)) from None
+    if record is None:
+        compared = None
+    elif arguments.arithmetic in POINTS:
+        compared = contradictions(found, record)
+    else:
+        compared = differences(found, record, not arguments.only)
+    if explain:
+        found = replace(found, versions=session.versions())
+    return Result(folder, found, compared)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -90,8 +95,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.report is not None:
         from kowalevski_cas.cli.report import write
 
-        for result in results:
-            write(result.run, arguments.report)
+        each(lambda result: write(result.run, arguments.report), results)
     return max((exit_code(result) for result in results), key=_URGENCY.index)
 
 
