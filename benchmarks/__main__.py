@@ -14,7 +14,7 @@ from time import perf_counter
 
 ROUNDS = 9
 
-COMMANDS = {  # fmt: skip
+COMMANDS = {
     "import flint": ["-c", "import flint"],
     "the first paper, FLINT, cold": [
         "-m",
