@@ -7,7 +7,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from kowalevski_cas.motion import Inadmissible, Motion, Parameters, all_regimes, load
+from kowalevski_cas.motion import Inadmissible, Motion, Parameters, all_regimes, load, through
 from kowalevski_cas.motion.formulas import INTEGRALS, equations, integrals
 from kowalevski_cas.motion.methods.ball import enclosures
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
@@ -38,7 +38,8 @@ def motions(draw):
     """A motion with random constants, phases and signs."""
     (b, a), m, ell = sorted(draw(lengths)), draw(constants), draw(constants)
     try:
-        parameters = Parameters.of(a, b, m, ell)
+        make = draw(st.sampled_from([Parameters.of, Parameters.at_energy]))
+        parameters = make(a, b, m, ell)
         return Motion(parameters, (draw(constants), draw(constants)), draw(signs))
     except Inadmissible:
         assume(False)
@@ -109,12 +110,20 @@ def test_its_integrals_have_the_values_of_its_constants(motion, t):
 
 @given(motions(), times)
 def test_backwards_in_time_the_angular_velocity_turns_round(motion, t):
-    # t → −t, ω → −ω leaves the equations alone; so does a turn of the whole motion by π.
+    # t → −t, ω → −ω leaves the equations alone. sn is odd: S or f changes sign with it, and
+    # f has to.
+    signs = tuple(
+        sign * (-1 if 0 in oscillation.field_roots else 1)
+        for sign, oscillation in zip(motion.signs, motion.oscillations(), strict=True)
+    )
+    back = Motion(motion.parameters, tuple(-origin for origin in motion.origins), signs)
     turned = np.array([-1, -1, -1, 1, 1, 1, 1, 1, 1])
-    mirrored = Motion(motion.parameters, tuple(-o for o in motion.origins), motion.signs)
-    there, back = closed(motion, t) * turned, closed(mirrored, -t)
-    for signs in (1, 1), (1, -1), (-1, 1), (-1, -1):
-        sent = Motion(mirrored.parameters, mirrored.origins, signs)
-        if relative(closed(sent, -t), there) < 1e-12:
-            return
-    pytest.fail(f"{there} is none of the tori of {back}")
+    assert relative(closed(back, -t), closed(motion, t) * turned) < 1e-13
+
+
+@pytest.mark.parametrize("region", [region for region in EVERY_REGIME if region[1][0] not in "-0" or region[1] > "0"])
+def test_ell_changes_sign_where_s1_passes_through_infinity(region):
+    # With the positive root of x1x2, ℓ keeps its sign for m > 0; for m < 0 both signs occur.
+    states = closed(motion(*region, origins=ORIGINS), np.linspace(0, 30, 40))
+    found = {through(state.tolist()).parameters.ell_sign for state in states}
+    assert found == ({1, -1} if region[0].startswith("-") else {1})
