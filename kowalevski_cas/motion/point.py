@@ -37,7 +37,7 @@ TOLERANCE = 1e-8
 
 
 LEAST_THETA = 1e-12
-"""The least x1x2 over r⁴: its root is by how many digits s2 loses."""
+"""The least x1x2 over r⁴/p², that is p²/(s1 − s2)²: its root is what s2 loses in accuracy."""
 
 
 def through(state: Sequence[Real]) -> Motion:
@@ -79,8 +79,8 @@ def _check(state: list[Fraction]) -> None:
                 f"the state is not on N⁴: the left side of (16), equation {number}, "
                 f"is {float(value):.3g} there"
             )
-    theta, *_, r_fourth = formulas.constants()(*state)
-    if theta <= Fraction(LEAST_THETA) * r_fourth:
+    theta, *_, p_square, r_fourth = formulas.constants()(*state)
+    if theta * p_square <= Fraction(LEAST_THETA) * r_fourth:
         raise Inadmissible(
             f"x1x2 = {float(theta):.3g} at the state: s1 is infinite or nearly so, and the state "
             "does not tell the motion; take one a moment later"

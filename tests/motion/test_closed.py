@@ -121,7 +121,7 @@ def test_backwards_in_time_the_angular_velocity_turns_round(motion, t):
     assert relative(closed(back, -t), closed(motion, t) * turned) < 1e-13
 
 
-@pytest.mark.parametrize("region", [region for region in EVERY_REGIME if region[1][0] not in "-0" or region[1] > "0"])
+@pytest.mark.parametrize("region", [region for region in EVERY_REGIME if region[1] > "0"])
 def test_ell_changes_sign_where_s1_passes_through_infinity(region):
     # With the positive root of x1x2, ℓ keeps its sign for m > 0; for m < 0 both signs occur.
     states = closed(motion(*region, origins=ORIGINS), np.linspace(0, 30, 40))
