@@ -90,7 +90,7 @@ def solved(
         curve: dict[str, Any] = {**found, last: Rational(*variable)}
         for equation, name in zip(system, linear, strict=False):
             curve[name] = _linear(equation, name, curve, signs, prime)
-        root = _root(_value(system[-1], curve, signs, prime), random)
+        root = _root(_value(system[-1], curve, signs, prime), found[last], random)
         found[last] = root
         for name in linear:
             found[name] = _at(curve[name], root)
@@ -124,10 +124,14 @@ def _linear(
     return solution
 
 
-def _root(function: Any, random: Random) -> nmod:
-    """A random root of the numerator of a rational function."""
+def _root(function: Any, value: nmod, random: Random) -> nmod:
+    """A random root of a function; any value will do for an equation that holds already."""
     if not isinstance(function, Rational):
-        raise NoPoint("an equation does not contain its unknown")
+        if function != 0:
+            raise NoPoint("an equation does not contain its unknown")
+        return value
+    if not function.above:
+        return value
     roots = [root for root, _ in function.above.roots()]
     if not roots:
         raise NoRoot

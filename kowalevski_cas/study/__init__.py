@@ -13,7 +13,14 @@ from typing import cast
 
 from kowalevski_cas.study.step import Measured, Row, Step, Task
 
-STEPS: dict[str, str] = {}
+STEPS: dict[str, str] = {
+    "theta": "stability.theta",
+    "branch": "stability.branch",
+    "degenerate": "stability.degenerate",
+    "primes": "stability.primes",
+    "precision": "stability.precision",
+    "swell": "stability.swell",
+}
 """The module of each step below this package, by the step's name, in the order of the study."""
 
 

@@ -1,0 +1,1 @@
+"""Where methods fail, one experiment a module, each with the exact answer beside it."""
