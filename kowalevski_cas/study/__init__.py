@@ -14,6 +14,8 @@ from typing import cast
 from kowalevski_cas.study.step import Measured, Row, Step, Task
 
 STEPS: dict[str, str] = {
+    "speed-accuracy": "speed_accuracy",
+    "growth": "growth",
     "theta": "stability.theta",
     "branch": "stability.branch",
     "degenerate": "stability.degenerate",

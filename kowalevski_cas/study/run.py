@@ -38,7 +38,7 @@ def measure(
         if (task.method, task.case) not in store.rows:
             progress(f"{name}: {task.method}, {task.case}", done, len(tasks))
             store.add({"method": task.method, "case": task.case, **_measured(task)})
-    return [store.rows[key] for key in keys]
+    return stored(name, folder)
 
 
 def stored(name: str, folder: Path) -> list[Row]:

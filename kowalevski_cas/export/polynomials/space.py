@@ -137,7 +137,7 @@ class Space:
         for name in self.at:
             if value.element.split(name).keys() - {0}:
                 if name not in rates:
-                    rates[name] = self._rate(name, rates)
+                    rates[name] = self.rate(name, rates)
                 if rates[name].element.terms:
                     partial = self.writer.language.derivative(value.text, self.at[name])
                     by_name = value.element.along(self._only(name))
@@ -148,7 +148,8 @@ class Space:
         """The rates by which everything but one generator is constant."""
         return {other: self.checked.number(int(other == name)) for other in self.at}
 
-    def _rate(self, name: str, rates: Rates) -> Value:
+    def rate(self, name: str, rates: Rates) -> Value:
+        """The rate of a generator that follows from those of others."""
         own = self.generator(name)
         if name in self.checked.divisors:
             below = dict(self.over)[name]

@@ -1,0 +1,67 @@
+"""Speed against accuracy: each method is put to statements of which the truth is known."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import partial
+from pathlib import Path
+
+from kowalevski_cas.library import available
+from kowalevski_cas.study.labelled import TRUE, Labelled, labelled, spread
+from kowalevski_cas.study.methods import Method, methods
+from kowalevski_cas.study.step import Measured, Row, Task
+from kowalevski_cas.study.summary import COLD, summaries, table
+
+TITLE = "speed against accuracy"
+NAME = "speed-accuracy"
+
+MUTANTS = 3
+"""How many mutants are taken of each statement."""
+
+MOST = 300
+"""How many statements a method is put to at most."""
+
+REPEATS = 3
+"""How often a cold start is measured."""
+
+QUICK = 6
+"""How many statements a quick study looks at, at most."""
+
+
+def measure(quick: bool) -> Iterable[Task]:
+    """Each method on each statement of its share, and its start from nothing."""
+    found = methods()
+    statements = labelled(1, available()[:1]) if quick else labelled(MUTANTS)
+    for method in found:
+        size = method.share or MOST
+        size = min(QUICK, max(2, size // 10)) if quick else size
+        for statement in spread(statements, size):
+            yield Task(method.name, statement.id, partial(_decide, method, statement))
+    true = [statement for statement in statements if statement.kind == TRUE]
+    for method in found:
+        for k in range(1 if quick else REPEATS):
+            run = partial(_cold, method, true[(2 * k + 1) * len(true) // (2 * REPEATS)])
+            yield Task(method.name, f"{COLD} {k + 1}", run)
+
+
+def _decide(method: Method, statement: Labelled) -> Measured:
+    return {
+        **method.decide(statement),
+        "kind": statement.kind,
+        "truth": statement.truth,
+        "proves": method.proves,
+    }
+
+
+def _cold(method: Method, statement: Labelled) -> Measured:
+    return {"seconds": method.cold(statement), "verdict": COLD, "reason": ""}
+
+
+def draw(rows: Sequence[Row], folder: Path) -> None:
+    """The chart, and the table that it shows."""
+    from kowalevski_cas import pictures
+    from kowalevski_cas.study.speed_accuracy_chart import chart
+
+    found = summaries(rows)
+    (folder / f"{NAME}.csv").write_text(table(found), encoding="utf-8")
+    pictures.save(chart(found), folder, NAME)

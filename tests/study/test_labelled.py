@@ -1,0 +1,43 @@
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from kowalevski_cas.study.labelled import MISPRINT, TRUE, labelled, spread
+
+
+@pytest.fixture(scope="module")
+def statements():
+    return labelled(1, ["kharlamov2002"])
+
+
+def test_every_identity_is_true_and_every_misprint_is_false(statements):
+    assert {s.truth for s in statements if s.kind == TRUE} == {True}
+    assert {s.truth for s in statements if s.kind == MISPRINT} == {False}
+    assert Counter(s.kind for s in statements)[TRUE] > 25
+
+
+def test_there_are_near_misses_of_each_kind_and_hardly_one_is_true(statements):
+    kinds = {s.kind for s in statements} - {TRUE, MISPRINT, "mutant"}
+    assert kinds == {
+        "coefficient off by 10^-20", "coefficient off by 2^61-1", "vanishes at small integers",
+        "vanishes at real points", "true only for a=b", "wrong branch of a root",
+    }  # fmt: skip
+    for kind in kinds:
+        labels = [s.truth for s in spread([s for s in statements if s.kind == kind], 8)]
+        assert not all(labels)
+
+
+def test_a_spread_takes_as_many_true_as_false_and_every_kind(statements):
+    few = spread(statements, 20)
+    assert len(few) == 20 and sum(s.kind == TRUE for s in few) == 10
+    assert {s.kind for s in few} == {s.kind for s in statements}
+
+
+def test_a_disagreement_of_exact_arithmetics_is_an_error(statements):
+    statement = statements[0]
+    statement.__dict__["verdicts"] = {"flint": True, "sympy": False}
+    with pytest.raises(ArithmeticError, match="disagree"):
+        _ = statement.truth
+    del statement.__dict__["verdicts"]

@@ -1,0 +1,52 @@
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from kowalevski_cas.study.labelled import TRUE, labelled
+from kowalevski_cas.study.methods import ACCEPTED, NONE, REJECTED, methods
+from kowalevski_cas.study.methods.certificates import answer, certificate
+from kowalevski_cas.study.methods.typed import decide
+
+FOUND = {method.name: method for method in methods()}
+
+
+@pytest.fixture(scope="module")
+def statements():
+    found = labelled(0, ["kharlamov2002"])
+    return {statement.id.removeprefix("kharlamov2002/"): statement for statement in found}
+
+
+@pytest.mark.parametrize("name", [name for name in FOUND if name not in ("rocq", "floating")])
+def test_a_method_accepts_what_is_true_and_rejects_what_is_not(statements, name):
+    method = FOUND[name]
+    assert method.decide(statements["c1"])["verdict"] == ACCEPTED
+    false = method.decide(statements["c1/vanishes at small integers"])
+    assert false["verdict"] == REJECTED
+    assert false["seconds"] > 0
+
+
+@pytest.mark.parametrize("name", ["flint", "symengine", "sympy", "checker", "pari", "modular"])
+def test_points_at_which_a_near_miss_vanishes_deceive_no_method(statements, name):
+    if name not in FOUND:
+        pytest.skip("it is not installed")
+    for kind in ("coefficient off by 10^-20", "vanishes at real points", "true only for a=b"):
+        assert FOUND[name].decide(statements[f"eq12/{kind}"])["verdict"] == REJECTED
+
+
+def test_expand_leaves_something_of_a_true_identity_with_a_root(statements):
+    question = {"method": "expand", "certificate": json.loads(certificate(statements["F1-prime"]))}
+    assert decide(question)["verdict"] == REJECTED
+    assert decide(question | {"method": "ratsimp"})["verdict"] == ACCEPTED
+
+
+def test_an_objection_that_does_not_say_no_is_no_answer():
+    assert answer(1.0, "")["verdict"] == ACCEPTED
+    assert answer(1.0, "fails: 7 statement")["verdict"] == REJECTED
+    assert answer(1.0, "Attempt to save an incomplete proof")["verdict"] == NONE
+
+
+def test_a_method_starts_cold(statements):
+    true = next(s for s in statements.values() if s.kind == TRUE)
+    assert FOUND["checker"].cold(true) > 0

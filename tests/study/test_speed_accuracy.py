@@ -1,0 +1,88 @@
+from __future__ import annotations
+
+import csv
+import io
+
+import pytest
+
+from kowalevski_cas.study.speed_accuracy import draw
+from kowalevski_cas.study.speed_accuracy_chart import chart, seconds
+from kowalevski_cas.study.summary import pareto, summaries, table
+
+
+def row(method, case, verdict, truth=True, seconds=0.01, reason="", **more):
+    measured = {"seconds": seconds, "verdict": verdict, "reason": reason, "truth": truth}
+    return {"method": method, "case": str(case), **measured, **more}
+
+
+ROWS = [
+    *(row("flint", k, "accepted", seconds=0.01 + k / 1e3, proves=True) for k in range(5)),
+    *(row("modular", k, "accepted", seconds=0.005, bound=1e-18) for k in range(5)),
+    *(row("quick", k, "accepted", truth=k > 0, seconds=0.001) for k in range(5)),
+    *(row("slow", k, "timeout", seconds=10.0, reason="10 s") for k in range(4)),
+    row("slow", 4, "rejected", seconds=5.0),
+    *(row("lucky", k, "accepted", seconds=0.02) for k in range(5)),
+    row("broken", 1, "error", seconds=None, reason="ValueError: it cannot"),
+    {"method": "flint", "case": "cold 1", "seconds": 0.2, "verdict": "cold", "reason": ""},
+]
+
+
+@pytest.fixture
+def found():
+    return {summary.method: summary for summary in summaries(ROWS)}
+
+
+def test_errors_are_counted_by_kind(found):
+    assert found["quick"].false_accepts == 1 and found["quick"].rate == 0.2
+    assert (
+        found["slow"].false_rejects == 1 and found["slow"].words == "1 true rejected, 4 over 10 s"
+    )
+    assert found["broken"].words == "1 failed"
+
+
+def test_proof_is_more_than_no_error(found):
+    assert found["flint"].is_proof and not found["lucky"].is_proof
+    assert found["lucky"].is_estimate and found["lucky"].rate == pytest.approx(3 / 5)
+    assert found["modular"].rate == 1e-18 and not found["modular"].is_estimate
+
+
+def test_a_proof_that_is_wrong_is_no_proof():
+    wrong = [*ROWS, row("flint", 9, "accepted", truth=False, proves=True)]
+    assert not summaries(wrong)[0].is_proof
+
+
+def test_the_front_has_the_methods_than_which_none_is_faster_and_surer(found):
+    assert [s.method for s in pareto(list(found.values()))] == ["quick", "modular", "flint"]
+
+
+def test_every_method_is_in_the_chart_and_in_the_table(found):
+    figure = chart(list(found.values()))
+    texts = {t.get_text() for axes in figure.axes for t in axes.texts}
+    texts |= {t.get_text() for t in figure.texts}
+    names = {"FLINT", "residues", "quick", "slow", "lucky", "broken"}
+    assert all(any(text.startswith(name) for text in texts) for name in names)
+    assert any("4 over 10 s" in text for text in texts)
+    lines = list(csv.DictReader(io.StringIO(table(list(found.values())))))
+    assert {line["method"] for line in lines} == set(found)
+    assert next(line for line in lines if line["method"] == "flint")["cold s"] == "0.2"
+
+
+def test_labels_do_not_cover_each_other(found):
+    figure = chart(list(found.values()))
+    figure.canvas.draw()
+    for axes in figure.axes:
+        boxes = [text.get_window_extent() for text in axes.texts if text.get_text()]
+        for k, one in enumerate(boxes):
+            assert not any(one.overlaps(other) for other in boxes[k + 1 :])
+
+
+def test_the_same_rows_give_the_same_files(tmp_path):
+    for name in "ab":
+        (tmp_path / name).mkdir()
+        draw(ROWS, tmp_path / name)
+    for path in (tmp_path / "a").iterdir():
+        assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes()
+
+
+def test_times_are_said_in_words():
+    assert [seconds(t) for t in (1e-9, 3e-6, 0.25, 12)] == ["1 ns", "3 µs", "250 ms", "12 s"]
