@@ -20,8 +20,9 @@ class Motion:
     """A motion by its constants and phases.
 
     ``origins`` are the times t1, t2 at which s1 and s2 are at the first root p of their
-    arcs (see :mod:`~kowalevski_cas.motion.oscillation`). ``signs`` choose among the tori where
-    an arc has two components: the sign of S at t_j + 0, or of f where S changes sign at t_j.
+    arcs (see :mod:`~kowalevski_cas.motion.oscillation`). ``signs`` are those of S1 and S2 just
+    after t1 and t2: where an arc has two components they choose the torus, elsewhere the other
+    sign is the same motion half a period later.
     ``turn`` is (cos χ, sin χ) of the rotation that brings (α, β) = c to zero. ``point`` is the
     state at t = 0 from which integrators start, where it is not that of the closed form.
 

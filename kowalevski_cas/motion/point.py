@@ -11,9 +11,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from flint import acb, arb
+from flint import acb, arb, fmpq
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.compile import Function
 from kowalevski_cas.motion.frame import turned
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.oscillation import Oscillation
@@ -67,9 +68,15 @@ def through(state: Sequence[Real]) -> Motion:
     return Motion(parameters, origins, signs, turn, motion.point)
 
 
+def _exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
+    """The values of compiled formulas, by FLINT's rational numbers."""
+    values = compiled(*(fmpq(x.numerator, x.denominator) for x in state))
+    return [Fraction(int(value.p), int(value.q)) for value in values]
+
+
 def _check(state: list[Fraction]) -> None:
     """Refuse a state off N⁴, and fields for which N⁴ is not separated."""
-    _, _, a_square, b_square, c, first, second = formulas.integrals()(*state)
+    _, _, a_square, b_square, c, first, second = _exactly(formulas.integrals(), state)
     if (a_square - b_square) ** 2 + 4 * c**2 == 0:
         raise Inadmissible("the fields are orthogonal and of equal size: r = 0, nothing separates")
     size = max(map(abs, state))
@@ -79,7 +86,7 @@ def _check(state: list[Fraction]) -> None:
                 f"the state is not on N⁴: the left side of (16), equation {number}, "
                 f"is {float(value):.3g} there"
             )
-    theta, *_, p_square, r_fourth = formulas.constants()(*state)
+    theta, *_, p_square, r_fourth = _exactly(formulas.constants(), state)
     if theta * p_square <= Fraction(LEAST_THETA) * r_fourth:
         raise Inadmissible(
             f"x1x2 = {float(theta):.3g} at the state: s1 is infinite or nearly so, and the state "
@@ -89,7 +96,7 @@ def _check(state: list[Fraction]) -> None:
 
 def _turn(state: list[Fraction]) -> tuple[Fraction, Fraction]:
     """The cosine and sine of the angle χ that makes the fields orthogonal, a > b."""
-    _, _, a_square, b_square, c, *_ = formulas.integrals()(*state)
+    _, _, a_square, b_square, c, *_ = _exactly(formulas.integrals(), state)
     if c == 0 and a_square > b_square:
         return Fraction(1), Fraction(0)
     twice = arb.atan2(ball(2 * c), ball(a_square - b_square))
@@ -99,8 +106,8 @@ def _turn(state: list[Fraction]) -> tuple[Fraction, Fraction]:
 
 def _parameters(state: list[Fraction]) -> tuple[Parameters, arb]:
     """The constants at a state in fields at right angles, and the root of x1x2."""
-    _, _, a_square, b_square, *_ = formulas.integrals()(*state)
-    theta, total, w_square, h, g, p_square, r_fourth = formulas.constants()(*state)
+    _, _, a_square, b_square, *_ = _exactly(formulas.integrals(), state)
+    theta, total, w_square, h, g, p_square, r_fourth = _exactly(formulas.constants(), state)
     # 2g − p²h = r⁴m and ℓ² = 2p²m² + 2hm + 1: no division by x1x2.
     m = (2 * g - p_square * h) / r_fourth
     ell_square = 2 * p_square * m**2 + 2 * h * m + 1
@@ -130,7 +137,7 @@ def _root(square: Fraction) -> Fraction:
 def _variables(state: list[Fraction], parameters: Parameters, root: arb) -> tuple[arb, ...]:
     """S1, f1, S2, f2, s1, s2 at a state, from the printed formulas solved for them."""
     omega1, omega2, omega3, _, alpha2, alpha3, beta1, _, beta3 = map(ball, state)
-    _, total, *_ = formulas.constants()(*state)
+    _, total, *_ = _exactly(formulas.constants(), state)
     r_square, m, ell = ball(parameters.r_square), ball(parameters.m), parameters.ell
     r = r_square.sqrt()
     s1, s2 = (ball(total) + r_square) / (2 * root), (ball(total) - r_square) / (2 * root)

@@ -121,7 +121,7 @@ def test_times_that_are_not_finite_are_refused():
 @given(motions())
 def test_the_quadruple_satisfies_the_identities_of_jacobi(motion):
     t = np.linspace(-5, 5, 40)
-    with precision(200):
+    with precision(128):
         for oscillation in motion.oscillations():
             t1, t2, t3, t4 = jacobi(oscillation, ball(Fraction(0)), 5.0)(t)
             k = float(oscillation.modulus_square)

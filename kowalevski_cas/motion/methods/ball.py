@@ -24,9 +24,10 @@ class Unresolved(ArithmeticError):
 
 
 def states(motion: Motion, times: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The states at these times, an array of shape (N, 9), each number correctly rounded.
+    """The states at these times, an array of shape (N, 9): the middles of enclosures.
 
-    (Up to half a unit and 2⁻⁶⁰.) Raises :class:`Unresolved` if an enclosure stays wide.
+    Their radii are below 2⁻⁶⁴ of the state's size, so that rounding is what is left of the
+    error. Raises :class:`Unresolved` if an enclosure stays wide.
     """
     rows = [[float(x.mid()) for x in state] for state in enclosures(motion, times.tolist(), 64)]
     return np.array(rows).reshape(-1, 9)

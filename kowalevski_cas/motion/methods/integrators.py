@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.compile import Function
 from kowalevski_cas.motion.methods import MethodError
 from kowalevski_cas.motion.methods.closed import states as closed
 from kowalevski_cas.motion.motion import Motion
@@ -24,15 +25,22 @@ def initial_state(motion: Motion) -> Array:
     return start
 
 
-def integrate(method: str, start: Array, times: Array, tolerance: float = TOLERANCE) -> Array:
+def integrate(
+    method: str,
+    start: Array,
+    times: Array,
+    tolerance: float = TOLERANCE,
+    rates: Function | None = None,
+) -> Array:
     """The states at these times, in any order, of the motion with this state at t = 0.
 
+    ``rates`` are those of the nine equations, unless another autonomous system is meant.
     Raises :class:`~kowalevski_cas.motion.methods.MethodError` if the integrator gives up.
     """
     from scipy.integrate import solve_ivp
 
-    right = formulas.equations()
-    states = np.empty((len(times), 9))
+    right = formulas.equations() if rates is None else rates
+    states = np.empty((len(times), len(start)))
     for sign in (1.0, -1.0):
         chosen = np.flatnonzero(times >= 0 if sign > 0 else times < 0)
         chosen = chosen[np.argsort(sign * times[chosen])]
