@@ -14,6 +14,7 @@ import os
 import re
 import sys
 import tempfile
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -92,7 +93,8 @@ def _followed(arguments: argparse.Namespace) -> Result:
     motion = motion_of(arguments)
     times = np.linspace(0.0, until, arguments.samples)
     try:
-        return Result(motion, times, load(arguments.method)(motion, times))
+        with _waiting(f"{arguments.method} follows the motion to t = {until:g}"):
+            return Result(motion, times, load(arguments.method)(motion, times))
     except MethodError as error:
         code = USAGE if isinstance(error, Missing) else UNDECIDED
         raise CommandError(str(error), code) from None
@@ -127,6 +129,15 @@ def motion_of(arguments: argparse.Namespace) -> Motion:
         return Motion(Parameters.of(*(given[name] for name in "abml")))
     except ValueError as error:
         raise CommandError(str(error)) from None
+
+
+def _waiting(words: str) -> AbstractContextManager[object]:
+    """Words and a moving sign on stderr, if that is a terminal: an integrator may take long."""
+    if not sys.stderr.isatty():
+        return nullcontext()
+    from rich.console import Console
+
+    return Console(stderr=True).status(words)
 
 
 def _written(path: Path, contents: bytes) -> Path:
