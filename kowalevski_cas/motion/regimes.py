@@ -14,7 +14,8 @@ and (m, ℓ), (m, −ℓ) denote the same motions.
 
 An arc whose ends are roots of the same radicand (both ±a, or both A and C) has two components,
 on which the other root keeps its sign; an arc with mixed ends has one. A torus is a product of
-components.
+components. (On ℓ = 0 itself, m < 0, the mirror leads back to the same level: four tori stay where
+A < −a, and meet in pairs, two being left, elsewhere.)
 """
 
 from __future__ import annotations

@@ -1,5 +1,6 @@
 """The regimes: which there are, where the radicands are non-negative, and how many tori."""
 
+import itertools
 from fractions import Fraction
 from itertools import pairwise
 
@@ -16,6 +17,7 @@ from kowalevski_cas.motion import (
     coincidences,
     load,
     regime_of,
+    through,
 )
 from kowalevski_cas.motion.formulas import CONSTANTS, constants, integrals
 from kowalevski_cas.motion.parameters import ball, precision
@@ -82,20 +84,37 @@ def test_three_regimes_for_positive_m_and_nine_for_negative():
     assert [r.tori for r in regimes if r.sign < 0] == [1, 2, 4, 2, 4, 2, 4, 2, 1]
 
 
-@pytest.mark.parametrize("region", EVERY_REGIME)
-def test_the_signs_count_the_tori_and_the_tori_are_apart(region):
-    t = np.linspace(-40, 40, 16001)
-    seen = {}
-    for signs in (1, 1), (1, -1), (-1, 1), (-1, -1):
-        oscillations = motion(*region).oscillations()
-        labels = tuple(
-            sign for sign, o in zip(signs, oscillations, strict=True) if o.components == 2
-        )
-        states = load("closed")(motion(*region, signs=signs), t)
-        seen.setdefault(labels, states)
-    assert len(seen) == motion(*region).regime.tori
-    for one, two in pairwise(seen.values()):
-        assert np.min(np.linalg.norm(one[:, None, :] - two[None, ::400, :], axis=2)) > 1e-3
+def labels(region, signs):
+    """The signs that states along a motion tell, where they matter: the names of its torus."""
+    moved = motion(*region, signs=signs, origins=(Fraction(1, 3), Fraction(-1, 7)))
+    found = set()
+    for state in load("closed")(moved, np.linspace(0, 9, 10)):
+        told = through(state.tolist())
+        # Where s1 < 0 a state tells −ℓ, the same motion by the other root of x1x2.
+        if moved.parameters.ell_sign in (0, told.parameters.ell_sign):
+            arcs = (told.regime.s1, told.regime.s2)
+            pairs = zip(told.signs, arcs, strict=True)
+            found.add(tuple(sign for sign, arc in pairs if arc.components == 2))
+    return frozenset(found)
+
+
+def tori(region):
+    every = itertools.product((1, -1), repeat=2)
+    return {labels(region, signs) for signs in every}
+
+
+@pytest.mark.parametrize("region", [r for r in EVERY_REGIME if r[1] > "0"])
+def test_each_torus_has_signs_of_its_own_and_keeps_them(region):
+    found = tori(region)
+    assert all(len(names) == 1 for names in found)
+    assert len(found) == motion(*region).regime.tori
+
+
+@pytest.mark.parametrize("m, count", [("-0.3", 4), ("-0.6", 2), ("-2", 2)])
+def test_on_the_curve_where_ell_vanishes_tori_meet_in_pairs_or_each_itself(m, count):
+    # s1, s2 → −s1, −s2 there leads back to the same level: to the same torus or to another.
+    assert motion(m, "0").regime.tori == 4
+    assert len(tori((m, "0"))) == count
 
 
 # -- real points of N⁴ ---------------------------------------------------------------
