@@ -2,245 +2,159 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from copy import deepcopy
-from typing import Any
 
-from kowalevski_cas.export.format import Inexpressible, Json, identifier
+from kowalevski_cas.export.format import Json
+from kowalevski_cas.export.rocq.elements import Elements, Term, written
+from kowalevski_cas.export.rocq.terms import Terms
 from kowalevski_cas.proof import checker
 from kowalevski_cas.proof.trees import Tree
 
-RESERVED = {"in", "at", "as", "fun", "let", "if", "then", "else", "Var", "Num", "S", "R", "v", "E"}
+Element = checker.Element
+Sides = tuple[str, str]
 
 
-def word(name: str) -> str:
-    """A name that Rocq understands."""
-    name = identifier(name)
-    return f"{name}_" if name in RESERVED else name
+class Space(Terms):
+    """A space of a certificate, and its definitions in a module ``Space_k``.
 
+    ``divisors`` has everything by which its formulas divide, as it is written inside of
+    the module and outside.
+    """
 
-class Space:
-    """A space of a certificate as a module."""
-
-    def __init__(self, data: Json, module: str, spaces: list[Space]) -> None:
-        self.data, self.module, self.spaces = data, module, spaces
-        self.roots = [step[1] for step in data.get("steps", []) if step[0] == "root"]
-        self.names = [*data["variables"], *data.get("constants", []), *self.roots]
-        self.squares = {s[1]: s[2] for s in data.get("steps", []) if s[0] == "root"}
-        self.wide: set[str] = set()
-        self.still: list[str] = []
-        self.lines: list[str] = []
-        checked = [space.checked for space in spaces]
+    def __init__(self, data: Json, k: int, spaces: Sequence[Space]) -> None:
+        super().__init__()
+        self.data, self.k, self.spaces = data, k, spaces
+        checked: list[checker.Space] = [space.checked for space in spaces]
         self.checked: checker.Space = checker.Space(checked, deepcopy(data))
-        for k, name in enumerate(self.names):
-            self._define(name, "expr", f"Var {k}")
-        for kind, name, tree in data.get("steps", []):
+        self.elements = Elements(self.checked)
+        self.steps = data.get("steps", [])
+        self.squares: dict[str, Tree] = {s[1]: s[2] for s in self.steps if s[0] == "root"}
+        self.names: list[str] = self.checked.names
+        self.divisors: dict[str, tuple[str, Element]] = {}
+        self.images: dict[str, checker.Elements] = {}
+        self._lines: list[str] = []
+        for place, name in enumerate(self.names):
+            self.define(self.new_word(name), f"Var {place}")
+        for kind, name, tree in self.steps:
             if kind == "let":
-                vector = self.is_vector(tree)
-                if vector:
-                    self.wide.add(name)
-                self._define(name, "vec" if vector else "expr", self.term(tree))
+                shown, wide = self.say(tree), self.is_vector(tree)
+                self.wide |= {name} if wide else set()
+                self.define(self.new_word(name), shown, "vec" if wide else "expr")
+            elif kind == "root":
+                self._note(tree)
+        if self.checked.rates:
+            self.define("D", self.motion(self.checked.rates), "expr -> expr")
+        if self.checked.bar:
+            self._image("bar", {name: self.checked.bar[name] for name in self.names})
+            self.define("conjugate", "subst bar", "expr -> expr")
         if "change" in data:
-            self._change(data["change"])
-        elif "field" in data:
-            self._motion({})
-        if "conjugates" in data:
-            swap = {a: b for pair in data["conjugates"] for a, b in (pair, pair[::-1])}
-            bars = [
-                f"Opp {self.q('i')}" if n == "i" else self.q(swap.get(n, n)) for n in self.names
-            ]
-            self._add("bar", "nat -> expr", f"from [{'; '.join(bars)}] Var")
+            back = [self.term(name) for name in self.old.names]
+            self.define("back", f"each [{'; '.join(back)}]", "nat -> expr")
 
-    def text(self) -> str:
-        """The module."""
-        body = "\n".join(f"  {line}" for line in self.lines)
-        return f"Module {self.module}.\n{body}\nEnd {self.module}.\n"
+    @property
+    def old(self) -> Space:
+        """The space with the variables before the change."""
+        place: int = self.data["change"]["old"]
+        return self.spaces[place]
 
-    def q(self, name: str) -> str:
-        """A name with its module."""
-        return f"{self.module}.{word(name)}"
+    def module(self) -> str:
+        """The text of the module."""
+        body = "\n".join(f"  {line}" for line in self._lines)
+        return f"Module Space_{self.k}.\n{body}\nEnd Space_{self.k}.\n"
 
-    def _define(self, name: str, kind: str, term: str) -> None:
-        self._add(word(name), kind, term)
+    def define(self, word: str, term: str, kind: str = "expr") -> None:
+        """Add a definition to the module."""
+        line = f"Definition {word} : {kind} := {term}."
+        if line not in self._lines:
+            self._lines.append(line)
 
-    def _add(self, name: str, kind: str, term: str) -> None:
-        self.lines.append(f"Definition {name} : {kind} := {self._inside(term)}.")
+    def say(self, tree: Tree) -> str:
+        """A tree as an expression; what it divides by is noted."""
+        self._note(tree)
+        return self.term(tree)
 
-    def _inside(self, term: str) -> str:
-        return term.replace(f"{self.module}.", "")
+    def parts(self, tree: Tree) -> list[str]:
+        """The components of a tree as expressions; what it divides by is noted."""
+        self._note(tree)
+        return self.components(tree)
 
-    # -- the field ---------------------------------------------------------------
+    def sides(self, equations: Iterable[Sequence[Tree]]) -> list[Sides]:
+        """Both sides of equations, component by component; what they divide by is noted."""
+        pairs = [zip(self.parts(left), self.parts(right), strict=True) for left, right in equations]
+        return [sides for pair in pairs for sides in pair]
 
-    def _change(self, change: dict[str, Any]) -> None:
-        old = self.spaces[change["old"]]
-        back = "; ".join(self.q(name) for name in old.names)
-        self._add("back", "nat -> expr", f"from [{back}] Var")
-        rates = {}
-        for name, tree in change["formulas"]:
-            rate = f"subst back (along {old.module}.motion {old.term(tree)})"
-            rates[name] = f"Mul ({rate}) (subst back {old.term(change['time'])})"
-        self._motion(rates)
+    def outside(self, tree: Tree) -> str:
+        """A tree as an expression outside of the module; what it divides by is noted."""
+        self._note(tree)
+        return self.term(tree, f"Space_{self.k}.")
 
-    def _motion(self, rates: dict[str, str]) -> None:
-        """The rates of all names in their order, those of roots by their squares."""
-        entries: dict[str, str] = dict(rates)
-        for name, rate in rates.items():
-            self._add(f"rate_{word(name)}", "expr", rate)
-            entries[name] = f"rate_{word(name)}"
-        powers = []
-        for k, (names, factor, right) in enumerate(self.data.get("field", [])):
-            if any(_has(right, "D") for _ in names):
-                powers.append((names[0], factor, right))
-                continue
-            if len(names) == 1 and not self.is_vector(right):
-                self._add(f"equation_{k}", "expr", f"Div {self.term(right)} {self.term(factor)}")
-                entries[names[0]] = f"equation_{k}"
-                continue
-            below, above = self.term(factor), self.term(right)
-            self._add(f"equation_{k}", "vec", f"zip3 Div {above} {below}")
-            for name, place in zip(names, ("fst3", "snd3", "thd3"), strict=True):
-                entries[name] = f"({place} equation_{k})"
-        shown = [entries.get(n, "(Num 0)") for n in self.names if n not in self.roots]
-        self._add("motion", "nat -> expr", f"from [{'; '.join(shown)}] constant")
-        for name, factor, right in powers:
-            rate = f"Div {self.term(right)} {self.term(factor)}"
-            self._add(f"rate_{word(name)}", "expr", rate)
-            entries[name] = f"rate_{word(name)}"
-        for root in self.roots:
-            if root not in entries and self._stays(root):
-                entries[root] = "(Num 0)"
-                self.still.append(root)
-            elif root not in entries:
-                below = f"(Mul (Num 2) {self.q(root)})"
-                rate = f"Div (along motion {self.term(self.squares[root])}) {below}"
-                self._add(f"rate_{word(root)}", "expr", rate)
-                entries[root] = f"rate_{word(root)}"
-        if powers or self.roots:
-            self.lines = [line.replace(" motion ", " motion_0 ") for line in self.lines]
-            shown = [entries.get(n, "(Num 0)") for n in self.names]
-            self._add("motion", "nat -> expr", f"from [{'; '.join(shown)}] constant")
-
-    def _stays(self, root: str) -> bool:
-        """Whether the square of a root is constant: then its rate is zero, a theorem."""
-        return self.checked.roots[root].along(self.checked.rates).vanishes()
-
-    def over(self, root: str) -> tuple[str, str] | None:
-        """For a root of a fraction: what it has to be multiplied by, and the square then."""
-        element, below = self.checked.roots[root], self.checked.number(1)
-        for name, divisor in self.checked.divisors.items():
-            parts = element.split(name)
-            if most := max(parts, default=0):
-                each = (part * divisor ** (most - e) for e, part in parts.items())
-                element = sum(each, self.checked.number(0))
-                below = below * divisor**most
-        if below.terms.keys() == {0}:
-            return None
-        return self.term(_polynomial(below)), self.term(_polynomial(element * below))
-
-    # -- terms -------------------------------------------------------------------
-
-    def is_vector(self, tree: Tree) -> bool:
-        """Whether a tree stands for three components."""
-        if isinstance(tree, str):
-            return tree in self.wide
-        if not isinstance(tree, list) or tree[0] in ("dot", "d", "^", "sqrt"):
-            return False
-        return tree[0] in ("vector", "diag", "cross") or any(map(self.is_vector, tree[1:]))
-
-    def term(self, tree: Tree) -> str:
-        """A formula as an expression of Rocq."""
-        if isinstance(tree, str):
-            return self.q(tree)
-        if isinstance(tree, int):
-            return f"(Num {tree})" if tree >= 0 else f"(Num ({tree}))"
-        op, *rest = tree
-        if op == "^":
-            return f"(Pow {self.term(rest[0])} {rest[1]})"
-        if op == "sqrt":
-            return self.q(self.root(rest[0]))
-        if op == "d":
-            return f"(along {self.partial(rest[0])} {self.term(rest[1])})"
-        terms = [self.term(part) for part in rest]
-        if op in ("vector", "diag"):
-            if len(terms) != 3:
-                raise Inexpressible("a vector has not three components")
-            return f"({', '.join(terms)})"
-        if op in ("dot", "cross"):
-            return f"({op} {' '.join(terms)})"
-        if len(rest) == 1:
-            return self._unary(op, rest[0], terms[0])
-        result, vector = terms[0], self.is_vector(rest[0])
-        for part, term in zip(rest[1:], terms[1:], strict=True):
-            name = {"+": "Add", "*": "Mul", "/": "Div"}[op]
-            wide = self.is_vector(part)
-            if vector and wide:
-                result = f"(zip3 {name} {result} {term})"
-            elif vector:
-                result = f"(map3 (fun x => {name} x {term}) {result})"
-            elif wide:
-                result = f"(map3 ({name} {result}) {term})"
-            else:
-                result = f"({name} {result} {term})"
-            vector = vector or wide
-        return result
-
-    def _unary(self, op: str, part: Tree, term: str) -> str:
-        heads = {
-            "-": "Opp",
-            "D": f"along {self.module}.motion",
-            "conj": f"subst {self.module}.bar",
-        }
-        wide = self.is_vector(part)
-        return f"(map3 ({heads[op]}) {term})" if wide else f"({heads[op]} {term})"
-
-    def root(self, argument: Tree) -> str:
-        """The name of the root of an expression."""
-        found = self.checked.unary("sqrt", self.checked.scalar(argument))
-        names = [name for name in self.roots if found.terms == {self.checked.unit[name]: 1}]
-        return str(names[0])
+    def root(self, tree: Tree) -> str:
+        found = self.checked.unary("sqrt", self.checked.scalar(tree))
+        (name,) = (n for n in self.squares if found.terms == self.checked.generator(n).terms)
+        return str(name)
 
     def partial(self, name: str) -> str:
-        """The field that moves one name only, and the roots that depend on it."""
-        rates = []
-        for other in self.names:
-            if other == name:
-                rates.append("Num 1")
-            elif other in self.squares and self._depends(self.squares[other], name):
-                raise Inexpressible("a partial derivative moves a root")
-            else:
-                rates.append("Num 0")
-        return f"(from [{'; '.join(rates)}] constant)"
+        word = f"d_{self.words[name]}"
+        self.define(word, self.motion({name: self.checked.number(1)}), "expr -> expr")
+        return word
 
-    def _depends(self, tree: Tree, name: str) -> bool:
-        element = self.checked.scalar(tree)
-        return bool(element.along({name: self.checked.number(1)}).terms)
+    def motion(self, rates: checker.Elements) -> str:
+        """The derivative when some names have rates; those of roots follow."""
+        every = [self.checked.generator(name).along(rates) for name in self.names]
+        return f"along (each [{'; '.join(map(self.polynomial, every))}])"
 
-    def components(self, tree: Tree) -> list[str]:
-        """The components of a formula."""
-        term = self.term(tree)
-        if not self.is_vector(tree):
-            return [term]
-        return [f"({place} {term})" for place in ("fst3", "snd3", "thd3")]
+    def polynomial(self, element: Element) -> str:
+        """An element as an expression; what it divides by is noted."""
+        return self.say(written(self.elements.terms(element)))
 
-    def pairs(self, equations: Sequence[Sequence[Tree]]) -> list[tuple[str, str]]:
-        """Both sides of equations, component by component."""
-        found = []
-        for left, right in equations:
-            found += list(zip(self.components(left), self.components(right), strict=True))
-        return found
+    def flip(self, name: str) -> str:
+        """The word for the change of sign of a root."""
+        word = f"flip_{self.words[name]}"
+        images = {n: self.checked.generator(n) for n in self.names}
+        self._image(word, images | {name: self.checked.number(-1) * images[name]})
+        return word
 
+    def _image(self, word: str, images: checker.Elements) -> None:
+        """Define other expressions for the names."""
+        shown = [self.polynomial(images[name]) for name in self.names]
+        self.define(word, f"each [{'; '.join(shown)}]", "nat -> expr")
+        self.images[word] = self.checked.carried(dict(images), self.checked)
 
-def _polynomial(element: checker.Element) -> Tree:
-    """A polynomial of the checker as a tree."""
-    summands: list[Tree] = [0]
-    for monomial, value in sorted(element.terms.items(), reverse=True):
-        top, below = value.as_integer_ratio()
-        shifts = element.space.at.items()
-        powers = ((name, monomial >> shift & checker.MASK) for name, shift in shifts)
-        factors = [["^", name, e] for name, e in powers if e]
-        summands.append(["*", ["/", top, below], *factors] if factors else ["/", top, below])
-    return ["+", *summands]
+    def inverses(self) -> Iterator[tuple[str, list[Term]]]:
+        """Divisors as expressions, with their inverses; each may rest on those before it."""
+        own = [(text, divisor) for text, (_, divisor) in self.divisors.items()]
+        yield from ((text, self.elements.inverse(divisor)) for text, divisor in own)
+        carried = [(f"subst {word}", images, own) for word, images in self.images.items()]
+        if "change" in self.data:
+            images = {name: self.checked.scalar(name) for name in self.old.names}
+            images = self.old.checked.carried(images, self.checked)
+            carried.append(("subst back", images, list(self.old.divisors.values())))
+        for head, images, divisors in carried:
+            for text, divisor in divisors:
+                if divisor.terms.keys() != {0}:
+                    with suppress(checker.Rejected):  # not all of them are divided by again
+                        image = divisor.image(images, self.checked)
+                        yield f"{head} ({text})", self.elements.inverse(image)
 
+    def divisors_in(self, tree: Tree) -> set[str]:
+        """What a tree divides by, also in the definitions of its names."""
+        if isinstance(tree, str):
+            let = next((s[2] for s in self.steps if s[:2] == ["let", tree]), None)
+            return self.divisors_in(let) if let is not None else set()
+        parts = tree[1:] if isinstance(tree, list) else []
+        found = {text for part in parts for text in self.divisors_in(part)}
+        under = parts[1:] if isinstance(tree, list) and tree[0] == "/" else []
+        return found | {text for part in under for text in self.components(part)}
 
-def _has(tree: Tree, op: str) -> bool:
-    return isinstance(tree, list) and (tree[0] == op or any(_has(part, op) for part in tree[1:]))
+    def _note(self, tree: Tree) -> None:
+        """Note the divisors in a tree, inner ones first."""
+        if not isinstance(tree, list):
+            return
+        for part in tree[1:]:
+            self._note(part)
+        for part in tree[2:] if tree[0] == "/" else ():
+            shown = self.components(part), self.components(part, f"Space_{self.k}.")
+            for text, outside, value in zip(*shown, self.checked.value(part), strict=True):
+                self.divisors.setdefault(text, (outside, value))
