@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from fractions import Fraction
+
+# SymPy counts with FLINT's numbers where it finds them, and would be no opinion of its own.
+os.environ.setdefault("SYMPY_GROUND_TYPES", "python")
 
 from sympy import QQ
 from sympy.polys.orderings import lex

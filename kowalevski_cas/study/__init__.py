@@ -22,6 +22,7 @@ STEPS: dict[str, str] = {
     "primes": "stability.primes",
     "precision": "stability.precision",
     "swell": "stability.swell",
+    "scenes": "scenes",
 }
 """The module of each step below this package, by the step's name, in the order of the study."""
 
