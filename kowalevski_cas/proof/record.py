@@ -105,10 +105,8 @@ def contradictions(run: Run, record: dict[str, dict[str, object]]) -> list[Diffe
     for outcome in run.outcomes:
         then = record.get(outcome.claim, {})
         recorded, found = str(then.get("verdict", "not in the record")), outcome.verdict
-        refuted = recorded == Verdict.REFUTED
-        if then.get("statement") != outcome.digest or (
-            found.likely if refuted else found is Verdict.REFUTED
-        ):
+        denied = found.likely if recorded == Verdict.REFUTED else found is Verdict.REFUTED
+        if denied or found is Verdict.ERROR or then.get("statement") != outcome.digest:
             result.append(Difference(outcome.claim, recorded, str(found)))
     return result
 

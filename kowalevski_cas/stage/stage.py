@@ -67,7 +67,7 @@ class Stage:
         """The same stage, to evaluate formulas of texts that do not differ on its scene."""
         if texts is self.texts:
             return self
-        view = object.__new__(Stage)
+        view = object.__new__(type(self))
         view.__dict__ = {**self.__dict__, "texts": texts}
         return view
 
