@@ -23,6 +23,10 @@ STEPS: dict[str, str] = {
     "precision": "stability.precision",
     "swell": "stability.swell",
     "scenes": "scenes",
+    "motion-precision": "motion.precision",
+    "motion-leaving": "motion.leaving",
+    "motion-limits": "motion.limits",
+    "motion-long": "motion.long",
 }
 """The module of each step below this package, by the step's name, in the order of the study."""
 

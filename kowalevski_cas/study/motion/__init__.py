@@ -1,0 +1,1 @@
+"""Steps of the study about motions on N⁴: work and precision, and stability where methods fail."""
