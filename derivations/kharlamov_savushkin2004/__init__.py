@@ -2,7 +2,15 @@
 
 from kowalevski_cas.derivation import Derivation
 
-from . import phase_point, separation, setting, third_integral
+from . import (
+    bifurcation,
+    elliptic,
+    phase_point,
+    reduction,
+    separation,
+    setting,
+    third_integral,
+)
 
 derivation = Derivation(
     name="kharlamov_savushkin2004",
@@ -12,5 +20,13 @@ derivation = Derivation(
     ),
     author="M. P. Kharlamov, A. Yu. Savushkin",
     source="Ukr. Math. Bull. 1 (2004), restated in the notation of Kharlamov (2002)",
-    sections=(setting.section, third_integral.section, separation.section, phase_point.section),
+    sections=(
+        setting.section,
+        third_integral.section,
+        separation.section,
+        reduction.section,
+        phase_point.section,
+        elliptic.section,
+        bifurcation.section,
+    ),
 )

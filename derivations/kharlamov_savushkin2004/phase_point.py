@@ -1,4 +1,4 @@
-r"""4. The whole phase point by s_1, s_2, for c = 0."""
+r"""5. The whole phase point by s_1, s_2, for c = 0."""
 
 from kowalevski_cas.claims import Identity
 from kowalevski_cas.derivation import Scene, Section
@@ -23,7 +23,7 @@ from .setting import (
 )
 from .third_integral import THIRD, constants
 
-section = Section("4", "The phase point")
+section = Section("5", "The phase point")
 
 no_c = section.inline("no-c", "c=0")
 

@@ -134,6 +134,10 @@ on_N4 = Scene(
 # -- claims --------------------------------------------------------------------
 
 section.claim(
+    *(
+        Identity(f"eq10.{k}", with_root, equations[k], "an equation of motion in the time $\\tau$")
+        for k in range(1, 10)
+    ),
     FirstIntegral("m", with_root, constants[1], "it is constant on $N^4$", on=(N4[1], N4[2])),
     Implication("m-real", with_root, real[1], "it is real on $N^4$", given=(N4[2],)),
     Implication(

@@ -114,9 +114,10 @@ class Stage:
             self._values[name, False] = value
             if (self._conjugate(radicand) - radicand).is_zero:
                 self._values[name, True] = value  # the root of something real is taken as real
-        for name, partner in self._conjugates.items():
-            if name in self.scene.roots:
+            partner = self._conjugates.get(name, name)
+            if partner != name and (partner, False) in self._values:
                 self._values[name, True] = self._values[partner, False]
+                self._values[partner, True] = value
 
     def _printed_root(self, name: str, printed: Printed, radicand: Element) -> Element:
         """The value that a place prints for a root; its square has to be the radicand."""
