@@ -15,7 +15,7 @@ from .setting import (
     tau,
     unit,
 )
-from .third_integral import constants, everything
+from .third_integral import constants, level, solved
 
 section = Section("3", "Separation of variables")
 
@@ -99,6 +99,16 @@ with_root = Scene(
     },
 )
 
+with_G = Scene(
+    "complex variables and G",
+    "the variables (9), where $G$ is known through $F_1$, $U_1$, $U_2$",
+    variables=(*X, r"\omega_3"),
+    constants=("c_1", "c_2", "p", "h"),
+    conjugates=with_root.conjugates,
+    roots={r"\sqrt{x_1x_2}": None, r"\sqrt{c_1c_2}": None, "r": root_of_c[1]},
+    definitions={**with_root.definitions, "H": level[1], "g": solved[1]},
+)
+
 on_N4 = Scene(
     "N⁴",
     "$N^4$ by $x_1$, $x_2$, $z_1$, $z_2$ and the constants $m$, $c_1$, $r$",
@@ -156,7 +166,7 @@ section.claim(
         for k in (1, 2)
     ),
     Implication(
-        "g", everything, relations[2], "$G$ on $N^4$", given=(N4[1], N4[2]), main=((r"\omega_3",),)
+        "g", with_G, relations[2], "$G$ on $N^4$", given=(N4[1], N4[2]), main=((r"\omega_3",),)
     ),
     Identity("separated.1", on_N4, separated[1], "the first separated equation"),
     Identity("separated.2", on_N4, separated[2], "the second separated equation"),

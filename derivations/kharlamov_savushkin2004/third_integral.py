@@ -1,6 +1,6 @@
 r"""2. The third integral G, and what it says about N^4."""
 
-from kowalevski_cas.claims import FirstIntegral, Identity
+from kowalevski_cas.claims import DoubleZero, FirstIntegral, Identity
 from kowalevski_cas.derivation import Scene, Section
 
 from .setting import (
@@ -12,8 +12,10 @@ from .setting import (
     GAMMA,
     INTEGRALS,
     LENGTHS,
+    N4,
     OMEGA,
     PAIRS,
+    F,
     X,
     change,
     eq4,
@@ -49,6 +51,15 @@ by_F = section.display(
 )
 
 combined = section.inline("combined", r"(2G-p^2H)^2 - r^4K")
+
+solved = section.lemma(
+    "solved",
+    r"""
+G = \frac12p^2H + \frac14(U_1+U_2) - \frac14F_1^2, \quad K = \frac{U_1U_2}{c_1c_2}""",
+    "the display above, solved for $G$ and $K$",
+)
+
+level = section.lemma("level", r"H = h", "the value of the energy")
 
 constants = section.display(
     "constants",
@@ -95,6 +106,15 @@ everything = Scene(
     definitions={**INTEGRALS, **THIRD, **COMPLEX, "m": constants[1]},
 )
 
+by_functions = Scene(
+    "near N⁴",
+    "$G$ and $K$ through $F_1$, $U_1$, $U_2$ and the other integrals",
+    variables=("F_1", "U_1", "U_2", "H"),
+    constants=("p", "c_1", "c_2"),
+    roots={r"\sqrt{c_1c_2}": None, "r": root_of_c[1]},
+    definitions={"G": solved[1], "K": solved[2], "F_2": F[2]},
+)
+
 # -- claims --------------------------------------------------------------------
 
 section.claim(
@@ -102,4 +122,11 @@ section.claim(
     FirstIntegral("G", real, G[1], "the third integral"),
     Identity("G-by-F", everything, by_F[1], "what $G$ is on $N^4$, and near it"),
     Identity("K-by-U", everything, by_F[2], "$K$ through $U_1$ and $U_2$"),
+    DoubleZero(
+        "combined",
+        by_functions,
+        combined[1],
+        "it vanishes with its gradient on $N^4$",
+        given=(N4[1], N4[2]),
+    ),
 )

@@ -7,6 +7,7 @@ from kowalevski_cas.claims.constant_root import ConstantRoot
 from kowalevski_cas.claims.critical_set import CriticalSet
 from kowalevski_cas.claims.degree import Degree
 from kowalevski_cas.claims.dimension import Dimension, Independence
+from kowalevski_cas.claims.double_zero import DoubleZero
 from kowalevski_cas.claims.equilibria import Equilibria
 from kowalevski_cas.claims.equivalence import Equivalence
 from kowalevski_cas.claims.exponents import SolvedExponents
@@ -27,6 +28,7 @@ __all__ = [
     "CriticalSet",
     "Degree",
     "Dimension",
+    "DoubleZero",
     "Equilibria",
     "Equivalence",
     "Finding",

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from functools import partial, singledispatch
 from itertools import combinations_with_replacement, pairwise, product
+from typing import TypeVar
 
 from kowalevski_cas.arithmetic.derivation import gradient
 from kowalevski_cas.arithmetic.tower import Element
@@ -17,6 +18,7 @@ from kowalevski_cas.claims import (
     ConstantRoot,
     Degree,
     Dimension,
+    DoubleZero,
     Equivalence,
     FirstIntegral,
     Identity,
@@ -31,7 +33,7 @@ from kowalevski_cas.claims import (
     SolvedExponents,
     Unit,
 )
-from kowalevski_cas.claims.claim import equation, members
+from kowalevski_cas.claims.claim import counterexample, equation, members
 from kowalevski_cas.claims.dimension import Set
 from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.notation import Constant, Formula, Relation, Sum, Unwritten
@@ -43,6 +45,7 @@ from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Printed
 
 Matrix = list[list[Element]]
+Found = TypeVar("Found")
 
 
 @singledispatch
@@ -292,6 +295,39 @@ def _implication(claim: Implication, parts: Parts) -> None:
 
 
 @state.register
+def _double_zero(claim: DoubleZero, parts: Parts) -> None:
+    space = parts.space(claim.scene)
+    given = [minus(sides) for sides in _equations(space, claim.given)]
+    pairs = combinations_with_replacement(given, 2)
+    terms = [
+        ["*", space.element(factor), first, second]
+        for factor, (first, second) in zip(
+            _found(claim.form(parts.bench.finder)), pairs, strict=True
+        )
+        if not factor.is_zero
+    ]
+    right = ["+", *terms] if len(terms) > 1 else terms[0]
+    parts.equal(space, [space.tree(space.stage.texts.formula(_printed(claim))), right])
+    parts.notes.append("where two functions vanish, so do their product and its gradient")
+
+
+@deny.register
+def _no_double_zero(claim: DoubleZero, parts: Parts) -> None:
+    space = parts.space(claim.scene)
+    tree = space.tree(space.stage.texts.formula(_printed(claim)))
+    sides = [[tree, 0], *([["d", name, tree], 0] for name in claim.scene.variables)]
+    given = _equations(space, claim.given)
+    zero = space.stage.ring.zero
+    for target, element in zip(sides, claim.vanishing(space.stage), strict=True):
+        key = ("certificate", claim.id, str(target))
+        pairs = partial(_itself, [(element, zero)])
+        if counterexample(parts.bench.finder, claim.scene, key, pairs, claim.generators):
+            parts.differ(space, target, given)
+            return
+    raise CertificateError("no exact point was found")
+
+
+@state.register
 def _limit(claim: Limit, parts: Parts) -> None:
     state(claim.general, parts)
     state(claim.special, parts)
@@ -418,8 +454,8 @@ def _factor(claim: Equivalence, parts: Parts) -> Element:
     raise CertificateError("no factor was found")
 
 
-def _itself(element: Element, stage: Stage) -> Element:
-    return element
+def _itself(value: Found, stage: Stage) -> Found:
+    return value
 
 
 def _sides(printed: Printed, stage: Stage) -> list[Element]:
