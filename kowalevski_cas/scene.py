@@ -57,7 +57,8 @@ class Scene:
         the printed relation that the imaginary unit obeys; the letter is ``i``.
     ``definitions``
         names that stand for an expression, with the place that prints it; a function
-        comes with its arguments, as ``\varphi(s)``.
+        comes with its arguments, as ``\varphi(s)``, and the Poisson bracket with a pair of
+        coordinates and their indices, as ``\{M_i,\alpha_j\}``, summed over k.
     ``roots``
         square roots, as generators: either printed as a root of an expression,
         ``\sqrt{x_1x_2}``, or a name with the place that prints its square. A printed
@@ -114,10 +115,23 @@ class Scene:
         yield from self.undefined
         for name in self.definitions:
             function, arguments = head(name)
-            yield from arguments if arguments else () if is_bold(name) else (function,)
+            if function == BRACKET:
+                yield EPSILON
+                yield from (f"{argument[:-1]}{k}" for argument in arguments for k in "ijk")
+            elif is_bold(name):
+                yield from self.vectors.get(name, ())
+            else:
+                yield from arguments or (function,)
         yield from (name for name in self.roots if not name.startswith(r"\sqrt"))
         if self.unit is not None:
             yield "i"
+
+    def component(self, name: str) -> tuple[str, int] | None:
+        """The vector with a definition of which a name is a component, and which one."""
+        for vector, components in self.vectors.items():
+            if vector in self.definitions and name in components:
+                return vector, components.index(name)
+        return None
 
 
 def is_bold(name: str) -> bool:
@@ -125,25 +139,35 @@ def is_bold(name: str) -> bool:
     return name.startswith((r"\boldsymbol", r"\mathbf"))
 
 
+BRACKET, EPSILON = r"\{", r"\varepsilon_{ijk}"
+"""The Poisson bracket as a function, and the sign of a permutation."""
+
+
 def head(name: str) -> tuple[str, tuple[str, ...]]:
     r"""The function and its arguments in a head like ``\varphi(s)``; a bare name has none.
 
-    >>> head(r"\varphi(s)"), head("H")
-    (('\\\\varphi', ('s',)), ('H', ()))
+    >>> head("f(s)"), head("H"), head(r"\{M_i,M_j\}")[1]
+    (('f', ('s',)), ('H', ()), ('M_i', 'M_j'))
     """
+    if name.startswith(BRACKET):
+        return BRACKET, tuple(name[2:-2].split(","))
     function, _, arguments = name.partition("(")
     return function, tuple(arguments.removesuffix(")").split(",")) if arguments else ()
 
 
 def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
-    """The names of all these scenes: bold small letters are vectors, bold capitals matrices."""
+    """The names of all these scenes; bold capitals that are no declared vectors are matrices."""
     times = frozenset({"t", *(scene.time for scene in scenes)})
     bold = {n for s in scenes for n in (*s.vectors, *s.definitions) if is_bold(n)}
-    matrices = frozenset(n for n in bold if n.startswith(r"\mathbf{") and n[8].isupper())
+    vectors = {name for scene in scenes for name in scene.vectors}
+    capitals = {n for n in bold if n.startswith(r"\mathbf{") and n[8].isupper()}
+    matrices = frozenset(capitals - vectors)
     return Vocabulary(
         scalars=times.union(name for scene in scenes for name in scene.names()),
         vectors=frozenset(bold) - matrices,
         matrices=matrices,
-        functions=frozenset(head(n)[0] for s in scenes for n in s.definitions if head(n)[1]),
+        functions=frozenset(
+            head(n)[0] for s in scenes for n in s.definitions if head(n)[1] and n[:2] != BRACKET
+        ),
         times=times,
     )

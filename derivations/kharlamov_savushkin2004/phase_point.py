@@ -10,7 +10,6 @@ from .setting import (
     CHANGE,
     COMPLEX,
     FRAME,
-    GAMMA,
     INTEGRALS,
     N4,
     OMEGA,
@@ -21,7 +20,7 @@ from .setting import (
     tau,
     unit,
 )
-from .third_integral import THIRD, constants
+from .third_integral import THIRD, VECTORS, constants
 
 section = Section("5", "The phase point")
 
@@ -86,7 +85,7 @@ FUNCTIONS = {r"\psi": psi[1], "d": psi[2], r"\varphi(s)": phi[1]}
 point = Scene(
     "phase point",
     "the phase space by $s_1$, $s_2$ and the radicals, which move by the separated equations",
-    vectors={**FRAME, r"\boldsymbol{\gamma}": GAMMA},
+    vectors=VECTORS,
     variables=("s_1", "s_2"),
     constants=("r", "b", "m", r"\ell"),
     field=(rates[1], rates[2]),

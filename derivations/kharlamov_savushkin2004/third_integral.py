@@ -36,13 +36,25 @@ G = (\omega_1\alpha_1+\omega_2\alpha_2+\tfrac12\omega_3\alpha_3)^2
 {\bs \gamma}={\bs \alpha}\times{\bs \beta}""",
 )
 
-gamma = section.lemma(
-    "gamma-components",
+bracket = section.display(
+    "bracket",
     r"""
-\gamma_1=\alpha_2\beta_3-\alpha_3\beta_2, \quad
-\gamma_2=\alpha_3\beta_1-\alpha_1\beta_3, \quad
-\gamma_3=\alpha_1\beta_2-\alpha_2\beta_1""",
-    "the components of the vector product",
+\{M_i,M_j\} = -\varepsilon_{ijk}M_k, \quad \{M_i,\alpha_j\} = -\varepsilon_{ijk}\alpha_k, \quad
+\{M_i,\beta_j\} = -\varepsilon_{ijk}\beta_k, \quad {\bf M} = (2\omega_1,2\omega_2,\omega_3)""",
+)
+
+hamilton = section.lemma(
+    "hamilton",
+    r"""
+\dot{\bf M} = \{{\bf M},H\}, \quad \dot{\bs \alpha} = \{{\bs \alpha},H\}, \quad
+\dot{\bs \beta} = \{{\bs \beta},H\}""",
+    "the equations (3), (5) in Hamilton's form",
+)
+
+involution = section.lemma(
+    "involution",
+    r"\{H,K\} = 0, \quad \{H,G\} = 0, \quad \{K,G\} = 0",
+    "what it means that the integrals are in involution",
 )
 
 by_F = section.display(
@@ -70,27 +82,39 @@ m = \frac{1}{c_2}\frac{x_2}{x_1}(w_1^2+x_1), \qquad
 
 # -- scenes --------------------------------------------------------------------
 
-THIRD = {
-    "G": G[1],
-    "g": G[1],
-    "c": eq4[3],
-    **dict(zip(GAMMA, (gamma[1], gamma[2], gamma[3]), strict=True)),
-}
+THIRD = {"G": G[1], "g": G[1], "c": eq4[3], r"\boldsymbol{\gamma}": G[2]}
+VECTORS = {**FRAME, r"\boldsymbol{\gamma}": GAMMA}
 
 real = Scene(
     "real variables",
     "the equations (3), (5), where $a$, $b$, $c$ abbreviate the integrals (4)",
-    vectors={**FRAME, r"\boldsymbol{\gamma}": GAMMA},
+    vectors=VECTORS,
     variables=(*OMEGA, *ALPHA, *BETA),
     field=FIELD,
     definitions={**INTEGRALS, **THIRD},
     roots=LENGTHS,
 )
 
+hamiltonian = Scene(
+    "Poisson bracket",
+    "the real variables with the bracket of their functions",
+    vectors={**VECTORS, r"\mathbf{M}": ("M_1", "M_2", "M_3")},
+    variables=(*OMEGA, *ALPHA, *BETA),
+    field=FIELD,
+    definitions={
+        **real.definitions,
+        r"\mathbf{M}": bracket[4],
+        r"\{M_i,M_j\}": bracket[1],
+        r"\{M_i,\alpha_j\}": bracket[2],
+        r"\{M_i,\beta_j\}": bracket[3],
+    },
+    roots=LENGTHS,
+)
+
 everything = Scene(
     "complex variables, all constants",
     "the variables (9), where all constants abbreviate functions of them",
-    vectors=FRAME,
+    vectors=VECTORS,
     variables=(*X, r"\omega_3"),
     field=change,
     time=r"\tau",
@@ -118,8 +142,15 @@ by_functions = Scene(
 # -- claims --------------------------------------------------------------------
 
 section.claim(
-    Identity("gamma", real, G[2], r"the components of $\gamma$ that $G$ uses"),
     FirstIntegral("G", real, G[1], "the third integral"),
+    *(
+        Identity(f"hamilton.{k}", hamiltonian, hamilton[k], "the bracket with $H$ is the motion")
+        for k in (1, 2, 3)
+    ),
+    *(
+        Identity(f"involution.{k}", hamiltonian, involution[k], "two integrals in involution")
+        for k in (1, 2, 3)
+    ),
     Identity("G-by-F", everything, by_F[1], "what $G$ is on $N^4$, and near it"),
     Identity("K-by-U", everything, by_F[2], "$K$ through $U_1$ and $U_2$"),
     DoubleZero(

@@ -8,6 +8,7 @@ from kowalevski_cas.notation.formula import (
     Diagonal,
     ImaginaryPart,
     Number,
+    PoissonBracket,
     RealPart,
     Root,
     ScalarProduct,
@@ -68,8 +69,8 @@ class Atoms(Symbols):
         end = self.tokens[self.at - 1].end
         return self.scripts((Root(argument[0]), start, end, (argument,)))
 
-    def listed(self) -> tuple[Piece, ...]:
-        """What stands between brackets, separated by commas."""
+    def listed(self, pair: bool = False) -> tuple[Piece, ...]:
+        """What stands between brackets, separated by commas; a pair may stand in braces."""
         opening = self.take()
         items = [self.sum()]
         while self.tokens[self.at].kind == "comma":
@@ -80,19 +81,22 @@ class Atoms(Symbols):
             raise self.unexpected()
         if PARTNERS[opening.text] != closing.text:
             raise self.error(f"{opening.text} is closed by {closing.text}")
-        if len(items) > 1 and opening.text in ("[", r"\{"):
+        braced = opening.text == r"\{" and not (pair and len(items) == 2)
+        if len(items) > 1 and (opening.text == "[" or braced):
             raise self.error("a list in these brackets cannot be read; use round ones", opening)
         self.at += 1
         return tuple(items)
 
     def bracket(self) -> Piece:
-        """A formula in brackets, a scalar product, or a vector by its components."""
+        """A formula in brackets, a product or Poisson bracket of two, or a vector."""
         opening = self.tokens[self.at]
-        items = self.listed()
+        items = self.listed(pair=True)
         start, end = opening.start, self.tokens[self.at - 1].end
         if len(items) == 1:
             return (items[0][0], start, end, items[0][3])
         nodes = tuple(item[0] for item in items)
+        if opening.text == r"\{":
+            return (PoissonBracket(nodes[0], nodes[1]), start, end, items)
         if len(nodes) == 2:
             ranks = [rank(node, self.vocabulary) for node in nodes]
             if ranks == [VECTOR, VECTOR]:

@@ -157,6 +157,14 @@ class CrossProduct(Formula):
 
 
 @dataclass(frozen=True)
+class PoissonBracket(Formula):
+    r"""The Poisson bracket of two functions, as :math:`\{H,K\}`."""
+
+    left: Formula
+    right: Formula
+
+
+@dataclass(frozen=True)
 class Unwritten(Formula):
     """An ellipsis: terms that the author does not print."""
 

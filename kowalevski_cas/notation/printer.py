@@ -18,6 +18,7 @@ from kowalevski_cas.notation.formula import (
     Name,
     Negative,
     Number,
+    PoissonBracket,
     Power,
     Product,
     Quotient,
@@ -33,7 +34,7 @@ from kowalevski_cas.notation.formula import (
 _COMMAND = re.compile(r"\\[A-Za-z]+$")
 _DOTS = {1: r"\dot", 2: r"\ddot", 3: r"\dddot"}
 # What carries a power without brackets.
-_BASES = (Name, Number, Application, Vector, ScalarProduct, Conjugate)
+_BASES = (Name, Number, Application, Vector, ScalarProduct, PoissonBracket, Conjugate)
 
 
 def to_latex(formula: Formula) -> str:
@@ -194,6 +195,7 @@ _PRINTERS: dict[type[Formula], Callable[..., str]] = {
     Diagonal: lambda f: r"\operatorname{diag}" + _listed(f.entries),
     ScalarProduct: lambda f: _listed((f.left, f.right)),
     CrossProduct: _cross_product,
+    PoissonBracket: lambda f: rf"\{{{to_latex(f.left)}, {to_latex(f.right)}\}}",
     Unwritten: lambda f: r"\ldots",
     Constant: lambda f: r"\mathrm{const}",
     Relation: _relation,

@@ -32,7 +32,7 @@ class Symbols(Cursor):
         """A bracket, which the parser reads."""
         raise NotImplementedError
 
-    def listed(self) -> tuple[Piece, ...]:
+    def listed(self, pair: bool = False) -> tuple[Piece, ...]:
         """A list in brackets, which the parser reads."""
         raise NotImplementedError
 

@@ -9,6 +9,7 @@ from kowalevski_cas.notation.formula import (
     Formula,
     Name,
     Number,
+    PoissonBracket,
     Power,
     Product,
     Quotient,
@@ -36,6 +37,8 @@ def rank(formula: Formula, vocabulary: Vocabulary) -> int:
             return max(rank(term, vocabulary) for term in terms)
         case Quotient(inner, _) | Power(inner, _):
             return rank(inner, vocabulary)
+        case PoissonBracket(left, right):
+            return max(rank(left, vocabulary), rank(right, vocabulary))
         case CrossProduct():
             return VECTOR
         case Vector(components):

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from kowalevski_cas.claims import Claim
-from kowalevski_cas.notation import Application, Formula, Name, Root, to_latex
-from kowalevski_cas.scene import Change, Scene, head
+from kowalevski_cas.notation import Application, Formula, Name, PoissonBracket, Root, to_latex
+from kowalevski_cas.scene import BRACKET, Change, Scene, head
 from kowalevski_cas.texts import Printed, Texts
 
 
@@ -61,12 +61,13 @@ class _Closure:
         found: dict[Printed, None] = {}
         self._known[name] = found
         scene = self.scene
-        heads = {head(defined)[0]: place for defined, place in scene.definitions.items()}
-        place = scene.unit if name == "i" else heads.get(name)
-        place = place or scene.roots.get(name)
-        for component in scene.vectors.get(name, ()):
-            found.update(self.of(component))
-        if place is not None:
+        component = scene.component(name)
+        places = [p for d, p in scene.definitions.items() if head(d)[0] == name]
+        if place := scene.unit if name == "i" else scene.roots.get(name):
+            places.append(place)
+        for other in component[:1] if component else scene.vectors.get(name, ()):
+            found.update(self.of(other))
+        for place in places:
             found.setdefault(place)
             for other in names(self.texts.formula(place)):
                 found.update(self.of(other))
@@ -89,6 +90,8 @@ def names(formula: Formula) -> Iterator[str]:
         yield formula.name
     if isinstance(formula, Application):
         yield formula.function
+    if isinstance(formula, PoissonBracket):
+        yield BRACKET
     if isinstance(formula, Root):
         yield to_latex(formula)
     for child in formula.children():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 from typing import Any
 
 from kowalevski_cas.arithmetic.derivation import along
@@ -18,6 +19,7 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    PoissonBracket,
     Power,
     Product,
     Quotient,
@@ -56,12 +58,33 @@ class SpaceWriter:
 
     def tree(self, formula: Formula) -> Tree:
         """The tree of a formula; it has to read back as the formula."""
+        if isinstance(formula, PoissonBracket):
+            return self.bracket(formula)
         plain = self._plain(formula)
         tree = encode(plain)
         if decode(tree, self.mark) != plain:
             raise CertificateError("a formula does not read back as what is printed")
         if plain != formula and not self._same(plain, formula):
             raise CertificateError("a formula reads back as another one")
+        self.take(tree)
+        return tree
+
+    def bracket(self, formula: PoissonBracket) -> Tree:
+        """A Poisson bracket by partial derivatives, component by component."""
+        sides = []
+        for side in (formula.left, formula.right):
+            names = self.scene.vectors.get(side.name, ()) if isinstance(side, Name) else ()
+            sides.append([self.tree(Name(n)) for n in names] or [self.tree(side)])
+        rows = [self._bracket(left, right) for left, right in product(*sides)]
+        return rows[0] if len(rows) == 1 else ["vector", *rows]
+
+    def _bracket(self, left: Tree, right: Tree) -> Tree:
+        terms: list[Tree] = []
+        for (x, y), value in self.stage.structure.items():
+            first = ["*", ["d", x, left], ["d", y, right]]
+            second = ["*", ["d", y, left], ["d", x, right]]
+            terms.append(["*", self.element(value), ["+", first, ["-", second]]])
+        tree = ["+", *terms]
         self.take(tree)
         return tree
 
@@ -211,10 +234,12 @@ class SpaceWriter:
             self._power(name)
         elif name in self._zero():
             self.steps.append(["let", name, 0])
-        elif name in scene.vectors:
-            self.let(name, ["vector", *scene.vectors[name]])
         elif name in scene.definitions:
             self.let(name, self.tree(stage.definition(name)))
+        elif name in scene.vectors:
+            self.let(name, ["vector", *scene.vectors[name]])
+        elif scene.component(name):
+            self.let(name, self.element(scalar(Name(name), stage)))
         elif name not in (*scene.variables, *scene.constants, *scene.undefined):
             self._old(name)
 

@@ -17,6 +17,7 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    PoissonBracket,
     Power,
     Product,
     Quotient,
@@ -216,6 +217,17 @@ def _cross_product(formula: CrossProduct, stage: Stage, conjugated: bool) -> Val
     return Triple((a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1))
 
 
+def _poisson_bracket(formula: PoissonBracket, stage: Stage, conjugated: bool) -> Value:
+    left, right = (evaluate(f, stage, conjugated) for f in (formula.left, formula.right))
+    if isinstance(left, Triple) and isinstance(right, Triple):
+        raise StageError("the Poisson bracket of two vectors is no vector")
+    if isinstance(left, Triple):
+        return Triple(stage.bracket(a, right) for a in left)  # type: ignore[arg-type]
+    if isinstance(right, Triple):
+        return Triple(stage.bracket(left, b) for b in right)
+    return stage.bracket(left, right)
+
+
 _RULES: dict[type[Formula], Callable[[Any, Stage, bool], Value]] = {
     Number: lambda f, stage, _: stage.ring.number(f.value),
     Name: lambda f, stage, conjugated: stage.value(f.name, conjugated),
@@ -234,4 +246,5 @@ _RULES: dict[type[Formula], Callable[[Any, Stage, bool], Value]] = {
     Diagonal: lambda f, s, c: Triple(scalar(entry, s, c) for entry in f.entries),
     ScalarProduct: _scalar_product,
     CrossProduct: _cross_product,
+    PoissonBracket: _poisson_bracket,
 }

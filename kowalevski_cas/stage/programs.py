@@ -7,12 +7,14 @@ exact stage, where it is derived; everything else is evaluated here and never ex
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.programs import Program, Programs
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.stage.evaluate import StageError, Triple, Value, scalar
+from kowalevski_cas.stage.poisson import Structure
 from kowalevski_cas.stage.stage import Stage
 
 if TYPE_CHECKING:
@@ -96,6 +98,10 @@ class ProgramStage(Stage):
             exact = self.exact.field
             self._field.append({name: self.carry(rate) for name, rate in exact.items()})
         return self._field[0]
+
+    @cached_property
+    def structure(self) -> Structure:
+        return {pair: self.carry(value) for pair, value in self.exact.structure.items()}
 
     def root(self, radicand: Formula, conjugated: bool = False) -> Element:
         value = scalar(radicand, self, conjugated)

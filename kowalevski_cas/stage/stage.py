@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from functools import cached_property
 
 from kowalevski_cas.arithmetic.derivation import Field, along
 from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
@@ -21,8 +22,9 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.scene import Change, Scene, head
 from kowalevski_cas.stage.change import Carrier
-from kowalevski_cas.stage.evaluate import StageError, Triple, Value, evaluate, scalar
+from kowalevski_cas.stage.evaluate import StageError, Triple, Value, evaluate, scalar, vector
 from kowalevski_cas.stage.field import printed_field, time_scale
+from kowalevski_cas.stage.poisson import Structure, printed_structure
 from kowalevski_cas.texts import Printed, Texts
 
 
@@ -165,11 +167,6 @@ class Stage:
         if key not in self._values:
             if not conjugated and (old := self._old_value(name)) is not None:
                 self._values[key] = old
-            elif name in self.scene.vectors:
-                components = self.scene.vectors[name]
-                self._values[key] = Triple(
-                    scalar(Name(component), self, conjugated) for component in components
-                )
             elif name in self.scene.definitions:
                 if key in self._open:
                     raise StageError(f"{name} is defined by itself", name)
@@ -178,6 +175,13 @@ class Stage:
                     self._values[key] = evaluate(self.definition(name), self, conjugated)
                 finally:
                     self._open.discard(key)
+            elif name in self.scene.vectors:
+                components = self.scene.vectors[name]
+                self._values[key] = Triple(
+                    scalar(Name(component), self, conjugated) for component in components
+                )
+            elif (place := self.scene.component(name)) is not None:
+                self._values[key] = vector(Name(place[0]), self, conjugated)[place[1]]
             else:
                 raise StageError(f"{name} has no meaning on the scene “{self.scene.name}”", name)
         return self._values[key]
@@ -367,6 +371,23 @@ class Stage:
     def derivative(self, element: Element) -> Element:
         """The derivative along the field, by the scene's time."""
         return along(element, self.field)
+
+    @cached_property
+    def structure(self) -> Structure:
+        """The Poisson brackets of the variables."""
+        return printed_structure(self)
+
+    def bracket(self, left: Element, right: Element) -> Element:
+        """The Poisson bracket of two functions, by the brackets of the variables."""
+        names = sorted({name for pair in self.structure for name in pair})
+        first, second = (
+            {name: along(element, {name: self.ring.one}) for name in names}
+            for element in (left, right)
+        )
+        total = self.ring.zero
+        for (x, y), value in self.structure.items():
+            total = total + value * (first[x] * second[y] - first[y] * second[x])
+        return total
 
     def time_factor(self, mark: str, conjugated: bool) -> Element:
         """By what a derivative with this mark differs from the one by the scene's time."""
