@@ -9,15 +9,14 @@ from .setting import (
     BETA,
     CHANGE,
     COMPLEX,
-    FRAME,
     INTEGRALS,
     N4,
     OMEGA,
+    c,
     eq3,
     eq4,
     eq5,
     p,
-    tau,
     unit,
 )
 from .third_integral import THIRD, VECTORS, constants
@@ -66,6 +65,17 @@ root_of_x = section.lemma(
     "root-of-x", r"\sqrt{x_1x_2} = \frac{r^2}{s_1-s_2}", "the difference of $s_1$ and $s_2$"
 )
 
+complex_x = section.lemma(
+    "complex-x",
+    r"""
+x_1 = -\frac{r^2(\psi+if_1f_2)}{2d^2}, \quad x_2 = -\frac{r^2(\psi-if_1f_2)}{2d^2}""",
+    "the complex variables $x_1$, $x_2$ at the point",
+)
+
+real_c = section.lemma(
+    "real-c", r"c_1 = r^2, \quad c_2 = r^2", "the constants $c_1$, $c_2$ for $c=0$"
+)
+
 # -- scenes --------------------------------------------------------------------
 
 POINT = {
@@ -94,18 +104,33 @@ point = Scene(
     definitions={**FUNCTIONS, **POINT, **INTEGRALS, **{n: d for n, d in THIRD.items() if n != "c"}},
 )
 
-complex_point = Scene(
-    "phase point in complex variables",
+with_unit = Scene(
+    "phase point with the unit",
     "the same with the complex variables as abbreviations",
-    vectors=FRAME,
     variables=("s_1", "s_2"),
     constants=("r", "b", "m", r"\ell"),
-    field=(rates[1], rates[2]),
-    zero=(no_c[1],),
     unit=unit[1],
-    clock=tau[1],
+    roots=RADICALS,
+    definitions={**FUNCTIONS, **POINT, **CHANGE, "c_1": c[1], "c_2": c[2]},
+)
+
+complex_point = Scene(
+    "phase point in complex variables",
+    "the same with $x_1$, $x_2$, $c_1$, $c_2$ in closed form, and with $\\sqrt{x_1x_2}$",
+    variables=("s_1", "s_2"),
+    constants=("r", "b", "m", r"\ell"),
+    unit=unit[1],
     roots={**RADICALS, r"\sqrt{x_1x_2}": root_of_x[1]},
-    definitions={**FUNCTIONS, **POINT, **CHANGE, **COMPLEX},
+    definitions={
+        **FUNCTIONS,
+        **POINT,
+        **CHANGE,
+        **COMPLEX,
+        "c_1": real_c[1],
+        "c_2": real_c[2],
+        "x_1": complex_x[1],
+        "x_2": complex_x[2],
+    },
 )
 
 # -- claims --------------------------------------------------------------------
@@ -123,6 +148,10 @@ section.claim(
     Identity("point.k", point, relations[1], "the value of $K$"),
     Identity("point.g", point, relations[2], "the value of $G$"),
     Identity("point.h", point, relations[3], "the value of the energy"),
+    Identity("point.x1", with_unit, complex_x[1], "$x_1$ at the point"),
+    Identity("point.x2", with_unit, complex_x[2], "$x_2$ at the point"),
+    Identity("point.c1", with_unit, real_c[1], "$c_1$ at the point"),
+    Identity("point.c2", with_unit, real_c[2], "$c_2$ at the point"),
     Identity("point.F1", complex_point, N4[1], "the point lies on $N^4$"),
     Identity("point.F2", complex_point, N4[2], "the point lies on $N^4$"),
     Identity("point.m", complex_point, constants[1], "the value of $m$"),

@@ -99,13 +99,13 @@ class SpaceWriter:
     def element(self, element: Element) -> Tree:
         """The tree of an element of the stage; it has to read back as the element."""
         ring, words = element.ring, self.stage.texts.vocabulary
-        names = [read(n, words) for n in (*ring.polynomials.generators, *ring.roots)]
+        plain = [read(n, words) for n in ring.polynomials.generators]
+        names = [*plain, *(self._generator(read(n, words), plain) for n in ring.roots)]
         terms = {
             (*exponents, *(mask >> bit & 1 for bit in range(len(ring.roots)))): value
             for mask, part in element.terms().items()
             for exponents, value in part.items()
         }
-        plain = names[: len(ring.polynomials.generators)]
         below = [
             encode(self._plain(polynomial_formula(ring.polynomials.terms(ring.divisors[k]), plain)))
             for k, exponent in element.denominator.items()
@@ -117,6 +117,18 @@ class SpaceWriter:
             raise CertificateError("an element does not read back as what was found")
         self.take(tree)
         return tree
+
+    def _generator(self, root: Formula, plain: list[Formula]) -> Formula:
+        """The generator of the ring by which a root is given, perhaps over a divisor."""
+        value = scalar(root, self.stage)
+        ring = value.ring
+        below = ring.divisor_product(value.denominator)
+        if below is None:
+            return root
+        (part,) = value.terms().values()
+        ((_, factor),) = part.items()
+        terms = {e: c / factor for e, c in ring.polynomials.terms(below).items()}
+        return Product((polynomial_formula(terms, plain), root))
 
     def _plain(self, formula: Formula) -> Formula:
         """The formula in the operations of a certificate, which has one time and no Re or Im."""
