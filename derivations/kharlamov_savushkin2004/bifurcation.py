@@ -42,9 +42,10 @@ energy = section.lemma(
 
 values = Scene(
     "constants",
-    "the constants of a motion on $N^4$ for $c=0$",
+    "the constants of a motion on $N^4$ for $c=0$, where $m$ is not zero",
     constants=("a", "b", "m", r"\ell"),
     roots={"r": r_without_c[1], "p": p_without_c[1]},
+    nonzero=("m",),
     definitions={
         "h": energy[1],
         r"\varphi(s)": phi[1],

@@ -78,6 +78,7 @@ any_regime = Scene(
     constants=("C", "k", r"\kappa", r"\lambda", "m"),
     field=(jacobi[3],),
     roots={r"\sqrt{m(A-C)(B-D)}": None, **FUNCTIONS},
+    nonzero=(r"\lambda", r"\kappa", r"1-\kappa", r"\kappa-k^2"),
     definitions={"A": by_modulus[1], "B": by_modulus[2], "D": by_modulus[3], **SOLUTION},
 )
 
@@ -88,6 +89,7 @@ for_s1 = Scene(
     constants=("a", "m", r"\ell", "s"),
     field=(jacobi[3],),
     roots={"k": parameters[1], r"\sqrt{m(A-C)(B-D)}": None, **FUNCTIONS},
+    nonzero=("m", "a"),
     definitions={
         **SOLUTION,
         r"\kappa": parameters[3],
@@ -106,6 +108,7 @@ for_s2 = Scene(
     constants=("b", "m", r"\ell"),
     field=(jacobi[3],),
     roots=for_s1.roots,
+    nonzero=("m", "b"),
     definitions={**for_s1.definitions, "B": second[1], "D": second[2]},
 )
 

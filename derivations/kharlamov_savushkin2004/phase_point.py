@@ -3,7 +3,7 @@ r"""5. The whole phase point by s_1, s_2, for c = 0."""
 from kowalevski_cas.claims import Identity
 from kowalevski_cas.derivation import Scene, Section
 
-from .separation import phi, relations, s, separated
+from .separation import any_c, m_conjugate, omega3, on_N4, phi, relations, s, separated
 from .setting import (
     ALPHA,
     BETA,
@@ -13,10 +13,13 @@ from .setting import (
     N4,
     OMEGA,
     c,
+    complex_integrals,
     eq3,
     eq4,
     eq5,
+    inverse,
     p,
+    tau,
     unit,
 )
 from .third_integral import THIRD, VECTORS, constants
@@ -76,6 +79,14 @@ real_c = section.lemma(
     "real-c", r"c_1 = r^2, \quad c_2 = r^2", "the constants $c_1$, $c_2$ for $c=0$"
 )
 
+solved = section.lemma(
+    "solved-radicals",
+    r"""
+S_1 = \frac{d\alpha_3}{r}, \quad S_2 = \frac{d\beta_3}{r}, \quad
+f_1 = \frac{2d\omega_2}{r(\ell-2ms_2)}, \quad f_2 = \frac{2d\omega_1}{r(\ell-2ms_1)}""",
+    r"the formulas for $\alpha_3$, $\beta_3$, $\omega_2$, $\omega_1$ solved for the radicals",
+)
+
 # -- scenes --------------------------------------------------------------------
 
 POINT = {
@@ -92,15 +103,18 @@ RADICALS = {
 }
 FUNCTIONS = {r"\psi": psi[1], "d": psi[2], r"\varphi(s)": phi[1]}
 
+NONZERO = ("m", "r", "d")
+
 point = Scene(
     "phase point",
-    "the phase space by $s_1$, $s_2$ and the radicals, which move by the separated equations",
+    "the phase space by $s_1$, $s_2$ and the radicals, where $m$, $r$ and $d$ are not zero",
     vectors=VECTORS,
     variables=("s_1", "s_2"),
     constants=("r", "b", "m", r"\ell"),
     field=(rates[1], rates[2]),
     zero=(no_c[1],),
     roots={**RADICALS, "p": p_without_c[1]},
+    nonzero=NONZERO,
     definitions={**FUNCTIONS, **POINT, **INTEGRALS, **{n: d for n, d in THIRD.items() if n != "c"}},
 )
 
@@ -111,6 +125,7 @@ with_unit = Scene(
     constants=("r", "b", "m", r"\ell"),
     unit=unit[1],
     roots=RADICALS,
+    nonzero=NONZERO,
     definitions={**FUNCTIONS, **POINT, **CHANGE, "c_1": c[1], "c_2": c[2]},
 )
 
@@ -121,6 +136,7 @@ complex_point = Scene(
     constants=("r", "b", "m", r"\ell"),
     unit=unit[1],
     roots={**RADICALS, r"\sqrt{x_1x_2}": root_of_x[1]},
+    nonzero=NONZERO,
     definitions={
         **FUNCTIONS,
         **POINT,
@@ -130,6 +146,39 @@ complex_point = Scene(
         "c_2": real_c[2],
         "x_1": complex_x[1],
         "x_2": complex_x[2],
+    },
+)
+
+any_point = Scene(
+    "N⁴ without c",
+    "any point of $N^4$ for $c=0$, with the radicals that the formulas give there",
+    variables=("x_1", "x_2", "z_1", "z_2", "w_1", "w_2"),
+    constants=("m", "r"),
+    field=on_N4.field,
+    time=r"\tau",
+    unit=unit[1],
+    clock=tau[1],
+    roots={
+        "w_1": constants[1],
+        "w_2": m_conjugate[1],
+        r"\sqrt{x_1x_2}": None,
+        "p": complex_integrals[3],
+        "a": any_c[1],
+        "b": any_c[2],
+    },
+    nonzero=("x_1", "x_2", "m", "r"),
+    definitions={
+        **{name: place for name, place in on_N4.definitions.items() if name not in {"h", "k"}},
+        "c_1": real_c[1],
+        "c_2": real_c[2],
+        r"\psi": psi[1],
+        "d": psi[2],
+        **dict(zip((*ALPHA, *BETA, *OMEGA), (inverse[k] for k in range(1, 9)), strict=False)),
+        "S_1": solved[1],
+        "S_2": solved[2],
+        "f_1": solved[3],
+        "f_2": solved[4],
+        r"\omega_3": omega3[1],
     },
 )
 
@@ -158,4 +207,20 @@ section.claim(
     Identity("point.l", complex_point, constants[2], r"the value of $\ell$"),
     Identity("point.s1", complex_point, s[1], "$s_1$ at the point"),
     Identity("point.s2", complex_point, s[2], "$s_2$ at the point"),
+    *(
+        Identity(f"radicals.{k}", any_point, radicals[k], "the radical at any point of $N^4$")
+        for k in (1, 2, 3, 4)
+    ),
+    *(
+        Identity(f"fields.{k}", any_point, fields[k], "the fields at any point of $N^4$")
+        for k in range(1, 7)
+    ),
+    *(
+        Identity(f"velocity.{k}", any_point, velocity[k], "the velocity at any point of $N^4$")
+        for k in (1, 2, 3)
+    ),
+    *(
+        Identity(f"rates.{k}", any_point, rates[k], "the motion of the variable on $N^4$")
+        for k in (1, 2)
+    ),
 )

@@ -69,6 +69,7 @@ rotation = Scene(
         "q": angle[1],
         "p": complex_integrals[3],
     },
+    nonzero=("x_1", "x_2", "c_1", "c_2"),
     definitions={
         **dict(zip(TURNED, (turned[k] for k in range(1, 9)), strict=True)),
         "m": constants[1],

@@ -85,13 +85,14 @@ squares = section.lemma(
 
 with_root = Scene(
     "complex variables",
-    "the variables (9) with $\\sqrt{x_1x_2}$, where $c_1$ and $c_2$ are constants",
+    "the variables (9) with $\\sqrt{x_1x_2}$, where $c_1$, $c_2$ are constants and nothing is zero",
     variables=(*X, r"\omega_3"),
     constants=("c_1", "c_2"),
     field=change,
     time=r"\tau",
     conjugates=(*PAIRS, ("c_1", "c_2")),
     roots={"z_1": c[1], "z_2": c[2], r"\sqrt{x_1x_2}": None},
+    nonzero=("x_1", "x_2", "c_1", "c_2"),
     definitions={
         **{n: d for n, d in COMPLEX.items() if n not in {"c_1", "c_2"}},
         "m": constants[1],
@@ -106,12 +107,13 @@ with_G = Scene(
     constants=("c_1", "c_2", "p", "h"),
     conjugates=with_root.conjugates,
     roots={r"\sqrt{x_1x_2}": None, r"\sqrt{c_1c_2}": None, "r": root_of_c[1]},
+    nonzero=("x_1", "x_2", "c_1", "c_2"),
     definitions={**with_root.definitions, "H": level[1], "g": solved[1]},
 )
 
 on_N4 = Scene(
     "N⁴",
-    "$N^4$ by $x_1$, $x_2$, $z_1$, $z_2$ and the constants $m$, $c_1$, $r$",
+    "$N^4$ by $x_1$, $x_2$, $z_1$, $z_2$ and the constants $m$, $c_1$, $c_2$, none of which is zero",
     variables=("x_1", "x_2", "z_1", "z_2", "w_1", "w_2"),
     constants=("m", "c_1", "c_2"),
     field=tuple(equations[k] for k in (1, 2, 5, 6, 7, 8)),
@@ -128,6 +130,7 @@ on_N4 = Scene(
         "a": any_c[1],
         "b": any_c[2],
     },
+    nonzero=("x_1", "x_2", "c_1", "c_2", "m"),
     definitions={
         "y_1": y[1],
         "y_2": y[2],

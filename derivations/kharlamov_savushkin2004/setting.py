@@ -108,6 +108,19 @@ p^2 = \frac12(x_1x_2+y_1y_2) + z_1z_2""",
     "the integrals in the variables (9)",
 )
 
+inverse = section.lemma(
+    "inverse",
+    r"""
+\begin{array}{l}
+\alpha_1 = \frac14(x_1+x_2+y_1+y_2), \quad \alpha_2 = \frac{1}{4i}(x_1-x_2+y_1-y_2), \quad
+\alpha_3 = \frac12(z_1+z_2), \\
+\beta_1 = \frac{1}{4i}(x_1-x_2-y_1+y_2), \quad \beta_2 = \frac14(y_1+y_2-x_1-x_2), \quad
+\beta_3 = \frac{1}{2i}(z_1-z_2), \\
+\omega_1 = \frac12(w_1+w_2), \quad \omega_2 = \frac{1}{2i}(w_1-w_2)
+\end{array}""",
+    "equations (9) solved for the initial variables",
+)
+
 # -- scenes --------------------------------------------------------------------
 
 CHANGE = dict(zip(X, (eq9[k] for k in range(1, 9)), strict=True))
@@ -141,6 +154,10 @@ change = Change(initial, tuple(eq9[k] for k in range(1, 9)), tau[1])
 
 section.claim(
     Identity("r", initial, r[1], "the constant $r$"),
+    *(
+        Identity(f"inverse.{k}", initial, inverse[k], "an initial variable by the complex ones")
+        for k in range(1, 9)
+    ),
     Identity("complex-energy", initial, complex_integrals[1], "the energy in complex variables"),
     Identity("complex-K", initial, complex_integrals[2], "the integral $K$ in complex variables"),
     Identity("complex-p", initial, complex_integrals[3], "the constant $p$ in complex variables"),

@@ -127,6 +127,7 @@ everything = Scene(
         r"\sqrt{c_1c_2}": None,
         "r": root_of_c[1],
     },
+    nonzero=("x_1", "x_2"),
     definitions={**INTEGRALS, **THIRD, **COMPLEX, "m": constants[1]},
 )
 
@@ -136,6 +137,7 @@ by_functions = Scene(
     variables=("F_1", "U_1", "U_2", "H"),
     constants=("p", "c_1", "c_2"),
     roots={r"\sqrt{c_1c_2}": None, "r": root_of_c[1]},
+    nonzero=("c_1", "c_2"),
     definitions={"G": solved[1], "K": solved[2], "F_2": F[2]},
 )
 

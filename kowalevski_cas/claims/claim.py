@@ -224,7 +224,8 @@ def _without(divisor: Element, known: set[frozenset[object]]) -> Element:
     factors = irreducible_factors(divisor.terms()[0])
     new = [(f, e) for terms, e in factors if _shape(f := ring.from_terms({0: terms})) not in known]
     known.update(_shape(factor) for factor, _ in new)
-    if len(new) == len(factors) and all(exponent == 1 for _, exponent in new):
+    whole = all(value.denominator == 1 for value in divisor.terms()[0].values())
+    if whole and len(new) == len(factors) and all(exponent == 1 for _, exponent in new):
         return divisor
     for factor, _ in new:
         result = result * factor
