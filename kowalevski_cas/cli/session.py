@@ -16,15 +16,28 @@ from kowalevski_cas.proof.outcome import Run
 from kowalevski_cas.proof.verify import Progress, verify
 
 
-def derivations(names: Sequence[str]) -> list[tuple[Path, Derivation]]:
-    """The named derivations with their folders; all of the library if none is named."""
+def derivations(names: Sequence[str], only: Sequence[str] = ()) -> list[tuple[Path, Derivation]]:
+    """The named derivations with their folders; all of the library if none is named.
+
+    With ``only``, those that have one of these claims; each has to be in one of them.
+    """
     names = names or available()
     if not names:
         raise CommandError("the library has no derivations", NOTHING)
     try:
-        return [(find(name), load(name)) for name in names]
+        found = [(find(name), load(name)) for name in names]
     except LibraryError as error:
         raise CommandError(str(error)) from None
+    ids = {claim.id for _, derivation in found for claim in derivation.claims}
+    for id in only:
+        if id not in ids:
+            from difflib import get_close_matches
+
+            near = get_close_matches(id, sorted(ids), 3, 0.4)
+            hint = f"; did you mean {' or '.join(near)}?" if near else ""
+            where = ", ".join(derivation.name for _, derivation in found)
+            raise CommandError(f"there is no claim “{id}” in {where}{hint}", NOTHING)
+    return [f for f in found if not only or any(claim.id in only for claim in f[1].claims)]
 
 
 def run(
@@ -38,15 +51,7 @@ def run(
     seed: int = 1,
 ) -> Run:
     """A run of a derivation, with the evidence kept in its folder and progress on a terminal."""
-    ids = [claim.id for claim in derivation.claims]
-    for id in only:
-        if id not in ids:
-            from difflib import get_close_matches
-
-            near = get_close_matches(id, ids, 3, 0.4)
-            hint = f"; did you mean {' or '.join(near)}?" if near else ""
-            raise CommandError(f"{derivation.name} has no claim “{id}”{hint}", NOTHING)
-    if not ids:
+    if not derivation.claims:
         raise CommandError(f"{derivation.name} makes no claims", NOTHING)
     if evidence is None:
         evidence = load_evidence(folder)

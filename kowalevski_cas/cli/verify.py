@@ -61,7 +61,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run_derivations(arguments: argparse.Namespace) -> list[Result]:
     """Run the derivations and compare them with their records."""
     return each(
-        lambda found: _result(arguments, *found), session.derivations(arguments.derivations)
+        lambda found: _result(arguments, *found),
+        session.derivations(arguments.derivations, arguments.only),
     )
 
 

@@ -130,8 +130,8 @@ def test_2_no_such_derivation(cli, tmp_path):
     code, _, err = cli("verify", "euler1758")
     assert code == 2
     assert (
-        err
-        == "kowalevski-cas verify: there is no derivation “euler1758”; the library has: kharlamov2002\n"
+        err == "kowalevski-cas verify: there is no derivation “euler1758”; the library has: "
+        "kharlamov2002, kharlamov_savushkin2004\n"
     )
     code, _, err = cli("verify", tmp_path)
     assert code == 2
@@ -182,8 +182,16 @@ def test_6_nothing_selected(cli):
     code, _, err = cli("verify", "--only", "eq10.55", "--arithmetic", "flint")
     assert code == 6
     assert err.startswith(
-        "kowalevski-cas verify: kharlamov2002 has no claim “eq10.55”; did you mean eq10.5"
+        "kowalevski-cas verify: there is no claim “eq10.55” in kharlamov2002, "
+        "kharlamov_savushkin2004; did you mean eq10.5"
     )
+
+
+def test_only_selects_the_derivations_that_have_the_claim(cli):
+    code, out, err = cli("verify", "--only", "psi-free", "--arithmetic", "flint")
+    assert (code, out) == (6, "") and "there is no claim “psi-free”" in err
+    code, out, err = cli("verify", "--only", "resultant.a", "--arithmetic", "flint")
+    assert (code, err) == (0, "") and out.count("claims:") + out.count("claim:") == 1
 
 
 def test_6_a_derivation_without_claims(cli, write):
@@ -207,7 +215,7 @@ def test_help_and_version(cli):
 
 
 def test_json_has_the_documented_form(cli, derivation):
-    code, out, err = cli("verify", "--format", "json")
+    code, out, err = cli("verify", "kharlamov2002", "--format", "json")
     assert (code, err) == (0, "")
     data = json.loads(out)
     assert set(data) == {"claims", "summary"}
