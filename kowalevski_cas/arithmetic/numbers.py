@@ -7,7 +7,12 @@ from fractions import Fraction
 from math import isqrt
 
 from kowalevski_cas.arithmetic.polynomials import Polynomial, Polynomials, Terms
+from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element, Ring
+from kowalevski_cas.notation import Vocabulary, to_latex
+
+NUMBERS = Vocabulary(scalars=frozenset({"i"}))
+"""What is needed to print numbers in a tower of roots."""
 
 
 def number_ring(arithmetic: type[Polynomials]) -> Ring:
@@ -21,6 +26,11 @@ def gaussian(numbers: Ring, re: Fraction, im: Fraction) -> Element:
     """The number re + im·i of a :func:`number_ring`."""
     constant = numbers.polynomials.constant
     return Element(numbers, {mask: constant(v) for mask, v in ((0, re), (1, im)) if v}, {})
+
+
+def show_number(number: Element) -> str:
+    """A number as LaTeX."""
+    return to_latex(formula_of(number, NUMBERS))
 
 
 def square_root(value: Fraction) -> Fraction | None:
@@ -64,13 +74,11 @@ class Substitution:
     def _root(self, radicand: Element) -> Element:
         numbers = self.numbers
         value = rational(radicand)
-        if value is None:
-            return numbers.adjoin(f"root {len(numbers.roots)}", radicand)
         if value == -1:
             return numbers.generator("i")
-        if (root := square_root(value)) is not None:
+        if value is not None and (root := square_root(value)) is not None:
             return numbers.number(root)
-        name = rf"\sqrt{{{value}}}"
+        name = rf"\sqrt{{{show_number(radicand)}}}"
         return numbers.generator(name) if name in numbers.roots else numbers.adjoin(name, radicand)
 
     def __call__(self, element: Element) -> Element:

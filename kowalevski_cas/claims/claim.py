@@ -6,13 +6,13 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
-from kowalevski_cas.arithmetic.numbers import Substitution, gaussian, number_ring
+from kowalevski_cas.arithmetic.numbers import Substitution, gaussian, number_ring, show_number
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.bench import Bench, Key
 from kowalevski_cas.dataclass import dataclass
-from kowalevski_cas.notation import Constant, Edit, Formula, Relation, Vocabulary, edits, to_latex
+from kowalevski_cas.notation import Constant, Edit, Formula, Relation, edits, to_latex
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Point, Step, Verdict
 from kowalevski_cas.scene import Locus, Scene
 from kowalevski_cas.stage import Stage, StageError, scalar
@@ -20,9 +20,6 @@ from kowalevski_cas.stage.evaluate import Triple, Value
 from kowalevski_cas.texts import Printed, Texts
 
 ExactPoint = dict[str, tuple[Fraction, Fraction]]
-
-NUMBERS = Vocabulary(scalars=frozenset({"i"}))
-"""What is needed to print numbers in a tower of roots."""
 
 
 @dataclass(frozen=True)
@@ -183,11 +180,6 @@ def equations(places: Sequence[Printed], stage: Stage) -> list[Element]:
 def show(element: Element, stage: Stage) -> str:
     """An element in the names of its stage, as LaTeX."""
     return to_latex(formula_of(element, stage.texts.vocabulary))
-
-
-def show_number(number: Element) -> str:
-    """A number as LaTeX."""
-    return to_latex(formula_of(number, NUMBERS))
 
 
 def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition, ...]:

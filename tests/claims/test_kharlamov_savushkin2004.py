@@ -1,0 +1,115 @@
+"""The motions on N⁴: every formula is proved as printed, and a wrong one would be refuted."""
+
+from itertools import islice
+
+import pytest
+
+from kowalevski_cas.arithmetic import EXACT
+from kowalevski_cas.library import find, load
+from kowalevski_cas.notation import NotationError
+from kowalevski_cas.proof.evidence import load_evidence
+from kowalevski_cas.proof.record import differences, load_record
+from kowalevski_cas.proof.verify import Session, verify
+from kowalevski_cas.stage import StageError
+
+NAME = "kharlamov_savushkin2004"
+DERIVATION = load(NAME)
+CLAIMS = {claim.id: claim for claim in DERIVATION.claims}
+RECORD = load_record(find(NAME))
+
+CONDITIONS = {
+    "m": [],
+    "point.alpha": [],
+    "fields.1": ["x_1x_2 - x_1mr^2 - x_2mr^2"],
+    "solution.1": [r"-\mathrm{sn}^2\kappa + 1"],
+}
+
+
+@pytest.fixture(scope="module")
+def run():
+    return verify(DERIVATION, EXACT, evidence=load_evidence(find(NAME)))
+
+
+@pytest.fixture(scope="module")
+def outcomes(run):
+    return {outcome.claim: outcome for outcome in run.outcomes}
+
+
+@pytest.fixture(scope="module")
+def session():
+    return Session(DERIVATION, ["flint"], False, load_evidence(find(NAME)))
+
+
+def test_the_run_does_not_differ_from_the_record_in_any_arithmetic(run):
+    assert differences(run, RECORD) == []
+    for outcome in run.outcomes:
+        assert set(outcome.verdicts) == set(EXACT)
+        assert len(set(outcome.verdicts.values())) == 1
+
+
+def test_every_formula_is_right_as_printed(outcomes):
+    assert all(outcome.verdict.green for outcome in outcomes.values())
+    assert all(outcome.correction is None for outcome in outcomes.values())
+
+
+@pytest.mark.parametrize("id", CONDITIONS)
+def test_the_conditions_are_named(outcomes, id):
+    assert [condition.tex for condition in outcomes[id].conditions] == CONDITIONS[id]
+
+
+def test_every_printed_formula_is_claimed():
+    claimed = {printed for claim in DERIVATION.claims for printed in claim.places()}
+    for section in DERIVATION.sections:
+        for display in section.displays:
+            if not display.source and display.id not in GIVEN:
+                count = len(DERIVATION.texts().statements(display))
+                missing = {k for k in range(1, count + 1) if display[k] not in claimed}
+                assert not missing - GIVEN_IN_PART.get(display.id, set()), display.id
+
+
+GIVEN = {
+    "no-c",
+    "r-of-a-b",
+    "phi",
+    "any-c",
+    "psi",
+    "roots-of-phi",
+    "B-D.1",
+    "B-D.2",
+    "bracket",
+    "s",
+}
+"""Displays that define names."""
+
+GIVEN_IN_PART = {"G": {2}, "parameters": {2}, "solution": {1, 2}}
+"""Statements that define names in displays that hold others as well."""
+
+
+@pytest.mark.parametrize("id", CLAIMS)
+def test_a_mutant_is_refuted_at_an_exact_point(session, id):
+    """A sign, an index or a power changed makes each claim false somewhere."""
+    claim = CLAIMS[id]
+    for neighbour in islice(claim.neighbours(session.texts), 60):
+        bench = session._bench("flint", session.texts).with_texts(neighbour.texts)
+        try:
+            finding = neighbour.claim.decide(bench)
+        except (StageError, NotationError, ZeroDivisionError):
+            continue
+        if finding.verdict == "refuted":
+            assert finding.counterexample.left != finding.counterexample.right
+            assert finding.counterexample.point.values
+            return
+    pytest.fail("no mutant was refuted")
+
+
+def test_without_evidence_the_searches_come_to_the_same(outcomes):
+    ids = ["m", "m-real", "g", "combined", "curve.1"]
+    found = verify(DERIVATION, ["flint"], only=ids)
+    assert {o.claim: o.verdict for o in found.outcomes} == {i: outcomes[i].verdict for i in ids}
+
+
+def test_the_phase_point_rests_on_the_formulas_that_define_it(outcomes):
+    places = {f"radicals.{k}" for k in (1, 2, 3, 4)}
+    assert {"separated.1", "separated.2"} <= set(outcomes) and places <= set(outcomes)
+    assert "G" in outcomes["point.g"].rests_on
+    assert "eq10.1" in outcomes["l"].rests_on
