@@ -89,14 +89,12 @@ def ball_point(question: Question, exact: ExactPoint) -> Valuation:
     """The valuation at an exact point, in the precision that is set."""
     unit = acb(0, 1)
     values = {name: number(re) + number(im) * unit for name, (re, im) in exact.items()}
-    before = Valuation(number, values)
-    roots = {}
-    for name, radicand in zip(question.ring.roots, question.ring.radicands, strict=True):
-        if name not in values:
-            before.values[name] = square_root(before(radicand))
-        roots[name] = before.values[name]
     generators = {name: values[name] for name in question.ring.generators}
-    return Valuation(number, generators, roots)
+
+    def choose(name: str, square: acb) -> acb:
+        return values[name] if name in values else square_root(square)
+
+    return Valuation(number, generators, choose)
 
 
 def square_root(value: acb) -> acb:
@@ -159,8 +157,8 @@ def rank(rows: list[list[acb]]) -> tuple[int, float]:
 
 
 def _no(question: Question, point: Valuation, left: str, right: str, words: str) -> Answer:
-    names = [*question.ring.generators, *question.ring.roots]
-    values = {name: point.values[name].str(8, radius=False) for name in names}
+    found = point.coordinates(question.ring)
+    values = {name: value.str(8, radius=False) for name, value in found.items()}
     return Answer(
         False, f"{words}, in balls of {ctx.prec} bits", point=values, left=left, right=right
     )

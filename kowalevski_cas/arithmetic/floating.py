@@ -137,10 +137,7 @@ class Arithmetic(Points):
 def at(ring: Programs, values: Mapping[str, Array], signs: Mapping[str, Array]) -> Valuation:
     """The valuation at many points, with the roots of these signs."""
     generators = {name: Rounded(value, np.abs(value)) for name, value in values.items()}
-    before = Valuation(number, generators)
-    for name, radicand in zip(ring.roots, ring.radicands, strict=True):
-        before.values[name] = before(radicand).root(signs[name])
-    return Valuation(number, generators, {name: before.values[name] for name in ring.roots})
+    return Valuation(number, generators, lambda name, square: square.root(signs[name]))
 
 
 def newton(
@@ -187,8 +184,8 @@ def ratio(value: Rounded) -> Array:
 
 def _coordinates(question: Question, point: Valuation, where: int) -> dict[str, str]:
     """The coordinates of one of the points."""
-    names = (*question.ring.generators, *question.ring.roots)
-    return {name: _shown(point.values[name], where) for name in names}
+    found = point.coordinates(question.ring)
+    return {name: _shown(value, where) for name, value in found.items()}
 
 
 def _shown(value: Rounded, where: int) -> str:

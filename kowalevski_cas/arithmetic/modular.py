@@ -15,7 +15,6 @@ which a point was found.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 from random import Random
 
 from flint import fmpz, nmod
@@ -23,7 +22,7 @@ from flint import fmpz, nmod
 from kowalevski_cas.arithmetic.bounds import Sizes
 from kowalevski_cas.arithmetic.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.arithmetic.programs import Program
-from kowalevski_cas.arithmetic.residue_points import NoRoot, solved, square_root
+from kowalevski_cas.arithmetic.residue_points import NoRoot, solved, valuation
 from kowalevski_cas.arithmetic.valuation import Valuation
 
 LOWEST = 2**61
@@ -76,7 +75,9 @@ def vanishes(program: Program) -> bool:
     if not samples:
         random = Random(0)
         for prime in primes(random, PRIMES):
-            samples.append(residue_point(Question(program.ring), prime, random))
+            # Programs that are asked later may need any of the roots.
+            roots = [program.ring.generator(name) for name in program.ring.roots]
+            samples.append(residue_point(Question(program.ring, roots), prime, random))
     return all(point(program) == 0 for point in samples)
 
 
@@ -90,7 +91,7 @@ def primes(random: Random, number: int) -> Iterator[int]:
 
 
 def residue_point(question: Question, prime: int, random: Random) -> Valuation:
-    """A random point modulo a prime at which the roots exist and the given equations hold.
+    """A random point modulo a prime at which what is asked is defined and what is given holds.
 
     Raises :class:`NoPoint` if none is found.
     """
@@ -102,11 +103,7 @@ def residue_point(question: Question, prime: int, random: Random) -> Valuation:
         try:
             if question.given:
                 values = solved(question.given, values, signs, prime, random)
-            before = Valuation(lambda value: residue(value, prime), values)
-            for name, radicand in zip(ring.roots, ring.radicands, strict=True):
-                before.values[name] = signs[name] * square_root(before(radicand))
-            roots = {name: before.values[name] for name in ring.roots}
-            point = Valuation(before.number, values, roots)
+            point = valuation(values, signs, prime)
             if any(point(equation) != 0 for equation in question.given):
                 continue
             for program in question.programs():
@@ -115,11 +112,6 @@ def residue_point(question: Question, prime: int, random: Random) -> Valuation:
         except (ZeroDivisionError, NoRoot):
             continue
     raise NoPoint(f"no point was found modulo {prime} in {tries} tries")
-
-
-def residue(value: Fraction, prime: int) -> nmod:
-    """A rational number modulo a prime."""
-    return nmod(value.numerator, prime) / nmod(value.denominator, prime)
 
 
 def bound_of(question: Question) -> float:
@@ -154,8 +146,8 @@ def _refutation(question: Question, point: Valuation, prime: int) -> Answer | No
 def _no(
     question: Question, point: Valuation, prime: int, left: str, right: str, words: str
 ) -> Answer:
-    names = [*question.ring.generators, *question.ring.roots]
-    values = {name: str(int(point.values[name])) for name in names}
+    found = point.coordinates(question.ring)
+    values = {name: str(int(value)) for name, value in found.items()}
     return Answer(False, f"{words}, modulo {prime}", point=values, left=left, right=right)
 
 

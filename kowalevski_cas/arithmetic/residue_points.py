@@ -9,6 +9,8 @@ with coefficients that are rational functions of T, and the other one gives T.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import lru_cache
 from itertools import permutations
 from random import Random
 from typing import Any
@@ -90,23 +92,20 @@ def solved(
         curve: dict[str, Any] = {**found, last: Rational(*variable)}
         for equation, name in zip(system, linear, strict=False):
             curve[name] = _linear(equation, name, curve, signs, prime)
-        root = _root(_value(system[-1], curve, signs, prime), found[last], random)
+        root = _root(valuation(curve, signs, prime)(system[-1]), found[last], random)
         found[last] = root
         for name in linear:
             found[name] = _at(curve[name], root)
     return found
 
 
-def _value(
-    program: Program, values: Mapping[str, Any], signs: Mapping[str, int], prime: int
-) -> Any:
-    """The value of an equation where some generators are functions of T, its roots are not."""
-    point = Valuation(lambda v: nmod(v.numerator, prime) / nmod(v.denominator, prime), values)
-    for step in steps([program]):
-        if step.op is Op.ROOT:
-            name = str(step.data)
-            point.values[name] = signs[name] * square_root(point(step.args[0]))
-    return point(program)
+def valuation(values: Mapping[str, Any], signs: Mapping[str, int], prime: int) -> Valuation:
+    """The valuation at a point modulo a prime, with the roots of these signs."""
+
+    def number(value: Fraction) -> nmod:
+        return nmod(value.numerator, prime) / nmod(value.denominator, prime)
+
+    return Valuation(number, values, lambda name, square: signs[name] * square_root(square))
 
 
 def _linear(
@@ -118,7 +117,7 @@ def _linear(
 ) -> Rational:
     """The solution of an equation that is linear in one unknown, as a function of T."""
     zero, one = (
-        _value(equation, {**curve, name: nmod(value, prime)}, signs, prime) for value in (0, 1)
+        valuation({**curve, name: nmod(value, prime)}, signs, prime)(equation) for value in (0, 1)
     )
     solution: Rational = -1 * zero * (1 / (one + -1 * zero))
     return solution
@@ -143,6 +142,7 @@ def _at(function: Any, root: nmod) -> nmod:
     return function.above(root) / function.below(root)
 
 
+@lru_cache(maxsize=32)
 def plan(equations: tuple[Program, ...]) -> Plan:
     """An order in which the equations can be solved; raises :class:`NoPoint` if there is none."""
     inside = {equation: _names(equation) for equation in equations}

@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from kowalevski_cas.arithmetic.programs import Op, Program, field_of, steps
+from kowalevski_cas.arithmetic.programs import Op, Program, Programs, field_of, steps
 from kowalevski_cas.arithmetic.series import Series, inverse, level_of, power
 
 Number = Any
@@ -23,20 +23,23 @@ Convert = Callable[[Fraction], Number]
 """A rational number as a number of the arithmetic."""
 
 
+Choose = Callable[[str, Number], Number]
+"""A square root of a value, by the name of the root."""
+
+
 class Valuation:
     """The values of programs at one point.
 
-    ``values`` gives the generators, ``roots`` the roots as they were chosen;
-    ``number`` converts rational numbers. Raises ``ZeroDivisionError`` on a point
-    where something is divided by zero.
+    ``values`` gives the generators; ``choose`` takes the name of a root and the value
+    of its radicand, and says which of the two roots it is, once for each root that is
+    needed; ``number`` converts rational numbers. Raises ``ZeroDivisionError`` on a
+    point where something is divided by zero.
     """
 
-    def __init__(
-        self, number: Convert, values: Mapping[str, Any], roots: Mapping[str, Any] | None = None
-    ) -> None:
+    def __init__(self, number: Convert, values: Mapping[str, Any], choose: Choose) -> None:
         self.number = number
-        self.values = {**values, **(roots or {})}
-        self.roots = frozenset(roots or ())
+        self.values = values
+        self.choose = choose
         self.level = -1
         self.field: Mapping[str, Program] | None = None
         self.origin: Valuation | None = None
@@ -72,10 +75,19 @@ class Valuation:
         name = str(program.data)
         if name in self.values:
             return self.values[name]
-        if program.op is Op.GENERATOR or self.origin is None:
+        if program.op is Op.GENERATOR:
             raise KeyError(f"{name} has no value at the point")
-        square, root = self(program.args[0]), self.origin(program)
+        square = self(program.args[0])
+        if self.origin is None:
+            return self.choose(name, square)
+        root = self.origin(program)
         return square.root(root) if level_of(square) == self.level else root
+
+    def coordinates(self, ring: Programs) -> dict[str, Any]:
+        """The values of the generators, and of the roots that were needed."""
+        roots = map(ring.generator, ring.roots)
+        used = {str(root.data): self._known[root] for root in roots if root in self._known}
+        return {name: self.values[name] for name in ring.generators} | used
 
     def _along(self, program: Program) -> Any:
         (inner,), field = program.args, field_of(program)
@@ -114,9 +126,8 @@ class Valuation:
     def _moved(self, field: Mapping[str, Program], paths: Mapping[str, list[Any]]) -> Valuation:
         """The valuation with series for the generators that move; roots follow their radicands."""
         level = self.level + 1
-        still = {name: value for name, value in self.values.items() if name not in self.roots}
         moving = {name: Series(level, list(path)) for name, path in paths.items()}
-        point = Valuation(self.number, {**still, **moving})
+        point = Valuation(self.number, {**self.values, **moving}, self.choose)
         point.level, point.field, point.origin = level, field, self
         return point
 

@@ -81,7 +81,7 @@ def test_a_program_has_the_value_of_the_expanded_element(recipe):
         program = build(recipe, one, field(one))
         x, y, s = Fraction(3), Fraction(5), Fraction(4)  # 3·5 + 1 = 4²
         expected = at(element, other, x, y, s)
-        point = Valuation(lambda value: value, {"x": x, "y": y}, {"s": s})
+        point = Valuation(lambda value: value, {"x": x, "y": y}, lambda name, square: s)
         assert point(program) == expected
     except ZeroDivisionError:
         assume(False)
