@@ -13,6 +13,7 @@ from pathlib import Path
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
 from kowalevski_cas.study import STEPS, load
+from kowalevski_cas.study.plates import write_plates
 from kowalevski_cas.study.run import measure, stored
 
 FULL, QUICK = Path("reports/study"), Path("build/study")
@@ -61,4 +62,5 @@ def run(arguments: argparse.Namespace) -> int:
         note = f", {failed} with an error" if failed else ""
         print(f"{name}: {step.TITLE}: {len(rows)} measurements{note}")
         sys.stdout.flush()
+    write_plates(folder)
     return AS_RECORDED

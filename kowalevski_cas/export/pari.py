@@ -47,7 +47,7 @@ class Program(Language):
     version = ("--version-short",)
 
     def arguments(self, file: Path) -> list[str]:
-        return ["--quiet", "--fast", "--default", "parisizemax=1G", file.name]
+        return ["--quiet", "--fast", "--default", "parisize=1G", file.name]
 
     def frame(self, generators: Sequence[str], lines: Iterable[str]) -> str:
         names = ", ".join(reversed(generators))

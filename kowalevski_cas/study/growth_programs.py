@@ -37,8 +37,7 @@ WORDS = {
         end="quit;",
     ),
     "pari": Words(
-        command=("gp", "--quiet", "--fast", "--default", "parisize=64M",
-                 "--default", "parisizemax=2500M"),
+        command=("gp", "--quiet", "--fast", "--default", "parisize=2G"),
         suffix=".gp",
         begin="[{names}];\nclock = 0;",
         define="{name} = {text};",

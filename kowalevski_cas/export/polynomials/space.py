@@ -157,10 +157,22 @@ class Space:
         if name in self.squares:
             change = self.along(self.squares[name], rates)
             if not change.element.vanishes():
+                if (parts := change.element.split(name)).keys() == {1}:
+                    return self._half(own, change, parts[1])
                 half = self.inverse(self.squares[name] + self.squares[name])
                 return self.writer.named(own * change * half)
             self.vanishes(f"rate of the square of {name}", change)
         return self.number(0)
+
+    def _half(self, own: Value, change: Value, factor: checker.Element) -> Value:
+        """The rate of a root whose square changes by a multiple of the root itself."""
+        multiple = Value(self.writer.polynomial(factor, self.at), factor)
+        multiple = self.writer.named(multiple)
+        self.vanishes("rate of a square", change - own * multiple)
+        return multiple * Value(
+            self.writer.language.number(Fraction(1, 2)),
+            checker.Element(self.checked, {0: Fraction(1, 2)}),
+        )
 
     def carried(self, images: dict[str, Value], space: Space) -> Map:
         """The map into a space that takes names to images, after checks that relations hold."""

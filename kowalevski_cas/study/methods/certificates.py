@@ -22,8 +22,8 @@ from kowalevski_cas.study.step import Measured
 
 SECONDS = 20
 
-REFUSALS = ("the two sides are not equal", "fails: ", "not a valid field equation")
-"""How a reader says that a statement is false; anything else is no answer."""
+REFUSALS = ("the two sides are not equal", "fails: ")
+"""How a reader that decides says no; of others, no proof is no answer."""
 
 
 def answer(seconds: float, reason: str) -> Measured:
