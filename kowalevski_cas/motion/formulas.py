@@ -97,6 +97,23 @@ def phase_point() -> Function:
     return function(values, ARGUMENTS)
 
 
+@cache
+def jacobi_rates() -> Function:
+    """The rates of sn, cn, dn of n·t, by sn, cn, dn, n and the modulus k."""
+    derivation, _ = _derivation("kharlamov_savushkin2004")
+    printed = {display.id: display for display in derivation.displays()}
+    functions = (r"\mathrm{sn}", r"\mathrm{cn}", r"\mathrm{dn}")
+    scene = Scene(
+        "Jacobi's functions",
+        "sn, cn, dn as variables",
+        variables=functions,
+        constants=("n", "k"),
+        field=(printed["jacobi"][3], printed["jacobi-rates"][1], printed["jacobi-rates"][2]),
+    )
+    stage = Stage(scene, load_arithmetic("flint"), derivation.texts())
+    return function([stage.field[name] for name in functions], (*functions, "n", "k"))
+
+
 def _value(stage: Stage, tex: str) -> Element:
     """The value of an expression in the names of the stage."""
     return scalar(stage.formula(tex), stage)
