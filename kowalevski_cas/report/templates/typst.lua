@@ -82,6 +82,7 @@ local around = {
   evidence = { "#evidence[", "]" },
   intro = { "#before[", "]" },
   plate = { "#block(breakable: false, above: 2em)[", "]" },
+  shown = { "#block(breakable: false, above: 1.8em)[#set text(0.9em)\n", "]" },
   picturing = { "#block(above: 1em, below: 1em)[", "]" },
 }
 
