@@ -6,8 +6,11 @@ import re
 from functools import cache
 
 _LETTERS = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "theta": "θ", "omega": "ω", "xi": "ξ", "tau": "τ",
-    "ell": "ℓ", "Psi": "Ψ", "varphi": "φ", "psi": "ψ", "lambda": "λ", "mu": "μ", "sigma": "σ",
+    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "varepsilon": "ε",
+    "zeta": "ζ", "eta": "η", "theta": "θ", "vartheta": "ϑ", "kappa": "κ", "lambda": "λ",
+    "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ",
+    "phi": "φ", "varphi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "Gamma": "Γ", "Delta": "Δ",
+    "Theta": "Θ", "Lambda": "Λ", "Sigma": "Σ", "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω", "ell": "ℓ",
     "times": "×", "cdot": "·", "equiv": "≡", "ne": "≠", "to": "→", "dots": "…", "ldots": "…",
 }  # fmt: skip
 _LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
