@@ -118,18 +118,21 @@ class CriticalEquations:
         function = self.homogeneous(stage)
         assert function is not None
         critical = self.derivatives(stage, function)
-        goals, level = self.goals(stage), self.surface(stage)[0]
-        names = stage.scene.variables
-        slopes = zip(names, gradient(level, names), strict=True)
-        free = tuple(name for name, slope in slopes if slope.is_zero)
-        fields = [gradient(goal, free) for goal in goals]
-        if len(free) == 3:
-            fields += [_cross(a, b) for a, b in combinations(fields, 2)]
-        targets = [*critical, *(_dot(field, critical) for field in fields)]
+        targets = [*critical, *(_dot(field, critical) for field in self.fields(stage))]
         if self.zero_level:
             targets.append(function)
         granted = [scalar(stage.formula(tex), stage) for tex in self.loci(stage)]
-        return System(stage.ring, targets, goals, [*granted, level])
+        return System(stage.ring, targets, self.goals(stage), [*granted, self.surface(stage)[0]])
+
+    def fields(self, stage: Stage) -> list[list[Element]]:
+        """Gradients of the equations, and their cross products, in the variables that are free."""
+        names = stage.scene.variables
+        slopes = zip(names, gradient(self.surface(stage)[0], names), strict=True)
+        free = tuple(name for name, slope in slopes if slope.is_zero)
+        fields = [gradient(goal, free) for goal in self.goals(stage)]
+        if len(free) == 3:
+            fields += [_cross(a, b) for a, b in combinations(fields, 2)]
+        return fields
 
     @staticmethod
     def loci(stage: Stage) -> list[str]:

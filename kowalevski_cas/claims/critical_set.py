@@ -68,12 +68,12 @@ class CriticalSet(Claim):
     def decide(self, bench: Bench) -> Finding:
         """Divide the function by products of the equations, then split into cases."""
         stage = bench.stage(self.scene)
-        problem = self._problem(bench)
-        row = self._forward(bench, problem)
+        problem = self.problem(bench)
+        row = self.forward(bench, problem)
         if row is None:
             moving = self._moving_point(bench, problem)
             return refuted(moving) if moving else Finding(Verdict.UNDECIDED)
-        case = self._cases(bench, problem)
+        case = self.cases(bench, problem)
         if not problem.system(stage).holds(case):
             return Finding(Verdict.UNDECIDED, message="a split into cases does not hold")
         steps = self._steps(row, case, stage) if bench.explain else []
@@ -91,14 +91,14 @@ class CriticalSet(Claim):
     beyond_points = "whether other points are critical cannot be seen at points of the set"
 
     def questions(self, bench: Bench) -> Iterator[Question]:
-        stage, problem = bench.stage(self.scene), self._problem(bench)
+        stage, problem = bench.stage(self.scene), self.problem(bench)
 
         def given(stage: Stage) -> list[Element]:
             return [*problem.goals(stage), problem.beside(stage)]
 
         yield ask(stage, problem.rates(stage), given)
 
-    def _problem(self, bench: Bench) -> CriticalEquations:
+    def problem(self, bench: Bench) -> CriticalEquations:
         """The equations as the texts of the bench print them, with weights that were found."""
         assert self.printed is not None
         problem = CriticalEquations(
@@ -112,7 +112,8 @@ class CriticalSet(Claim):
 
     # -- both directions -------------------------------------------------------
 
-    def _forward(self, bench: Bench, problem: CriticalEquations) -> list[Element] | None:
+    def forward(self, bench: Bench, problem: CriticalEquations) -> list[Element] | None:
+        """The function, made homogeneous, as a combination of products of the equations."""
         if problem.homogeneous(bench.stage(self.scene)) is None:
             return None
 
@@ -132,7 +133,9 @@ class CriticalSet(Claim):
             problem.goals,
         )
 
-    def _cases(self, bench: Bench, problem: CriticalEquations) -> Case:
+    def cases(self, bench: Bench, problem: CriticalEquations) -> Case:
+        """The tree of cases that leads from the critical equations to the set."""
+
         def search(finder: Bench) -> Case:
             from kowalevski_cas.search.cases import Splitter
 

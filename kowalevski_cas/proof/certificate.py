@@ -7,8 +7,9 @@ itself, the file has to parse to what was meant, and the checker has to accept i
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from copy import deepcopy
+from fractions import Fraction
 from hashlib import sha256
 from typing import Any
 
@@ -32,12 +33,11 @@ DIVISORS = 40
 
 @dataclass(frozen=True)
 class Written:
-    """A certificate as text, or the reason why there is none; and what it leaves to words."""
+    """A certificate as text, or the reason why there is none."""
 
     claim: str
     text: str = ""
     reason: str = ""
-    notes: tuple[str, ...] = ()
 
     @property
     def digest(self) -> str:
@@ -84,12 +84,13 @@ def certificate(claim: Claim, outcome: Outcome, bench: Bench, mended: Bench) -> 
             state(claim, parts)
     else:
         raise CertificateError(f"the claim is {outcome.verdict}")
-    text = dump(claim.id, outcome.digest, *_complete(parts))
+    notes = tuple(dict.fromkeys(parts.notes))
+    text = dump(claim.id, outcome.digest, *_complete(parts), notes)
     read = json.loads(text)
     if read["claim"] != claim.id or dump(*(read[k] for k in KEYS)) != text:
         raise CertificateError("the certificate does not read back as it was written")
     checker.check(text)
-    return Written(claim.id, text, notes=tuple(dict.fromkeys(parts.notes)))
+    return Written(claim.id, text)
 
 
 def stated(claim: Claim, bench: Bench) -> str:
@@ -100,14 +101,19 @@ def stated(claim: Claim, bench: Bench) -> str:
     """
     parts = Parts(bench)
     state(claim, parts)
-    return dump(claim.id, "", *_complete(parts))
+    return dump(claim.id, "", *_complete(parts), parts.notes)
 
 
-KEYS = ("claim", "statement", "spaces", "parts")
+KEYS = ("claim", "statement", "spaces", "parts", "notes")
 
 
-def dump(claim: str, statement: str, spaces: list[Tree], parts: list[Tree]) -> str:
-    """The text of a certificate, an item a line, with its digest."""
+def dump(
+    claim: str, statement: str, spaces: list[Tree], parts: list[Tree], notes: Sequence[str]
+) -> str:
+    """The text of a certificate, an item a line, with its digest.
+
+    The ``notes`` say what it leaves to an argument in words.
+    """
     data: dict[str, Any] = {
         "format": checker.FORMAT,
         "version": checker.VERSION,
@@ -115,6 +121,7 @@ def dump(claim: str, statement: str, spaces: list[Tree], parts: list[Tree]) -> s
         "statement": statement,
         "spaces": spaces,
         "parts": parts,
+        "notes": list(notes),
     }
     canonical = json.dumps({**data, "digest": ""}, sort_keys=True)
     digest = sha256(canonical.encode()).hexdigest()
@@ -124,7 +131,7 @@ def dump(claim: str, statement: str, spaces: list[Tree], parts: list[Tree]) -> s
 
 def _shown(item: Any) -> str:
     """A value as JSON; the entries of spaces and parts stand on lines of their own."""
-    if isinstance(item, list):
+    if isinstance(item, list) and item:
         return "[\n " + ",\n ".join(_shown(entry) for entry in item) + "\n]"
     if isinstance(item, dict):
         entries = (f'"{key}": {_line(value)}' for key, value in item.items())
@@ -140,6 +147,9 @@ def _complete(parts: Parts) -> tuple[list[Tree], list[Tree]]:
     """The spaces and parts, with the divisors that the checker asks for, and points."""
     for writer in reversed(parts.spaces):
         writer.close()
+        if writer.relations:
+            stated = {"space": writer.index, "shows": "follows", "equations": writer.relations}
+            parts.parts.append(stated)
     spaces = _divided(parts)
     finished = []
     for part in parts.parts:
@@ -155,7 +165,7 @@ def _divided(parts: Parts) -> list[Tree]:
         made: list[checker.Space] = []
         try:
             for space in deepcopy(data):
-                made.append(checker.Space(made, space))
+                made.append(checker.Space(made, **space))
             for part in parts.parts:
                 _rehearse(made[part["space"]], part)
             return data
@@ -170,13 +180,11 @@ def _divided(parts: Parts) -> list[Tree]:
 
 def _rehearse(space: checker.Space, part: dict[str, Any]) -> None:
     """Let the checker compute what needs no point."""
-    space.work = 0
+    checker.Space.left = checker.WORK
     if part["shows"] == "follows":
-        targets = space.differences(part["equations"])
-        known = space.differences(part.get("given", ()))
-        for target, row in zip(targets, part.get("cofactors", ()), strict=False):
-            for tree, element in zip(row, known, strict=True):
-                target = target + space.scalar(tree) * element
+        space.differences([*part["equations"], *part.get("given", ())])
+        for tree in _proof_trees(part):
+            space.scalar(tree)
         return
     trees = [*part.get("levels", ()), *part.get("functions", ())]
     equations = [*part.get("given", ()), *([part["equation"]] if "equation" in part else ())]
@@ -187,6 +195,14 @@ def _rehearse(space: checker.Space, part: dict[str, Any]) -> None:
                 element.along({name: space.number(1)})
 
 
+def _proof_trees(proof: dict[str, Any]) -> Iterator[Tree]:
+    """The trees of a proof, with those of its cases."""
+    for row in (*proof.get("cofactors", ()), *proof.get("product", ())):
+        yield from row
+    for case in proof.get("cases", ()):
+        yield from _proof_trees(case)
+
+
 def _tree(divisor: checker.Element) -> Tree:
     """A polynomial of the checker as a tree, without a factor that is a number."""
     space, terms = divisor.space, sorted(divisor.terms.items(), reverse=True)
@@ -195,7 +211,7 @@ def _tree(divisor: checker.Element) -> Tree:
     for monomial, value in terms:
         powers = ((n, monomial >> s & checker.MASK) for n, s in space.at.items())
         factors: list[Tree] = [n if e == 1 else ["^", n, e] for n, e in powers if e]
-        ratio = value / lead if len(terms) > 1 else 1
+        ratio = Fraction(value, lead) if len(terms) > 1 else Fraction(1)
         top, below = ratio.as_integer_ratio()
         if ratio != 1 or not factors:
             factors.insert(0, top if below == 1 else ["/", top, below])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import combinations, islice
 from typing import Any
 
@@ -60,31 +60,37 @@ class Parts:
         space: SpaceWriter,
         equations: Sequence[Equation],
         given: Sequence[Equation],
-        rows: Sequence[Sequence[Element]],
+        rows: Sequence[Sequence[Element]] = (),
         root: str | None = None,
+        proof: Mapping[str, Any] | None = None,
+        at: AtPoint | None = None,
     ) -> None:
-        """Equations that hold where given ones do, by combinations that were found."""
+        """Equations that hold where given ones do, by combinations that were found, or a proof."""
         for left, right in (*equations, *given):
             space.take(left)
             space.take(right)
-        cofactors = [[space.element(entry) for entry in row] for row in rows]
+        combined = {"cofactors": [[space.element(entry) for entry in row] for row in rows]}
         part: dict[str, Any] = {
             "space": space.index,
             "shows": "follows",
             "equations": list(equations),
             "given": list(given),
-            "cofactors": cofactors,
+            **(combined if proof is None else proof),
         }
         if root is not None:
             part["root"] = root
         known = [space.difference(sides) for sides in given]
-        part["point"] = lambda: space.point(self.exact_point(space, known))
+        part["point"] = lambda: space.point(at or self.exact_point(space, known))
         self.parts.append(part)
 
     def differ(
-        self, space: SpaceWriter, equation: Equation, given: Sequence[Equation] = ()
+        self,
+        space: SpaceWriter,
+        equation: Equation,
+        given: Sequence[Equation] = (),
+        at: AtPoint | None = None,
     ) -> None:
-        """A point where an equation fails."""
+        """A point where an equation fails: a given one, or one that is sought."""
         for left, right in (equation, *given):
             space.take(left)
             space.take(right)
@@ -92,7 +98,7 @@ class Parts:
         part: dict[str, Any] = {"space": space.index, "shows": "differ", "equation": equation}
         if given:
             part["given"] = list(given)
-        part["point"] = lambda: space.point(self.exact_point(space, known, target))
+        part["point"] = lambda: space.point(at or self.exact_point(space, known, target))
         self.parts.append(part)
 
     def rank(

@@ -30,8 +30,8 @@ from kowalevski_cas.notation import (
     read,
     replace,
 )
-from kowalevski_cas.proof.numbers import number_tree
 from kowalevski_cas.proof.trees import CertificateError, Tree, decode, encode, names_of, uses
+from kowalevski_cas.proof.values import number_tree
 from kowalevski_cas.scene import Change
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.evaluate import Triple, evaluate, linear_exponent
@@ -49,10 +49,12 @@ class SpaceWriter:
         self.index, self.source = index, source
         self.mark = "dot" if self.scene.time == "t" else "prime"
         self.steps: list[list[Tree]] = []
+        self.relations: list[list[Tree]] = []
+        self.meanings: dict[str, Tree] = {}
         self.nonzero: list[Tree] = []
         self.known: set[str] = set()
         self.powers: list[tuple[str, str, str]] = []
-        self.moving = self.whole = self.conjugating = False
+        self.moving = self.whole = False
 
     # -- formulas --------------------------------------------------------------
 
@@ -99,7 +101,7 @@ class SpaceWriter:
     def element(self, element: Element) -> Tree:
         """The tree of an element of the stage; it has to read back as the element."""
         ring, words = element.ring, self.stage.texts.vocabulary
-        plain = [read(n, words) for n in ring.polynomials.generators]
+        plain: list[Formula] = [Name(n) for n in ring.polynomials.generators]
         names = [*plain, *(self._generator(read(n, words), plain) for n in ring.roots)]
         terms = {
             (*exponents, *(mask >> bit & 1 for bit in range(len(ring.roots)))): value
@@ -112,7 +114,7 @@ class SpaceWriter:
             for _ in range(exponent)
         ]
         above = encode(self._plain(polynomial_formula(terms, names)))
-        tree = ["/", above, *below] if below else above
+        tree = ["/", above, *below] if below and above != 0 else above
         if not (scalar(decode(tree, self.mark), self.stage) - element).is_zero:
             raise CertificateError("an element does not read back as what was found")
         self.take(tree)
@@ -169,9 +171,9 @@ class SpaceWriter:
             return None
         value = self._plain(self.stage.definition(name))
         square = self.tree(Power(value, Number(2)))
-        step = ["where", square, self.tree(root.argument)]
-        if step not in self.steps:
-            self.steps.append(step)
+        sides = [square, self.tree(root.argument)]
+        if sides not in self.relations:
+            self.relations.append(sides)
         return value
 
     def _same(self, left: Formula, right: Formula) -> bool:
@@ -206,11 +208,18 @@ class SpaceWriter:
 
     def value(self, tree: Tree) -> tuple[Element, ...]:
         """The components of the value of a tree; partial derivatives are the stage's own."""
+        if isinstance(tree, str) and tree in self.meanings:
+            return self.value(self.meanings[tree])
         if isinstance(tree, list) and tree[0] == "d":
             values = (along(v, {tree[1]: self.stage.ring.one}) for v in self.value(tree[2]))
             return tuple(values)
         if isinstance(tree, list) and uses(tree, "d"):
-            raise CertificateError("a partial derivative stands inside a formula")
+            op, first, *rest = tree[0], *(self.value(part)[0] for part in tree[1:])
+            for other in rest:
+                first = first + other if op == "+" else first * other
+            if op not in ("+", "*", "-"):
+                raise CertificateError(f"a partial derivative stands under {op}")
+            return (-first if op == "-" else first,)
         value = evaluate(decode(tree, self.mark), self.stage)
         return tuple(value) if isinstance(value, Triple) else (value,)
 
@@ -228,7 +237,6 @@ class SpaceWriter:
         for argument in _radicands(tree):
             self._declare_root(argument)
         self.moving |= uses(tree, "D")
-        self.conjugating |= uses(tree, "conj")
 
     def need(self, name: str) -> None:
         """Give a name its meaning, unless it has it already."""
@@ -260,6 +268,12 @@ class SpaceWriter:
         self.take(tree)
         self.known.add(name)
         self.steps.append(["let", name, tree])
+
+    def abbreviate(self, name: str, tree: Tree) -> None:
+        """Define a name that the scene does not have."""
+        if name not in self.known:
+            self.let(name, tree)
+            self.meanings[name] = tree
 
     def _old(self, name: str) -> None:
         """A variable of the scene from which this one is a change, by the inverse."""
@@ -305,7 +319,7 @@ class SpaceWriter:
             except StageError:
                 continue
             sides.append(self.tree(member))
-        self.steps.append(["where", sides[0], sides[-1]])
+        self.relations.append([sides[0], sides[-1]])
 
     def _declare_root(self, argument: Tree) -> None:
         """The step for the root of an expression, which the scene declares."""
@@ -331,7 +345,11 @@ class SpaceWriter:
     # -- the space -------------------------------------------------------------
 
     def close(self) -> None:
-        """Declare what the field and the change need."""
+        """Declare what the field and the change need, and all conjugates."""
+        for pair in self._conjugates():
+            if self.known & {*pair}:
+                for name in pair:
+                    self.need(name)
         if not (self.moving or self.whole):
             return
         for name in self.scene.variables:
@@ -363,6 +381,12 @@ class SpaceWriter:
         }
         if "i" in source.known:
             self.need("i")
+
+    def _conjugates(self) -> tuple[tuple[str, str], ...]:
+        """The pairs of conjugate names; none if the unit is printed with another square."""
+        unit, stage = self.scene.unit, self.stage
+        odd = unit is not None and not (stage.square("i", unit) + stage.ring.one).is_zero
+        return () if odd else self.scene.conjugates
 
     def equations_of_motion(self) -> Iterator[list[Tree]]:
         """The printed equations of motion: names, what multiplies the derivatives, right side."""
@@ -405,9 +429,9 @@ class SpaceWriter:
                 [[name], base, ["*", symbol, name, ["D", base]]]
                 for name, base, symbol in self.powers
             ]
-        if self.conjugating:
-            there = plain | roots
-            data["conjugates"] = [list(pair) for pair in scene.conjugates if {*pair} <= there]
+        there = plain | roots
+        if pairs := [list(pair) for pair in self._conjugates() if {*pair} <= there]:
+            data["conjugates"] = pairs
         return data
 
     def point(self, at: AtPoint) -> dict[str, Any]:
@@ -419,7 +443,8 @@ class SpaceWriter:
             if name == "i" and self.scene.unit is None:
                 values.append([name, name])
                 continue
-            value = scalar(self.stage.formula(name), self.stage)
+            own = name in self.stage.generators
+            value = scalar(Name(name) if own else self.stage.formula(name), self.stage)
             values.append([name, number_tree(at(value), squares)])
         return {"roots": sorted(squares), "values": values}
 

@@ -16,9 +16,11 @@ from kowalevski_cas.claims import (
     Claim,
     Coefficient,
     ConstantRoot,
+    CriticalSet,
     Degree,
     Dimension,
     DoubleZero,
+    Equilibria,
     Equivalence,
     FirstIntegral,
     Identity,
@@ -37,7 +39,9 @@ from kowalevski_cas.claims.claim import counterexample, equation, members
 from kowalevski_cas.claims.dimension import Set
 from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.notation import Constant, Formula, Relation, Sum, Unwritten
+from kowalevski_cas.proof.critical_sets import deny_critical_set, state_critical_set
 from kowalevski_cas.proof.parts import Parts, minus
+from kowalevski_cas.proof.rest_states import state_equilibria
 from kowalevski_cas.proof.scales import scale
 from kowalevski_cas.proof.spaces import SpaceWriter
 from kowalevski_cas.proof.trees import CertificateError, Tree
@@ -228,6 +232,21 @@ def _rows(claim: Unit, parts: Parts) -> list[Printed]:
 @state.register
 def _scaling(claim: Scaling, parts: Parts) -> None:
     scale(claim, parts)
+
+
+@state.register
+def _critical_set(claim: CriticalSet, parts: Parts) -> None:
+    state_critical_set(claim, parts)
+
+
+@state.register
+def _equilibria(claim: Equilibria, parts: Parts) -> None:
+    state_equilibria(claim, parts)
+
+
+@deny.register
+def _no_critical_set(claim: CriticalSet, parts: Parts) -> None:
+    deny_critical_set(claim, parts)
 
 
 # -- combinations ----------------------------------------------------------------

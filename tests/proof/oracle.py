@@ -58,6 +58,9 @@ class Names:
         self.data = data
         self.plain = [*data["variables"], *data.get("constants", [])]
         self.lets, self.radicands = {}, {}
+        self.swap = {a: b for pair in data.get("conjugates", []) for a, b in (pair, pair[::-1])}
+        squares = {name: tree for kind, name, tree in data.get("steps", []) if kind == "root"}
+        self.units = {name for name, tree in squares.items() if tree in (-1, ["-", 1])}
         for kind, name, tree in data.get("steps", []):
             if kind == "let":
                 self.lets[name] = self.open(tree)
@@ -75,8 +78,6 @@ class Names:
             factor, right = self.open(factor), self.open(right)
             for k, name in enumerate(names):
                 self.rates[name] = ["/", part(right, k), part(factor, k)]
-        swap = {a: b for pair in data.get("conjugates", []) for a, b in (pair, pair[::-1])}
-        self.swap = swap
 
     def open(self, tree):
         """A tree with definitions put in, and vectors kept as vectors."""
@@ -162,7 +163,7 @@ class Names:
 
     def bar(self, tree):
         if isinstance(tree, str):
-            return ["-", "i"] if tree == "i" else self.swap.get(tree, tree)
+            return ["-", tree] if tree in self.units else self.swap.get(tree, tree)
         if not isinstance(tree, list):
             return tree
         if tree[0] == "^":
@@ -235,9 +236,6 @@ class Names:
         data = self.data
         for tree in data.get("nonzero", []):
             require(self.value(self.open(tree), values) != 0, "a divisor is zero")
-        for kind, left, right in data.get("steps", []):
-            if kind == "where":
-                require(all(d == 0 for d in self.differences([[left, right]], values)), "where")
         for name, rate in self.rates.items():
             if name in self.radicands:
                 change = self.value(self.along(self.radicands[name]), values)
@@ -258,14 +256,18 @@ class Names:
             for name, radicand in self.old.radicands.items():
                 here = self.value(self.moved(name), values)
                 require(here * here == self.value(self.moved(radicand), values), "old relation")
+        if "change" in data:
+            scale = self.value(self.moved(self.old.open(data["change"]["time"])), values)
+            for name in self.old.plain:
+                rate = self.value(self.moved(self.old.along(name)), values) * scale
+                require(self.value(self.along(self.open(name)), values) == rate, "old rate")
+                if name in self.old.data["variables"]:
+                    tree = self.open(name)
+                    require(self.value(self.bar(tree), values) == self.value(tree, values), "real")
         if "conjugates" in data:
             for name, radicand in self.radicands.items():
                 bar = self.value(self.bar(name), values)
                 require(bar * bar == self.value(self.bar(radicand), values), "conjugate")
-            if "change" in data:
-                for name in self.old.data["variables"]:
-                    tree = self.open(name)
-                    require(self.value(self.bar(tree), values) == self.value(tree, values), "real")
 
 
 def point_values(names, point):
@@ -298,11 +300,31 @@ def point_values(names, point):
         require(values[name] ** 2 == names.value(radicand, values), "off a relation")
     for tree in names.data.get("nonzero", []):
         require(names.value(names.open(tree), values) != 0, "a divisor is zero")
-    if "conjugates" in names.data:
-        bars = {name: value(tree, -unit) for name, tree in point["values"]}
-        for name in values:
-            require(names.value(names.bar(name), values) == bars[name], "not real")
+    bars = {name: value(tree, -unit) for name, tree in point["values"]}
+    for name in values:
+        require(names.value(names.bar(name), values) == bars[name], "not real")
     return values
+
+
+def settled(names, values, targets, known, proof):
+    """Whether the identities of a proof hold at a point in general position."""
+    if groups := proof.get("product"):
+        require(not names.radicands and not names.swap, "cases are for real numbers")
+        require(len(groups) == len(proof["cases"]), "a case is missing")
+        product = number(1)
+        for group, case in zip(groups, proof["cases"], strict=True):
+            found = [names.components(tree, values)[0] for tree in group]
+            require(case.keys() <= {"product", "cofactors", "cases"}, "case")
+            settled(names, values, targets, known + found, case)
+            product *= found[0] if len(found) == 1 else sum((x * x for x in found), number(0))
+        targets = [product]
+    rows = proof.get("cofactors") or [[]] * len(targets)
+    require(len(rows) == len(targets), "rows")
+    for target, row in zip(targets, rows, strict=True):
+        require(len(row) == len(known), "row")
+        for tree, value in zip(row, known, strict=True):
+            target = target - names.components(tree, values)[0] * value
+        require(target == 0, "the two sides differ")
 
 
 def part_holds(names, item, generator):
@@ -322,13 +344,7 @@ def part_holds(names, item, generator):
                 others = names.differences(item["equations"], flipped)
                 require(known == names.differences(given, flipped), "sign")
                 targets = [a * b for k, a in enumerate(targets) for b in others[k:]]
-            rows = item.get("cofactors") or [[]] * len(targets)
-            require(len(rows) == len(targets), "rows")
-            for target, row in zip(targets, rows, strict=True):
-                require(len(row) == len(known), "row")
-                for tree, value in zip(row, known, strict=True):
-                    target = target - names.components(tree, values)[0] * value
-                require(target == 0, "the two sides differ")
+            settled(names, values, targets, known, item)
     elif kind == "rank":
         trees = [*item["levels"], *item["functions"], *(["+", a, ["-", b]] for a, b in given)]
         variables = names.data["variables"]

@@ -59,11 +59,9 @@ def changed(data, path, value):
     return data
 
 
-def mutants(data, path, names):
-    """Certificates that differ at one place, with words for the change."""
+def others(data, path, names):
+    """What could stand at a place instead; ``None`` takes it away."""
     value = at(data, path)
-    if path[0] not in ("spaces", "parts"):
-        return
     new = []
     if isinstance(value, bool):
         new = [not value]
@@ -72,14 +70,17 @@ def mutants(data, path, names):
     elif isinstance(value, str):
         new = list(OTHERS.get(value, ())) if value in OTHERS else [n for n in names if n != value]
     elif isinstance(value, list) and value:
-        new = [value[:-1], value[1:], [*value, value[-1]]]
+        new = [value[:-1], value[1:], [*value, value[-1]], []]
         if len(value) > 1:
             new += [[value[1], value[0], *value[2:]], [*value[:-2], value[-1], value[-2]]]
         if isinstance(value[0], str):
             new += [["-", value], ["+", value, 1], ["*", 2, value], ["/", value, 0], 0]
     elif isinstance(value, dict):
         new = [{**value, "note": 1}]
-    for item in new:
-        if type(item) is not type(value) or item != value:
-            yield f"{path} = {str(item)[:60]}", changed(data, path, item)
-    yield f"{path} deleted", changed(data, path, None)
+    return [item for item in new if type(item) is not type(value) or item != value] + [None]
+
+
+def mutants(data, path, names):
+    """Certificates that differ at one place, with words for the change."""
+    for value in others(data, path, names):
+        yield f"{path} = {str(value)[:60]}", changed(data, path, value)

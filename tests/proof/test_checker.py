@@ -15,10 +15,11 @@ from kowalevski_cas.proof import checker
 from kowalevski_cas.proof.committed import certificate_files, check_committed, check_files
 
 from .oracle import is_true
-from .tampering import at, changed, mutants, names_in, places, seal
+from .tampering import at, changed, names_in, others, places, seal
 
 CHECKER = Path(checker.__file__)
 FILES = certificate_files(find("kharlamov2002"))
+TAMPERED = 60
 TEXTS = {path.stem: path.read_text(encoding="utf-8") for path in FILES}
 
 
@@ -89,11 +90,11 @@ class TestProgram:
 
     def test_words(self):
         _, said = checker.check(TEXTS["theta-prime"])
-        assert said == [r"D(\theta) = Q_2"]
+        assert said == [r"D(\theta) = Q_2", "(i ^ 2) = (-1)"]
         _, said = checker.check(TEXTS["eq15"])
         assert said[0].startswith("D(F_1) = 0, D(F_2) = 0 wherever F_1 = 0, F_2 = 0, for ")
         _, said = checker.check(TEXTS["eq14"])
-        assert said[0].startswith("it is false that D((U_1 + -U_2)) = ")
+        assert said[0].startswith("it is false that D((U_1 + (-U_2))) = ")
 
 
 class TestText:
@@ -107,16 +108,18 @@ class TestText:
         for claim, text in TEXTS.items():
             data = json.loads(text)
             for place in random.Random(claim).sample(list(places(data)), 3):
-                for _, other in mutants(data, place, ["x_1", "i"]):
+                for value in others(data, place, ["x_1", "i"]):
                     with pytest.raises(Exception, match=None):
-                        checker.check(json.dumps(other))
+                        checker.check(json.dumps(changed(data, place, value)))
 
     def test_a_key_twice(self):
         text = TEXTS["eq6"].replace('"claim"', '"claim": "eq6", "claim"', 1)
         with pytest.raises(Exception, match=None):
             checker.check(text)
 
-    @pytest.mark.parametrize("key", ["format", "version", "claim", "statement", "spaces", "parts"])
+    @pytest.mark.parametrize(
+        "key", ["format", "version", "claim", "statement", "spaces", "parts", "notes"]
+    )
     def test_a_key_missing(self, key):
         data = certificate("eq6")
         del data[key]
@@ -237,8 +240,8 @@ class TestStatements:
         steps = data["spaces"][1]["steps"]
         root = next(step for step in steps if step[:2] == ["root", "z_1"])
         root[2] = ["+", root[2], "w_1"]
-        steps[:] = [step for step in steps if step[0] != "where"]
-        rejected(data, "z_1 does not move with its square")
+        data["parts"] = data["parts"][:1]
+        rejected(data, "z_1 does not keep its square")
 
     def test_the_sign_of_a_root_on_which_others_rest(self):
         space = {"variables": ["x"], "steps": [["root", "r", "x"], ["root", "s", "r"]]}
@@ -246,7 +249,7 @@ class TestStatements:
         values = [["x", 1], ["r", 1], ["s", 1]]
         part |= {"cofactors": [[0]], "root": "r", "point": {"roots": [], "values": values}}
         data = {**certificate("eq6"), "spaces": [space], "parts": [part]}
-        rejected(data, "the sign of r")
+        rejected(data, "the sign of 'r'")
 
     def test_a_rank_with_dependent_functions(self):
         data = certificate("M4-independence")
@@ -305,23 +308,21 @@ class TestStatements:
 
 
 @cache
-def all_places():
-    found = []
-    for claim in sorted(TEXTS):
-        data = certificate(claim)
-        found += [(claim, path) for path in places(data) if path[0] in ("spaces", "parts")]
-    return [(claim, path) for claim, path in found if len(path) > 1]
-
-
-def judge(claim, path, choose):
-    """Tamper at a place; what the checker accepts has to be true. Whether it was accepted."""
+def all_places(claim):
     data = certificate(claim)
+    return [path for path in places(data) if path[0] in ("spaces", "parts") and len(path) > 1]
+
+
+def judge(claim, choose):
+    """Tamper at a place; what the checker accepts has to be true. Whether it was accepted."""
+    data, path = certificate(claim), choose(all_places(claim))
     names = sorted(names_in([data["spaces"], data["parts"]]))
-    words, other = choose(list(mutants(data, path, [choose(names), choose(names)])))
+    value = choose(others(data, path, [choose(names), choose(names)]))
+    other = changed(data, path, value)
     if not accepted(other):
         return False
     true, why = is_true(other)
-    assert true, f"{claim}: {words} got through: {why}"
+    assert true, f"{claim}: {path} = {str(value)[:60]} got through: {why}"
     return True
 
 
@@ -340,19 +341,19 @@ def test_the_oracle_is_no_yes_sayer():
 
 
 @settings(
-    max_examples=800, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
+    max_examples=500, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck)
 )
 @given(st.data())
 def test_tampering(data):
-    claim, path = data.draw(st.sampled_from(all_places()))
-    judge(claim, path, lambda items: data.draw(st.sampled_from(items)))
+    claim = data.draw(st.sampled_from(sorted(TEXTS)))
+    judge(claim, lambda items: data.draw(st.sampled_from(items)))
 
 
 @pytest.mark.slow
 def test_tampering_at_thousands_of_places(capsys):
     generator = random.Random(2002)
-    chosen = generator.sample(all_places(), 6000)
-    through = sum(judge(claim, path, generator.choice) for claim, path in chosen)
+    claims = [claim for claim in sorted(TEXTS) for _ in range(TAMPERED)]
+    through = sum(judge(claim, generator.choice) for claim in claims)
     with capsys.disabled():
-        print(f"\n{len(chosen)} tampered, {through} accepted and true, 0 accepted and false")
-    assert through < len(chosen) / 4
+        print(f"\n{len(claims)} tampered, {through} accepted and true, 0 accepted and false")
+    assert through < len(claims) / 4

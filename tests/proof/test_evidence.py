@@ -154,7 +154,7 @@ def test_a_split_into_no_cases_proves_nothing(derivation, evidence):
     claim = next(c for c in derivation.claims if c.id == "critical-set")
     session = Session(derivation, ["flint"], False, {})
     bench = session._bench("flint", session.texts)
-    system = claim._problem(bench).system(bench.stage(claim.scene))
+    system = claim.problem(bench).system(bench.stage(claim.scene))
     none = (0,) * len(system.granted)
     target = system.targets[0].terms()[0]
     empty = ("split", (), ((0, none, (), target, none, ()),), ())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import reduce
 from itertools import combinations_with_replacement
 
 from kowalevski_cas.export.format import Json
@@ -18,6 +19,7 @@ def program(language: Language, certificate: Json) -> str:
     writer = Writer(language)
     writer.say(language.comment(f"{certificate['claim']}, certificate {certificate['digest']}"))
     spaces: list[Space] = []
+    checker.Space.left = checker.WORK
     for k, data in enumerate(certificate["spaces"]):
         spaces.append(Space(writer, writer.fresh(f"s{k}"), data, tuple(spaces)))
     kinds: dict[str, Callable[..., None]] = {
@@ -33,16 +35,36 @@ def _follows(
     space: Space,
     equations: Tree,
     given: Tree = (),
-    cofactors: Tree = (),
     root: str | None = None,
     point: Json | None = None,
+    **proof: Tree,
 ) -> None:
-    """Targets are combinations of what is given."""
+    """Targets are combinations of what is given, or are so in each of some cases."""
     targets, known = space.differences(equations), space.differences(given)
     if point is not None:
         space.point(given, **point)
     if root is not None:
         targets = _for_one_sign(space, root, targets, known)
+    _settle(space, targets, known, **proof)
+
+
+def _settle(
+    space: Space,
+    targets: list[Value],
+    known: list[Value],
+    cofactors: Tree = (),
+    product: Tree = (),
+    cases: Tree = (),
+) -> None:
+    """Combinations; in a product that vanishes, a factor does, alone or as a sum of squares."""
+    groups = [[space.scalar(tree) for tree in group] for group in product]
+    for group, case in zip(groups, cases, strict=True):
+        _settle(space, targets, known + group, **case)
+    if groups:
+        squares = ([entry * entry for entry in group] for group in groups)
+        sums = (reduce(Value.__add__, square) for square in squares)
+        factors = (g[0] if len(g) == 1 else s for g, s in zip(groups, sums, strict=True))
+        targets = [space.writer.named(reduce(Value.__mul__, factors))]
     for target, row in zip(targets, cofactors or [[]] * len(targets), strict=True):
         rest = target
         for tree, element in zip(row, known, strict=True):

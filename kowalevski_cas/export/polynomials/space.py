@@ -27,7 +27,7 @@ class Space:
         self.writer, self.earlier = writer, earlier
         self.prefix = prefix
         self.checked: checker.Space = checker.Space(
-            [space.checked for space in earlier], deepcopy(data)
+            [space.checked for space in earlier], **deepcopy(data)
         )
         self.at: dict[str, str] = {}
         for name in self.checked.at:
@@ -54,17 +54,13 @@ class Space:
             rows = zip(names, self.value(factor), self.value(right), strict=True)
             self.rates |= {name: above * self.inverse(below) for name, below, above in rows}
         self._settle()
-        self.bar: Map | None = None
-        if "conjugates" in data:
-            self._conjugate(data["conjugates"])
+        self._pairs = data.get("conjugates", [])
+        self._bar: Map | None = None
 
     # -- what defines the space ----------------------------------------------------
 
     def _step(self, kind: str, name: Tree, tree: Tree) -> None:
-        if kind == "where":
-            for difference in self.differences([[name, tree]]):
-                self.vanishes("relation", difference)
-        elif kind == "root":
+        if kind == "root":
             self.squares[name] = self.writer.named(self.scalar(tree), f"{self.at[name]}_squared")
             self.writer.say(self.writer.language.relation(self.at[name], self.squares[name].text))
             self.env[name] = (self.generator(name),)
@@ -99,14 +95,19 @@ class Space:
             elif name not in self.at:
                 self.vanishes(f"rate of {name}", self.along(own, self.rates) - rate)
 
-    def _conjugate(self, pairs: Sequence[Sequence[str]]) -> None:
-        swap = {a: b for pair in pairs for a, b in (pair, pair[::-1])}
-        images = {name: self.generator(swap.get(name, name)) for name in self.checked.names}
-        if "i" in images:
-            images["i"] = self.number(0) - images["i"]
-        self.bar = self.carried(images, self)
-        for own in self.old:
-            self.vanishes("a real variable", own - self.bar(own))
+    @property
+    def bar(self) -> Map:
+        """The map to conjugates, made when it is first asked for."""
+        if self._bar is None:
+            swap = {a: b for pair in self._pairs for a, b in (pair, pair[::-1])}
+            images = {name: self.generator(swap.get(name, name)) for name in self.checked.names}
+            for name, square in self.squares.items():
+                if square.element.terms == {0: -1}:
+                    images[name] = self.number(0) - images[name]
+            self._bar = self.carried(images, self)
+            for own in self.old:
+                self.vanishes("a real variable", own - self._bar(own))
+        return self._bar
 
     # -- values --------------------------------------------------------------------
 
@@ -171,7 +172,7 @@ class Space:
         self.vanishes("rate of a square", change - own * multiple)
         return multiple * Value(
             self.writer.language.number(Fraction(1, 2)),
-            checker.Element(self.checked, {0: Fraction(1, 2)}),
+            checker.Element(self.checked, {0: 1}, 2),
         )
 
     def carried(self, images: dict[str, Value], space: Space) -> Map:
@@ -243,7 +244,7 @@ class Space:
             name, rest = next((n, rest) for n, rest in differences if rest.element.vanishes())
             self.vanishes(f"square of {name}", rest)
             return self.generator(name)
-        if op == "conj" and self.bar is not None:
+        if op == "conj":
             return self.bar(value)
         checker.need(op == "-", f"{op} is not understood")
         return self.number(0) - value
@@ -257,17 +258,15 @@ class Space:
 
     def point(self, given: Tree, roots: Sequence[int], values: Tree) -> tuple[Map, Space]:
         """The map to numbers that an exact point is, after checks that equations hold there."""
-        steps = [["root", "i", ["-", 1]], *(["root", f"{d}^(1/2)", d] for d in roots)]
-        data = {"variables": [], "steps": steps, "conjugates": []}
+        steps = [["root", "i", ["-", 1]], *(["root", f"\\sqrt{{{d}}}", d] for d in roots)]
+        data = {"variables": [], "steps": steps}
         names = (f"p{k}" for k in count())
         numbers = Space(self.writer, self.writer.fresh(next(names)), data)
         images = {name: numbers.scalar(tree) for name, tree in values}
         at = self.carried(dict(images), numbers)
         for difference in self.differences(given):
             numbers.vanishes("at the point", at(difference))
-        if self.bar is not None:
-            assert numbers.bar is not None
-            for name in self.checked.names:
-                bar = at(self.bar(self.generator(name)))
-                numbers.vanishes("a real point", bar - numbers.bar(images[name]))
+        for name in self.checked.names:
+            bar = at(self.bar(self.generator(name)))
+            numbers.vanishes("a real point", bar - numbers.bar(images[name]))
         return at, numbers

@@ -87,5 +87,7 @@ class Writer:
                 (name, monomial >> shift & checker.MASK) for name, shift in element.space.at.items()
             )
             factors = [f"{at[name]}^{e}" if e > 1 else at[name] for name, e in powers if e]
-            summands.append("*".join([self.language.number(Fraction(value)), *factors]))
+            summands.append(
+                "*".join([self.language.number(Fraction(value, element.below)), *factors])
+            )
         return f"({'+'.join(summands)})" if summands else self.language.number(Fraction(0))

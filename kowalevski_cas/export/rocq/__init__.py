@@ -14,6 +14,7 @@ from typing import ClassVar
 from kowalevski_cas.export.format import Format, Json, identifier
 from kowalevski_cas.export.rocq.space import Space
 from kowalevski_cas.export.rocq.theorems import Theorems
+from kowalevski_cas.proof import checker
 
 HEAD = """\
 (** {title}: the formulas as they are printed, and what holds of them.
@@ -62,7 +63,8 @@ class Program(Format):
     suffix: ClassVar = ".v"
     omits: ClassVar = (
         "points whose coordinates are no Gaussian rational numbers are left out, "
-        "since their roots would have to be numbers that can be computed with"
+        "since their roots would have to be numbers that can be computed with, and splits into "
+        "cases, since squares that add up to zero vanish for real numbers only"
     )
 
     def shared(self) -> dict[str, str]:
@@ -71,6 +73,7 @@ class Program(Format):
 
     def translate(self, certificate: Json) -> str:
         spaces: list[Space] = []
+        checker.Space.left = checker.WORK
         for k, data in enumerate(certificate["spaces"]):
             spaces.append(Space(data, k, spaces))
         sections = [Theorems(space) for space in spaces]

@@ -33,7 +33,7 @@ class Elements:
     def terms(self, element: checker.Element) -> list[Term]:
         """The terms of an element."""
         return [
-            self._term(Fraction(value), self._powers(monomial))
+            self._term(Fraction(value, element.below), self._powers(monomial))
             for monomial, value in sorted(element.terms.items(), reverse=True)
         ]
 
@@ -47,7 +47,9 @@ class Elements:
             ((monomial, value),) = element.terms.items()
             powers = self._powers(monomial)
             if powers.keys() <= {tree for _, tree in self.plain() if isinstance(tree, str)}:
-                return [self._term(1 / Fraction(value), {n: -e for n, e in powers.items()})]
+                return [
+                    self._term(Fraction(element.below, value), {n: -e for n, e in powers.items()})
+                ]
         return self.terms(element.inverse())
 
     def plain(self) -> list[tuple[int, Tree]]:
@@ -74,7 +76,7 @@ class Elements:
                 under += [self.space.nonzero[list(self.space.divisors).index(name)]] * e
                 continue
             (lead,) = divisor.terms.values()
-            value /= Fraction(lead) ** e
+            value /= Fraction(lead, divisor.below) ** e
             for other, k in names.items():
                 exponents[other] = exponents.get(other, 0) - k * e
         under += [name for name, e in exponents.items() for _ in range(-e)]

@@ -66,7 +66,7 @@ def _admissible(space: Space) -> list[str]:
     """The point obeys the relations and conditions of the space, and what is real is so there."""
     squares = [(f"{a} * {a}", b) for a, b in space.sides(space.squares.items())]
     nonzero = [f"vanishes (at_point p ({space.say(t)})) = false" for t in space.checked.nonzero]
-    names = [space.term(name) for name in space.names] if space.checked.bar else []
+    names = [space.term(name) for name in space.names]
     real = [f"equal (at_point p (conjugate {n})) (gbar (at_point p {n})) = true" for n in names]
     return [*_hold(squares), *nonzero, *real]
 
@@ -86,7 +86,9 @@ def _point(space: Space, part: Json) -> tuple[str, checker.Elements, checker.Spa
     images, numbers = space.checked.point([], **part["point"])
     coordinates = []
     for name in space.names:
-        real, imaginary = (Fraction(images[name].terms.get(m, 0)) for m in (0, numbers.unit["i"]))
+        value = images[name]
+        both = (value.terms.get(m, 0) for m in (0, numbers.unit["i"]))
+        real, imaginary = (Fraction(part, value.below) for part in both)
         shown = (f"{z.numerator} # {z.denominator}" for z in (real, imaginary))
         coordinates.append(f"({', '.join(shown)})")
     return f"[{'; '.join(coordinates)}]%Q", images, numbers

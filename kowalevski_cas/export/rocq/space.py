@@ -27,7 +27,7 @@ class Space(Terms):
         super().__init__()
         self.data, self.k, self.spaces = data, k, spaces
         checked: list[checker.Space] = [space.checked for space in spaces]
-        self.checked: checker.Space = checker.Space(checked, deepcopy(data))
+        self.checked: checker.Space = checker.Space(checked, **deepcopy(data))
         self.elements = Elements(self.checked)
         self.steps = data.get("steps", [])
         self.squares: dict[str, Tree] = {s[1]: s[2] for s in self.steps if s[0] == "root"}
@@ -46,9 +46,8 @@ class Space(Terms):
                 self._note(tree)
         if self.checked.rates:
             self.define("D", self.motion(self.checked.rates), "expr -> expr")
-        if self.checked.bar:
-            self._image("bar", {name: self.checked.bar[name] for name in self.names})
-            self.define("conjugate", "subst bar", "expr -> expr")
+        self._image("bar", {name: self.checked.bar[name] for name in self.names})
+        self.define("conjugate", "subst bar", "expr -> expr")
         if "change" in data:
             back = [self.term(name) for name in self.old.names]
             self.define("back", f"each [{'; '.join(back)}]", "nat -> expr")

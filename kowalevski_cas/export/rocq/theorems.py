@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import combinations_with_replacement
 
-from kowalevski_cas.export.format import Json
+from kowalevski_cas.export.format import Inexpressible, Json
 from kowalevski_cas.export.rocq import points
 from kowalevski_cas.export.rocq.facts import AT, Facts
 from kowalevski_cas.export.rocq.space import Sides, Space
@@ -42,8 +42,6 @@ class Theorems:
     def _foundations(self) -> None:
         """The vector field is the printed one; relations agree with it, and the conjugation."""
         space, k = self.space, self.k
-        where = [step[1:] for step in space.steps if step[0] == "where"]
-        self._equal(f"relations_{k}", space.sides(where))
         if "change" in space.data:
             self._change()
         printed = []
@@ -56,8 +54,7 @@ class Theorems:
         squares = [(f"{a} * {a}", b) for a, b in space.sides(space.squares.items())]
         if space.checked.rates:
             self._equal(f"moving_roots_{k}", _under("D", squares))
-        if space.checked.bar:
-            self._equal(f"conjugate_roots_{k}", _under("conjugate", squares))
+        self._equal(f"conjugate_roots_{k}", _under("conjugate", squares))
 
     def _change(self) -> None:
         """The inverse gives the variables back, and the vector field is the old one."""
@@ -77,9 +74,8 @@ class Theorems:
         self._equal(f"back_{k}", back)
         if old.checked.rates:
             self._equal(f"chain_rule_{k}", rates)
-        if space.checked.bar:
-            images = [f"subst back {module}{old.words[name]}" for name in old.data["variables"]]
-            self._equal(f"real_{k}", [(f"conjugate ({image})", image) for image in images])
+        images = [f"subst back {module}{old.words[name]}" for name in old.data["variables"]]
+        self._equal(f"real_{k}", [(f"conjugate ({image})", image) for image in images])
 
     # -- statements ----------------------------------------------------------------
 
@@ -92,6 +88,8 @@ class Theorems:
     def _combinations(self, name: str, part: Json) -> None:
         """Where some equations hold others do: they are combinations of them."""
         space = self.space
+        if "product" in part:
+            raise Inexpressible("a split into cases is for real numbers, and a field is any here")
         given, pairs = space.sides(part["given"]), space.sides(part["equations"])
         if (root := part.get("root")) is not None:
             flip = f"subst {space.flip(root)}"
