@@ -17,7 +17,7 @@ EXIT_CODES = """exit codes:
   2   wrong usage, or input that cannot be read
   3   undecided or timed out
   4   the arithmetics disagree
-  5   a certificate is rejected
+  5   a certificate is rejected, or not confirmed
   6   nothing was selected
   130 interrupted
 """

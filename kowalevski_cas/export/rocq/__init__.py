@@ -90,7 +90,7 @@ class Program(Format):
         return "\n".join([head, *modules, FIELD, *bodies, END.format(names=", ".join(proved))])
 
     def arguments(self, file: Path) -> list[str]:
-        return ["-q", "-Q", ".", "", file.name]
+        return ["-q", "-w", "none", "-Q", ".", "", file.name]
 
     def objection(self, text: str, output: str) -> str:
         closed = output.split() == "Closed under the global context".split()

@@ -1,0 +1,181 @@
+"""What is exported to Rocq compiles, rests on no axiom, and does not compile once it is false."""
+
+import json
+import shutil
+import subprocess
+from copy import deepcopy
+
+import pytest
+
+from kowalevski_cas.cli import main
+from kowalevski_cas.export import Inexpressible, load
+from kowalevski_cas.export.rocq.terms import Terms
+from kowalevski_cas.library import find
+
+ROCQ = load("rocq")
+needs_rocq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Rocq is not installed")
+
+
+def certificate(claim):
+    path = find("kharlamov2002") / "certificates" / f"{claim}.json"
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="module")
+def rocq(tmp_path_factory):
+    """Let Rocq read a text; empty if it confirms all of it, and else what it objects to."""
+    folder = tmp_path_factory.mktemp("rocq")
+
+    def read(name, text):
+        (folder / name).write_text(text, encoding="utf-8")
+        done = subprocess.run(
+            ["coqc", *ROCQ.arguments(folder / name)], cwd=folder, capture_output=True, text=True
+        )
+        said = done.stdout + done.stderr
+        return said if done.returncode else ROCQ.objection(text, done.stdout)
+
+    for name, text in ROCQ.shared().items():
+        (folder / name).write_text(text, encoding="utf-8")
+        subprocess.run(["coqc", *ROCQ.arguments(folder / name)], cwd=folder, check=True)
+    return read
+
+
+# -- what is true ---------------------------------------------------------------
+
+
+@needs_rocq
+@pytest.mark.parametrize(
+    "claim", ["eq7", "eq21", pytest.param("N4-dimension", marks=pytest.mark.slow)]
+)
+def test_a_combination_a_misprint_and_a_rank(rocq, claim):
+    assert rocq("true.v", ROCQ.translate(certificate(claim))) == ""
+
+
+@needs_rocq
+@pytest.mark.slow
+def test_rocq_confirms_the_whole_paper(tmp_path, capsys):
+    assert main(["witness", "rocq", "kharlamov2002", "-o", str(tmp_path)]) == 0
+    said = json.loads((tmp_path / "kharlamov2002" / "rocq.json").read_text(encoding="utf-8"))
+    assert said["failed"] == {}
+    assert said["confirmed"] == {c: certificate(c)["digest"] for c in said["confirmed"]}
+    assert len(said["confirmed"]) == len(list(find("kharlamov2002").glob("certificates/*.json")))
+
+
+# -- what is false --------------------------------------------------------------
+
+
+def test_statements_are_not_empty():
+    text = ROCQ.translate(certificate("eq7"))
+    assert "Theorem claim_1 :" in text and "Theorem field_0 :" in text
+    assert text.rstrip().endswith("Print Assumptions proved.")
+    assert not {"Axiom", "Admitted", "admit", "Parameter"} & set(text.replace(".", " ").split())
+
+
+@needs_rocq
+def test_a_changed_statement_is_refused(rocq):
+    data = certificate("eq21")
+    part = next(part for part in data["parts"] if part["shows"] == "follows")
+    left, right = part["equations"][0]
+    part["equations"][0] = [left, ["+", right, 1]]
+    assert "not a valid ring equation" in rocq("statement.v", ROCQ.translate(data))
+
+
+@needs_rocq
+def test_a_changed_vector_field_is_refused(rocq):
+    data = certificate("eq6")
+    field = data["spaces"][0]["field"]
+    field[0][2] = ["-", field[0][2]]
+    assert "not a valid ring equation" in rocq("field.v", ROCQ.translate(data))
+
+
+@needs_rocq
+def test_a_changed_cofactor_is_refused(rocq):
+    data = certificate("eq7")
+    row = data["parts"][0]["cofactors"][0]
+    place = next(k for k, entry in enumerate(row) if entry != 0)
+    row[place] = ["*", 2, row[place]]
+    assert "not a valid ring equation" in rocq("cofactor.v", ROCQ.translate(data))
+
+
+@needs_rocq
+def test_a_point_where_both_sides_are_equal_refutes_nothing(rocq):
+    data = certificate("eq21")
+    part = next(part for part in data["parts"] if part["shows"] == "differ")
+    part["equation"][1] = deepcopy(part["equation"][0])
+    assert "incomplete proof" in rocq("equal.v", ROCQ.translate(data))
+
+
+@needs_rocq
+def test_rocq_does_not_believe_the_derivative_that_is_printed(rocq):
+    text = ROCQ.translate(certificate("eq6"))
+    wrong = text.replace("along (each [", "along (each [1 + ", 1)
+    assert "not a valid ring equation" in rocq("derivative.v", wrong)
+
+
+@pytest.mark.slow
+@needs_rocq
+def test_an_axiom_does_not_go_unnoticed(rocq):
+    text = ROCQ.translate(certificate("eq4.1"))
+    lemma = "Axiom believed : 1%nat = 2%nat.\nDefinition proved := (believed, "
+    said = rocq("axiom.v", text.replace("Definition proved := (", lemma))
+    assert said.startswith("the theorems are not closed") and "believed" in said
+
+
+@pytest.mark.parametrize(
+    "output", ["", "Axioms:\nx : nat", "Closed under the global context\nAxioms:\nx : nat"]
+)
+def test_only_the_words_of_rocq_count(output):
+    assert ROCQ.objection("", output)
+
+
+# -- how it is written -----------------------------------------------------------
+
+
+def test_a_point_with_other_roots_is_named():
+    data = certificate("eq21")
+    for part in data["parts"]:
+        if "point" in part:
+            part["point"]["roots"] = [2]
+    with pytest.raises(Inexpressible, match="Gaussian"):
+        ROCQ.translate(data)
+
+
+@pytest.mark.parametrize(
+    ("tree", "text"),
+    [
+        (["+", "x", ["-", "y"]], "x - y"),
+        (["+", "x", ["-", ["+", "y", 1]]], "x - (y + 1)"),
+        (["*", ["+", "x", "y"], ["-", 2]], "(x + y) * - 2"),
+        (["/", "x", ["*", "x", "y"], "y"], "x / (x * y) / y"),
+        (["^", ["*", "x", "y"], 2], "(x * y) ^ 2"),
+        (["*", ["/", 1, 2], ["D", "x"], ["conj", ["+", "x", "y"]]], "1 / 2 * D x * conjugate (x + y)"),
+        (["dot", "u", ["cross", "u", ["vector", 1, 0, "y"]]], "dot u (cross u (1, 0, y))"),
+        (["*", 2, "u"], "map3 (Mul 2) u"),
+        (["/", "u", ["diag", 1, 2, 3]], "zip3 Div u (1, 2, 3)"),
+    ],
+)  # fmt: skip
+def test_formulas_read_as_they_are_meant(tree, text):
+    terms = Terms()
+    for name in "xyu":
+        terms.new_word(name)
+    terms.wide.add("u")
+    assert terms.term(tree) == text
+
+
+def test_words_are_distinct_and_not_rocqs():
+    names = [
+        r"\omega_1^*",
+        r"\omega_1_star",
+        "in",
+        "I",
+        "v",
+        "d_x",
+        "nonzero_1",
+        r"\sqrt{x_1x_2}",
+        "D",
+    ]
+    terms = Terms()
+    words = [terms.new_word(name) for name in names]
+    assert len(set(words)) == len(names)
+    assert not set(words) & {"in", "I", "v", "d_x", "nonzero_1", "D"}
+    assert words[0] == "omega_1_star" and words[-2] == "sqrt_x_1x_2"
