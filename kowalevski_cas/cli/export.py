@@ -40,7 +40,7 @@ def run(arguments: argparse.Namespace) -> int:
         target = arguments.output / derivation.name
         session.write_whole({target / name: text for name, text in export.files.items()})
         total = len(derivation.claims)
-        print(f"{arguments.format}: {len(export.texts)} of {total} claims, in {target}")
+        print(f"{derivation.name}: {len(export.texts)} of {total} claims, in {target}")
     return AS_RECORDED
 
 

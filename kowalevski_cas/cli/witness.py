@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace) -> int:
                 print(f"{claim}: not confirmed: {reason}", file=sys.stderr)
                 code = REJECTED
             number, total = len(testimony.confirmed), len(derivation.claims)
-            print(f"{name}: {number} of {total} claims confirmed by {testimony.version}")
+            print(f"{derivation.name}: {number} of {total} claims confirmed by {testimony.version}")
     except MissingProgram as error:
         raise CommandError(str(error)) from None
     return code
