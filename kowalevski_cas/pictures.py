@@ -109,50 +109,42 @@ def mark(index: int) -> Mark:
     return MARKS[index % len(MARKS)]
 
 
-def label_points(
+def label_column(
     axes: Axes,
     points: Sequence[tuple[float, float, str]],
-    segments: Sequence[tuple[float, float, float, float]] = (),
+    at: float,
     size: float = 7.5,
+    gap: float = 11.0,
 ) -> None:
-    """Labels beside points ``(x, y, words)``, each at the first place where it covers nothing.
+    """Labels of points ``(x, y, words)`` in a column on the right, tied to them by thin lines.
 
-    Labels keep clear of each other, of the points, and of ``segments``, lines along an
-    axis from ``(x, y)`` to another ``(x, y)``. The limits of the axes have to be set
-    before. A label that has to go further away is tied to its point by a line.
+    The column stands at ``at``, a share of the width of the axes. Labels are as
+    high as their points, or as near to it as ``gap`` points from label to label
+    allow. The limits of the axes have to be set before.
     """
-    from matplotlib.transforms import Bbox
-
     axes.figure.canvas.draw()
-    to_screen, frame = axes.transData.transform, axes.get_window_extent()
-    dots = [to_screen((x, y)) for x, y, _ in points]
-    taken = [Bbox.from_bounds(x - 8, y - 8, 16, 16) for x, y in dots]
-    for x0, y0, x1, y1 in segments:
-        ends = [to_screen((x0, y0)), to_screen((x1, y1))]
-        taken.append(Bbox([ends[0] - 2, ends[1] + 2]))
-    for own, (x, y, words) in enumerate(points):
-        label = axes.annotate(words, (x, y), (0, 0), textcoords="offset points", size=size)
-        for right, up in _PLACES:
-            label.set_position((right, up))
-            label.set(ha="left" if right > 0 else "right", va="center")
-            box = label.get_window_extent()
-            inside = frame.x0 <= box.x0 and box.x1 <= frame.x1
-            inside = inside and frame.y0 <= box.y0 and box.y1 <= frame.y1
-            if inside and not any(box.overlaps(b) for k, b in enumerate(taken) if k != own):
-                break
-        if abs(up) > 12:
-            near = (box.x0 if right > 0 else box.x1, (box.y0 + box.y1) / 2)
-            end = axes.transData.inverted().transform(near)
-            axes.plot([x, end[0]], [y, end[1]], color=FAINT, lw=0.6, zorder=1)
-        taken.append(box)
-
-
-_PLACES = tuple(
-    (right, up)
-    for up in (0, 9, -9, 18, -18, 27, -27, 36, -36, 45, -45, 54, -54, 63, -63, 72, -72)
-    for right in (7, -7)
-)
-"""Offsets in points at which a label is tried, the nearest first."""
+    scale = axes.figure.dpi / 72
+    frame = axes.get_window_extent()
+    heights = {point: axes.transData.transform(point[:2])[1] for point in points}
+    ordered = sorted(points, key=lambda point: (heights[point], -point[0]))
+    low, high = frame.y0 + gap * scale / 2, frame.y1 - gap * scale / 2
+    places: list[float] = []
+    for height in map(heights.__getitem__, ordered):
+        places.append(max(height, places[-1] + gap * scale if places else low))
+    for k in reversed(range(len(places))):
+        places[k] = min(places[k], places[k + 1] - gap * scale if k + 1 < len(places) else high)
+    for (x, y, words), place in zip(ordered, places, strict=True):
+        label = axes.annotate(
+            words,
+            (x, y),
+            (at, (place - frame.y0) / frame.height),
+            textcoords="axes fraction",
+            size=size,
+            va="center",
+            arrowprops={"arrowstyle": "-", "color": FAINT, "lw": 0.6, "shrinkA": 2, "shrinkB": 2,
+                        "relpos": (0, 0.5)},
+        )  # fmt: skip
+        label.set_in_layout(False)
 
 
 def save(

@@ -15,9 +15,9 @@ PLATES = {
         "identities of the derivations, and to misprints, mutants and near misses of them; three "
         "exact arithmetics, which agree, say which are true. A bar spans eight of ten times. "
         "Methods whose answers are proofs, and of which none was seen to be wrong, stand on the "
-        "rail below. A full square is a measured share of errors, a triangle a guaranteed bound; "
-        "an open square with an arrow means that no error was seen and none is excluded. The "
-        "broken line is the front: no method is both faster and surer."
+        "rail below. A full square is a measured share of errors, a triangle a guaranteed bound. "
+        "An open square means that no error was seen and none is excluded; a larger share would "
+        "have been seen with a chance of 95 %. Points of equal height are drawn a little apart."
     ),
     "growth": (
         "How cost grows: the $k$-th derivatives of the relations (15) and (16) are compared with "

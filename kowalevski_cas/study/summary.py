@@ -36,8 +36,8 @@ class Summary:
     def add(self, row: Row) -> None:
         """Count one measurement."""
         verdict = row["verdict"]
-        if verdict == COLD:
-            self.cold.append(row["seconds"])
+        if row["case"].startswith(f"{COLD} "):
+            self.cold += [row["seconds"]] if verdict == COLD else []
             return
         self.proves = self.proves or bool(row.get("proves"))
         if row.get("seconds") is not None:
