@@ -3,6 +3,7 @@
 from kowalevski_cas.derivation import Derivation
 
 from . import (
+    across,
     bifurcation,
     elliptic,
     phase_point,
@@ -28,5 +29,6 @@ derivation = Derivation(
         phase_point.section,
         elliptic.section,
         bifurcation.section,
+        across.section,
     ),
 )

@@ -5,7 +5,8 @@ motion on it. The matrix is the one that the program finds when it proves (15), 
 in the real time :math:`t`. It has no diagonal, and on :math:`N^4`, where
 :math:`U_1+U_2=2r^4m`, the quotient of its other entries is constant. So in the time
 :math:`\int dt/\sqrt{x_1x_2}=r^{-2}\int(s_1-s_2)\,dt` the equation has constant
-coefficients, with the exponents :math:`\pm r^2\sqrt{-m}`, and per unit of :math:`t`
+coefficients, with the exponents :math:`\pm r^2\sqrt{-m}` (both facts are claims of
+``kharlamov_savushkin2004``, section 8), and per unit of :math:`t`
 
 .. math:: \lambda=\sqrt{-m}\,\bigl(\langle s_1\rangle-\langle s_2\rangle\bigr)
 
