@@ -1,20 +1,27 @@
-r"""Complex balls at exact points: rigorous when they refute, and never a proof of equality.
+r"""Complex balls: rigorous when they refute, and never a proof of equality.
 
 A residual is enclosed by a ball that certainly contains its value. A ball without
 zero refutes. A ball with zero says nothing more than its radius, so the precision
 is raised until a ball decides or the last precision is reached.
+
+Points are exact Gaussian rationals. Where equations are given, some coordinates are
+balls that contain exactly one solution, by the interval method of Newton
+(R. E. Moore, 1966): :math:`m-J(U)^{-1}F(m)` lies inside U.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
-from itertools import islice
 from random import Random
+from typing import Any
 
-from flint import acb, arb, ctx, fmpq
+from flint import acb, acb_mat, arb, ctx, fmpq
 
-from kowalevski_cas.arithmetic.points import Answer, ExactPoint, Points, Question
+from kowalevski_cas.arithmetic.derivation import along
+from kowalevski_cas.arithmetic.points import Answer, ExactPoint, NoPoint, Points, Question
+from kowalevski_cas.arithmetic.programs import Program, Programs
+from kowalevski_cas.arithmetic.residue_points import plan
 from kowalevski_cas.arithmetic.valuation import Valuation
 
 PRECISIONS = (64, 128, 256, 512)
@@ -25,6 +32,9 @@ POINTS = 3
 
 TRIES = 30
 """How many points are looked at for those at which nothing is divided by zero."""
+
+STEPS = 60
+"""How many steps of Newton's method lead to a set."""
 
 GRID = 64
 """The denominator of coordinates that are chosen at random, between -4 and 4."""
@@ -38,8 +48,14 @@ class Arithmetic(Points):
     def answer(self, question: Question) -> Answer:
         """No at the first ball without zero; yes, with the largest radius, if there is none."""
         found, radius, bits = 0, 0.0, 0
-        for exact in islice(self._points(question), TRIES):
-            answer, used = self._at(question, exact)
+        random = Random(self.seed)
+        try:
+            system = System(question.ring, question.given)
+        except NoPoint as error:
+            return Answer(None, str(error))
+        for _ in range(TRIES):
+            start = random_point(question.ring.generators, random)
+            answer, used = _at(question, system, start)
             if answer is None:
                 continue
             if not answer.holds:
@@ -48,27 +64,73 @@ class Arithmetic(Points):
             if found == POINTS:
                 break
         if not found:
-            return Answer(None, "no exact point was found at which everything is defined")
-        words = f"{found} exact points, {bits} bits, seed {self.seed}"
+            return Answer(None, "no point was found at which everything is defined")
+        words = f"{found} points, {bits} bits, seed {self.seed}"
         return Answer(True, words, radius=radius)
 
-    def _points(self, question: Question) -> Iterable[ExactPoint]:
-        if question.given:
-            return question.exact()
-        random = Random(self.seed)
-        return (random_point(question.ring.generators, random) for _ in range(TRIES))
 
-    def _at(self, question: Question, exact: ExactPoint) -> tuple[Answer | None, int]:
-        """What one point says, and with how many bits; ``None`` if something is undefined there."""
-        answer: Answer | None = None
-        for bits in PRECISIONS:
-            with ctx.workprec(bits):
-                point = ball_point(question, exact)
-                answer = _residuals(question, point) if question.residuals else None
-                answer = answer or _rest(question, point)
-            if answer is not None and (not answer.holds or not question.residuals):
+class System:
+    """Equations that some generators are to be solved for, with their partial derivatives."""
+
+    def __init__(self, ring: Programs, equations: Sequence[Program]) -> None:
+        self.ring = ring
+        self.equations = list(equations)
+        self.unknowns = [name for _, names in plan(tuple(equations)) for name in names]
+        self.slopes: list[list[Any]] = [
+            [along(equation, {name: ring.one}) for name in self.unknowns] for equation in equations
+        ]
+
+    def solved(self, values: Mapping[str, acb]) -> dict[str, acb]:
+        """The values, with balls for the unknowns, each around exactly one solution.
+
+        Raises ``ZeroDivisionError`` where Newton's method does not lead to one.
+        """
+        if not self.unknowns:
+            return dict(values)
+        found = dict(values)
+        for _ in range(STEPS):
+            step = self._step(found, found)
+            for name, change in zip(self.unknowns, step, strict=True):
+                found[name] = (found[name] - change).mid()
+            if max(float(change.abs_upper()) for change in step) < 2.0 ** (8 - ctx.prec):
                 break
-        return answer, bits
+        width = arb(0, arb(2) ** (-ctx.prec // 2))
+        box = found | {name: found[name] + acb(width, width) for name in self.unknowns}
+        step = self._step(found, box)
+        for name, change in zip(self.unknowns, step, strict=True):
+            found[name] = found[name] - change
+            if not box[name].contains_interior(found[name]):
+                raise ZeroDivisionError("no solution is enclosed")
+        return found
+
+    def _step(self, middle: Mapping[str, acb], box: Mapping[str, acb]) -> list[acb]:
+        """The quotient of the equations at the middle by the derivatives in the box."""
+        at, around = ball_point(self.ring, middle), ball_point(self.ring, box)
+        matrix = acb_mat([[around(slope) for slope in row] for row in self.slopes])
+        step = matrix.solve(acb_mat([[at(equation)] for equation in self.equations]))
+        if not all(step[k, 0].is_finite() for k in range(len(self.unknowns))):
+            raise ZeroDivisionError("division by zero")
+        return [step[k, 0] for k in range(len(self.unknowns))]
+
+
+def _at(question: Question, system: System, start: ExactPoint) -> tuple[Answer | None, int]:
+    """What one point says, and with how many bits; ``None`` if something is undefined there."""
+    answer: Answer | None = None
+    unknown: dict[str, acb] = {}
+    for bits in PRECISIONS:
+        with ctx.workprec(bits):
+            values = exact_balls(start) | unknown
+            try:
+                values = system.solved(values)
+            except ZeroDivisionError:
+                return None, bits
+            unknown = {name: values[name].mid() for name in system.unknowns}
+            point = ball_point(question.ring, values)
+            answer = _residuals(question, point) if question.residuals else None
+            answer = answer or _rest(question, point)
+        if answer is not None and (not answer.holds or not question.residuals):
+            break
+    return answer, bits
 
 
 def random_point(names: Iterable[str], random: Random) -> ExactPoint:
@@ -85,11 +147,15 @@ def number(value: Fraction) -> acb:
     return acb(arb(fmpq(value.numerator, value.denominator)))
 
 
-def ball_point(question: Question, exact: ExactPoint) -> Valuation:
-    """The valuation at an exact point, in the precision that is set."""
+def exact_balls(exact: ExactPoint) -> dict[str, acb]:
+    """The coordinates of an exact point, in the precision that is set."""
     unit = acb(0, 1)
-    values = {name: number(re) + number(im) * unit for name, (re, im) in exact.items()}
-    generators = {name: values[name] for name in question.ring.generators}
+    return {name: number(re) + number(im) * unit for name, (re, im) in exact.items()}
+
+
+def ball_point(ring: Programs, values: Mapping[str, acb]) -> Valuation:
+    """The valuation at a point; roots that have no value are taken as their main values."""
+    generators = {name: values[name] for name in ring.generators}
 
     def choose(name: str, square: acb) -> acb:
         return values[name] if name in values else square_root(square)

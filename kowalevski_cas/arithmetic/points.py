@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -26,7 +26,6 @@ class Question:
 
     ``rows`` are those of a matrix that has the rank ``rank`` at almost every point.
     One of ``somewhere`` is non-zero at almost every point.
-    ``exact`` finds exact points on ``given``, for arithmetics that cannot solve equations.
     """
 
     ring: Programs
@@ -35,7 +34,6 @@ class Question:
     rows: Sequence[Sequence[Program]] = ()
     rank: int = 0
     somewhere: Sequence[Program] = ()
-    exact: Callable[[], Iterable[ExactPoint]] = tuple
 
     def programs(self) -> list[Program]:
         """Everything that is evaluated at a point."""

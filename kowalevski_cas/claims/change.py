@@ -143,7 +143,7 @@ class Unit(Claim):
         own = self._rows_that_hold(bench)
         others = [bench.with_texts(n.texts) for n in self.neighbours(bench.texts)]
         best = max((self._rows_that_hold(other) for other in others), key=len, default=[])
-        for row in own if len(own) >= len(best) else best:
+        for row in own if own and len(own) >= len(best) else best or self.rows:
             yield from self._row(row).questions(bench)
 
     def _row(self, row: Printed) -> Identity:

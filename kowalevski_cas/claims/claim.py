@@ -19,8 +19,6 @@ from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.evaluate import Triple, Value
 from kowalevski_cas.texts import Printed, Texts
 
-ExactPoint = dict[str, tuple[Fraction, Fraction]]
-
 
 @dataclass(frozen=True)
 class Finding:
@@ -122,20 +120,10 @@ def ask(
     rank: int = 0,
     somewhere: Sequence[Element] = (),
 ) -> Question:
-    """A question to points of a stage of programs; see :class:`Question`.
-
-    The exact points on ``given`` are real ones, found with FLINT.
-    """
+    """A question to points of a stage of programs; see :class:`Question`."""
     from kowalevski_cas.stage.programs import ProgramStage, programs
 
     assert isinstance(stage, ProgramStage)
-    exact = stage.exact
-
-    def points() -> Iterator[ExactPoint]:
-        from kowalevski_cas.search.real import real_points
-
-        return real_points(exact, given(exact), [scalar(f, exact) for f in exact.granted()])
-
     return Question(
         stage.programs,
         residuals=programs(residuals),
@@ -143,7 +131,6 @@ def ask(
         rows=[programs(row) for row in rows],
         rank=rank,
         somewhere=programs(somewhere),
-        exact=points,
     )
 
 

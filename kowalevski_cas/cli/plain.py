@@ -42,7 +42,9 @@ def plain(tex: str) -> str:
         text = re.sub(rf"\\dot\s*(?:{_GROUP}|(\\?\w+))", lambda m: f"{m[1] or m[2]}˙", text)
         if text == before:
             break
-    text = re.sub(r"\\([A-Za-z]+)(?: (?![-+=≠/]))?", lambda m: _LETTERS.get(m[1], f"\\{m[1]} "), text)
+    text = re.sub(
+        r"\\([A-Za-z]+)(?: (?![-+=≠/]))?", lambda m: _LETTERS.get(m[1], f"\\{m[1]} "), text
+    )
     text = re.sub(r" ?_ ?(?:\{(\d+)\}|(\d))", lambda m: (m[1] or m[2]).translate(_LOW), text)
     text = re.sub(r" ?\^ ?(?:\{([\d+-]+)\}|(\d))", lambda m: (m[1] or m[2]).translate(_HIGH), text)
     text = re.sub(r"√\(([^\W\d]|\d+)\)", r"√\1", text)

@@ -1,12 +1,23 @@
 """What balls and floating point say at points, beside what is true."""
 
 from fractions import Fraction
+from random import Random
 
 import numpy as np
 import pytest
+from flint import ctx
 
 from kowalevski_cas.arithmetic import POINTS, load_points
-from kowalevski_cas.arithmetic.ball import PRECISIONS, number, rank, square_root
+from kowalevski_cas.arithmetic.ball import (
+    PRECISIONS,
+    System,
+    ball_point,
+    exact_balls,
+    number,
+    random_point,
+    rank,
+    square_root,
+)
 from kowalevski_cas.arithmetic.floating import newton
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.programs import Programs
@@ -96,6 +107,29 @@ def test_only_sure_pivots_count():
     sure, vague = number(Fraction(3)), number(Fraction(1, 3)) * 3 - 1
     assert rank([[sure, sure], [sure, sure + vague]])[0] == 1
     assert rank([[sure, vague], [vague, sure]])[0] == 2
+
+
+def test_a_solution_is_enclosed_and_no_other():
+    programs, x, y, z = ring("x", "y", "z")
+    equations = [x**2 + y**2 - programs.one, z * x - y]
+    system = System(programs, equations)
+    start = random_point(programs.generators, Random(3))
+    with ctx.workprec(128):
+        found = system.solved(exact_balls(start))
+        at = ball_point(programs, found)
+        assert all(at(e).contains(0) and float(at(e).rad()) < 1e-30 for e in equations)
+        assert all(not at(e + programs.number(Fraction(1, 10**20))).contains(0) for e in equations)
+    with pytest.raises(ZeroDivisionError):
+        System(programs, [x**2]).solved(exact_balls(start))  # a double root is never enclosed
+
+
+@every
+def test_what_follows_on_a_set_and_what_does_not(name):
+    programs, x, y, _ = ring("x", "y", "z")
+    circle = x**2 + y**2 - programs.one
+    square = (x**2 - y**2) ** 2 + programs.number(4) * x**2 * y**2 - programs.one
+    assert answer(name, Question(programs, [square], [circle])).holds
+    assert answer(name, Question(programs, [square + x - y], [circle])).holds is False
 
 
 def test_newton_reaches_a_set():

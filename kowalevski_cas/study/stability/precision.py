@@ -61,7 +61,7 @@ def bits(id: str, exponents: Sequence[int]) -> Measured:
     """How many bits exclude zero at an exact random point; ``None`` beyond the last precision."""
     from flint import ctx
 
-    from kowalevski_cas.arithmetic.ball import ball_point, random_point
+    from kowalevski_cas.arithmetic.ball import ball_point, exact_balls, random_point
 
     start = perf_counter()
     needed: list[int | None] = []
@@ -70,7 +70,7 @@ def bits(id: str, exponents: Sequence[int]) -> Measured:
         point: ExactPoint = random_point(question.ring.generators, Random(1))
         for precision in range(STEP, MOST + 1, STEP):
             with ctx.workprec(precision):
-                ball = ball_point(question, point)(question.residuals[0])
+                ball = ball_point(question.ring, exact_balls(point))(question.residuals[0])
                 if ball.is_finite() and not ball.contains(0):
                     needed.append(precision)
                     break

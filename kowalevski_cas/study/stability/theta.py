@@ -14,7 +14,6 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.programs import Program
 from kowalevski_cas.dataclass import replace
 from kowalevski_cas.notation import Relation
@@ -141,12 +140,12 @@ def _ball(
 ) -> list[float | None]:
     from flint import arb, ctx, fmpq
 
-    from kowalevski_cas.arithmetic.ball import ball_point
+    from kowalevski_cas.arithmetic.ball import ball_point, exact_balls
 
     errors: list[float | None] = []
     for point, size in zip(points, sizes, strict=True):
         with ctx.workprec(BITS):
-            ball = ball_point(Question(program.ring), point)(program)
+            ball = ball_point(program.ring, exact_balls(point))(program)
             if not ball.is_finite():
                 errors.append(None)
                 continue
