@@ -10,12 +10,19 @@ from .separation import phi
 
 section = Section("7", "The separating curves")
 
-lines = section.display(
-    "lines",
-    r"""
-\ell = 2am+1, \quad \ell = 2am-1, \quad \ell = -2am+1, \quad \ell = -2am-1, \quad
-\ell = 2bm+1, \quad \ell = 2bm-1, \quad \ell = -2bm+1, \quad \ell = -2bm-1, \quad \ell = 0""",
+LINES = (
+    r"\ell = 2am+1",
+    r"\ell = 2am-1",
+    r"\ell = -2am+1",
+    r"\ell = -2am-1",
+    r"\ell = 2bm+1",
+    r"\ell = 2bm-1",
+    r"\ell = -2bm+1",
+    r"\ell = -2bm-1",
+    r"\ell = 0",
 )
+
+lines = section.display("lines", r", \quad ".join(LINES))
 
 curves = section.display(
     "curves",
@@ -72,9 +79,9 @@ section.claim(
             f"curve.{k}",
             values,
             curves[curve],
-            "the curve to which the line leads",
+            f"the curve on which ${line}$",
             given=(lines[k],),
         )
-        for k, curve in enumerate(WHERE, 1)
+        for k, (line, curve) in enumerate(zip(LINES, WHERE, strict=True), 1)
     ),
 )

@@ -1,6 +1,6 @@
 r"""6. The separated equations solved in Jacobi's elliptic functions, in every regime."""
 
-from kowalevski_cas.claims import Identity
+from kowalevski_cas.claims import Definition, Identity
 from kowalevski_cas.derivation import Scene, Section
 
 from .separation import phi, separated
@@ -114,18 +114,31 @@ for_s2 = Scene(
 
 # -- claims --------------------------------------------------------------------
 
+BETWEEN = (
+    "the solution between $B$ and $A$, in any regime",
+    "the solution between $D$ and $C$, in any regime",
+)
+
 section.claim(
-    Identity("factors", for_s1, factors[1], r"$A$ and $C$ are the roots of $\varphi$"),
     Identity("modulus", any_regime, parameters[1], "the modulus by the roots"),
     Identity("kappa", any_regime, parameters[3], r"$\kappa$ by the roots"),
     Identity("cn", any_regime, jacobi_rates[1], r"the derivative of $\mathrm{cn}$"),
     Identity("dn", any_regime, jacobi_rates[2], r"the derivative of $\mathrm{dn}$"),
-    Identity(
-        "solution.1", any_regime, quartic[1], "the solution between $B$ and $A$, in any regime"
+    *(
+        Definition(
+            f"solution.{k}",
+            any_regime,
+            solution[k],
+            words,
+            equation=quartic[k],
+        )
+        for k, words in enumerate(BETWEEN, 1)
     ),
-    Identity(
-        "solution.2", any_regime, quartic[2], "the solution between $D$ and $C$, in any regime"
+    Definition(
+        "frequency", any_regime, parameters[2], "what multiplies the time", equation=quartic[1]
     ),
+    Definition("A", for_s1, roots_of_phi[1], r"the larger root of $\varphi$", equation=factors[1]),
+    Definition("C", for_s1, roots_of_phi[2], r"the smaller root of $\varphi$", equation=factors[1]),
     Identity("elliptic.1", for_s1, separated[1], "the solution of the first separated equation"),
     Identity("elliptic.2", for_s2, separated[2], "the solution of the second separated equation"),
 )

@@ -1,6 +1,6 @@
 r"""5. The whole phase point by s_1, s_2, for c = 0."""
 
-from kowalevski_cas.claims import Identity
+from kowalevski_cas.claims import Definition, Identity
 from kowalevski_cas.derivation import Scene, Section
 
 from .separation import any_c, m_conjugate, omega3, on_N4, phi, relations, s, separated
@@ -210,6 +210,10 @@ section.claim(
     *(
         Identity(f"radicals.{k}", any_point, radicals[k], "the radical at any point of $N^4$")
         for k in (1, 2, 3, 4)
+    ),
+    *(
+        Definition(f"psi.{k}", any_point, psi[k], "what the fields use", equation=fields[1])
+        for k in (1, 2)
     ),
     *(
         Identity(f"fields.{k}", any_point, fields[k], "the fields at any point of $N^4$")

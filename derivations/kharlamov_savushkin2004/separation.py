@@ -1,6 +1,6 @@
 r"""3. N^4 separated: the constants m and \ell, the variables s_1 and s_2, any c."""
 
-from kowalevski_cas.claims import FirstIntegral, Identity, Implication
+from kowalevski_cas.claims import Definition, FirstIntegral, Identity, Implication
 from kowalevski_cas.derivation import Scene, Section
 
 from .setting import (
@@ -170,6 +170,19 @@ section.claim(
     ),
     Implication(
         "g", with_G, relations[2], "$G$ on $N^4$", given=(N4[1], N4[2]), main=((r"\omega_3",),)
+    ),
+    *(
+        Definition(f"s.{k}", on_N4, s[k], "the variable that separates", equation=separated[k])
+        for k in (1, 2)
+    ),
+    Definition(
+        "phi", on_N4, phi[1], "the polynomial of the separated equations", equation=separated[1]
+    ),
+    *(
+        Definition(
+            f"any-c.{k}", on_N4, any_c[k], "how to read it for any $c$", equation=separated[k]
+        )
+        for k in (1, 2)
     ),
     Identity("separated.1", on_N4, separated[1], "the first separated equation"),
     Identity("separated.2", on_N4, separated[2], "the second separated equation"),

@@ -5,6 +5,7 @@ from kowalevski_cas.claims.claim import Claim, Finding, Neighbour
 from kowalevski_cas.claims.coefficient import Coefficient
 from kowalevski_cas.claims.constant_root import ConstantRoot
 from kowalevski_cas.claims.critical_set import CriticalSet
+from kowalevski_cas.claims.definition import Definition
 from kowalevski_cas.claims.degree import Degree
 from kowalevski_cas.claims.dimension import Dimension, Independence
 from kowalevski_cas.claims.double_zero import DoubleZero
@@ -26,6 +27,7 @@ __all__ = [
     "Coefficient",
     "ConstantRoot",
     "CriticalSet",
+    "Definition",
     "Degree",
     "Dimension",
     "DoubleZero",

@@ -154,10 +154,10 @@ class Unit(Claim):
         found = []
         for row in self.rows:
             try:
-                residuals = self._row(row).residuals(bench.texts.formula(row), stage)
+                pairs = self._row(row).pairs(bench.texts.formula(row), stage)
             except (StageError, NotationError):
                 continue
-            if all(residual.is_zero for residual in residuals):
+            if all((left - right).is_zero for left, right in pairs):
                 found.append(row)
         return found
 

@@ -22,6 +22,7 @@ from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Constant, Derivative, Formula, Relation, to_latex
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, evaluate
+from kowalevski_cas.texts import Printed
 
 Pair = tuple[Element, Element]
 
@@ -36,10 +37,9 @@ class Identity(Claim):
     def decide(self, bench: Bench) -> Finding:
         """Prove by bringing every difference to zero; refute at an exact point."""
         stage = bench.stage(self.scene)
-        assert self.printed is not None
-        formula = bench.texts.formula(self.printed)
+        formula = bench.texts.formula(self.stated)
         pairs = self.pairs(formula, stage)
-        steps = self._steps(formula, stage) if bench.explain else ()
+        steps = self.steps(formula, stage) if bench.explain else ()
         if all((left - right).is_zero for left, right in pairs):
             return green(conditions_of([x for pair in pairs for x in pair], stage), steps)
         found = counterexample(
@@ -48,6 +48,12 @@ class Identity(Claim):
         if found is None:
             return Finding(Verdict.UNDECIDED, message="no exact point was found")
         return refuted(found, steps)
+
+    @property
+    def stated(self) -> Printed:
+        """The place of the equation that has to hold."""
+        assert self.printed is not None
+        return self.printed
 
     def pairs(self, formula: Formula, stage: Stage) -> list[Pair]:
         """What has to be equal, component by component."""
@@ -61,10 +67,10 @@ class Identity(Claim):
             pairs += [(stage.derivative(value), stage.ring.zero) for value in values[0]]
         return pairs
 
-    def residuals(self, formula: Formula, stage: Stage) -> list[Element]:
+    def residuals(self, formula: Formula, stage: Stage) -> list[Element] | None:
         return [left - right for left, right in self.pairs(formula, stage)]
 
-    def _steps(self, formula: Formula, stage: Stage) -> Sequence[Step]:
+    def steps(self, formula: Formula, stage: Stage) -> Sequence[Step]:
         """The derivatives that the program generated for the left side."""
         assert isinstance(formula, Relation)
         left = formula.members[0]

@@ -92,7 +92,7 @@ def _no_identity(claim: Identity, parts: Parts) -> None:
 
 def _chain(claim: Identity, space: SpaceWriter) -> list[list[Tree]]:
     """The equations of a chain; ``const`` says that the first member does not move."""
-    relation = space.stage.relation(_printed(claim))
+    relation = space.stage.relation(claim.stated)
     trees = [space.tree(member) for member in members(relation)]
     equations = [list(pair) for pair in pairwise(trees)]
     if isinstance(relation.members[-1], Constant):
