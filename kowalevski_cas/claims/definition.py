@@ -8,10 +8,11 @@ from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import ask
-from kowalevski_cas.claims.identity import Identity
+from kowalevski_cas.claims.identity import Identity, Pair
 from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, to_latex
 from kowalevski_cas.proof.outcome import Step
+from kowalevski_cas.scene import head
 from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Printed
 
@@ -28,6 +29,15 @@ class Definition(Identity):
     @property
     def stated(self) -> Printed:
         return self.equation
+
+    def pairs(self, formula: Formula, stage: Stage) -> list[Pair]:
+        """The members of the equation, and those of the definition that have a value."""
+        assert self.printed is not None
+        pairs = super().pairs(formula, stage)
+        names = (n for n, place in self.scene.definitions.items() if place == self.printed)
+        if any(head(name)[1] for name in names):
+            return pairs  # a function has values for its arguments only
+        return [*pairs, *super().pairs(stage.texts.formula(self.printed), stage)]
 
     def residuals(self, formula: Formula, stage: Stage) -> list[Element] | None:
         return None  # another definition is another scene

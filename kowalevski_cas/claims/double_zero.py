@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from itertools import combinations_with_replacement
 
 from kowalevski_cas.arithmetic.derivation import gradient
@@ -43,15 +44,19 @@ class DoubleZero(Claim):
         stage = bench.stage(self.scene)
         form = self.form(bench)
         if form is None:
-            found = counterexample(
-                bench,
-                self.scene,
-                self.id,
-                lambda finder: [(e, finder.ring.zero) for e in self.vanishing(finder)],
-                self.generators,
-                "the expression, or a partial derivative, where the given equations hold; zero",
+            found = (
+                counterexample(
+                    bench,
+                    self.scene,
+                    (self.id, k),
+                    partial(self.against_zero, k),
+                    self.generators,
+                    "the expression, or a partial derivative, where the given equations hold; zero",
+                )
+                for k in range(len(self.vanishing(stage)))
             )
-            return refuted(found) if found else Finding(Verdict.UNDECIDED)
+            first = next((f for f in found if f is not None), None)
+            return refuted(first) if first else Finding(Verdict.UNDECIDED)
         return green(conditions_of(form, stage), self._steps(form, stage) if bench.explain else ())
 
     def form(self, bench: Bench) -> list[Element] | None:
@@ -81,6 +86,10 @@ class DoubleZero(Claim):
         """The expression and its gradient."""
         value = self.value(stage)
         return [value, *gradient(value, stage.scene.variables)]
+
+    def against_zero(self, index: int, stage: Stage) -> list[tuple[Element, Element]]:
+        """The expression (0) or a partial derivative, and zero."""
+        return [(self.vanishing(stage)[index], stage.ring.zero)]
 
     def questions(self, bench: Bench) -> Iterator[Question]:
         stage = bench.stage(self.scene)

@@ -336,11 +336,11 @@ def _no_double_zero(claim: DoubleZero, parts: Parts) -> None:
     tree = space.tree(space.stage.texts.formula(_printed(claim)))
     sides = [[tree, 0], *([["d", name, tree], 0] for name in claim.scene.variables)]
     given = _equations(space, claim.given)
-    zero = space.stage.ring.zero
-    for target, element in zip(sides, claim.vanishing(space.stage), strict=True):
-        key = ("certificate", claim.id, str(target))
-        pairs = partial(_itself, [(element, zero)])
-        if counterexample(parts.bench.finder, claim.scene, key, pairs, claim.generators):
+    for k, target in enumerate(sides):
+        against = partial(claim.against_zero, k)
+        if counterexample(
+            parts.bench.finder, claim.scene, (claim.id, k), against, claim.generators
+        ):
             parts.differ(space, target, given)
             return
     raise CertificateError("no exact point was found")

@@ -229,7 +229,10 @@ class Stage:
                 if len(arguments) != len(formula.arguments):
                     raise StageError(f"{name} is used with {len(formula.arguments)} arguments")
                 values = dict(zip(arguments, formula.arguments, strict=True))
-                return substitute(self.definition(name), values)
+                body = self.definition(name)
+                if _applies(body, function):
+                    raise StageError(f"{name} is defined by itself", function)
+                return substitute(body, values)
         raise StageError(f"the function {formula.function} has no meaning here", formula.function)
 
     def square(self, name: str, printed: Printed) -> Element:
@@ -402,3 +405,10 @@ class Stage:
             raise StageError(f"no derivative is printed as “{mark}” on “{scene.name}”")
         scale = time_scale(scene.clock, self, conjugated)
         return scale.inverse() if scene.time == "t" else scale
+
+
+def _applies(formula: Formula, function: str) -> bool:
+    """Whether a function is applied somewhere in a formula."""
+    if isinstance(formula, Application) and formula.function == function:
+        return True
+    return any(_applies(child, function) for child in formula.children())

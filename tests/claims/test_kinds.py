@@ -5,8 +5,10 @@ import pytest
 from kowalevski_cas.claims import (
     ChangedEquation,
     Coefficient,
+    Definition,
     Degree,
     Dimension,
+    DoubleZero,
     Equivalence,
     FirstIntegral,
     Identity,
@@ -434,3 +436,71 @@ def test_a_root_of_a_complex_number_is_not_real():
         roots={"u": f[3]},
     )
     assert verdicts(section, Identity("t", scene, f[4], "")) != ["proved"]
+
+
+@pytest.mark.parametrize(
+    ("tex", "verdict"),
+    [
+        ("(x+v)^2 - kx^2v^2", "proved"),
+        ("(x-v)^2 + x^2v^2 - x^3", "proved"),
+        ("x^2", "proved"),
+        ("x + v^2", "refuted"),
+        ("xv + 1", "refuted"),
+    ],
+)
+def test_double_zero(oscillator, name, tex, verdict):
+    given = (oscillator("x = 0"), oscillator("v = 0"))
+    claim = DoubleZero("t", oscillator.scene, oscillator(tex), "", given=given)
+    assert verdicts(oscillator.section, claim, arithmetics=(name,)) == [verdict]
+
+
+@pytest.mark.parametrize(
+    ("tex", "verdict"),
+    [
+        (r"f(s) = s^2 - 1", "proved"),
+        (r"f(s) = s^2 + 1", "refuted"),
+        (r"f(s) = f(s)", "error"),
+    ],
+)
+def test_definition_of_a_function(name, tex, verdict):
+    section = Section("1", "A function")
+    printed = section.inline("f", tex)
+    equation = section.inline("e", r"f(x) - f(y) = (x-y)(x+y), \quad f(1) = 0")
+    scene = Scene("f", "", variables=("x", "y"), definitions={"f(s)": printed[1]})
+    first, second = (
+        Definition(f"t.{k}", scene, printed[1], "", equation=equation[k]) for k in (1, 2)
+    )
+    found = verdicts(section, first, second, arithmetics=(name,))
+    assert found[1] == verdict and (verdict == "error" or found[0] == "proved")
+
+
+def test_a_definition_defines_the_name_that_it_prints(oscillator):
+    section = oscillator.section
+    printed, equation = section.inline("D", "v = x^2"), section.inline("e", r"\dot D = 2xv")
+    for tex, verdict in (("D = x^2", "proved"), ("D = x^3", "refuted"), ("v = x^2", "refuted")):
+        section = Section("1", "")
+        motion = section.display("motion", r"\dot x = v,\quad \dot v = -x")
+        printed, equation = section.inline("D", tex), section.inline("e", r"\dot D = 2xv")
+        scene = Scene(
+            "D", "", variables=("x", "v"), field=(motion[1], motion[2]),
+            definitions={"D": printed[1]},
+        )  # fmt: skip
+        claim = Definition("t", scene, printed[1], "", equation=equation[1])
+        assert verdicts(section, claim) == [verdict]
+
+
+def test_a_root_with_a_printed_value_has_to_have_the_square():
+    for tex, verdict in ((r"\sqrt{x^2} = -x", "proved"), (r"\sqrt{x^2} = 2x", "error")):
+        section = Section("1", "")
+        root, claim = section.inline("root", tex), section.inline("c", r"x\sqrt{x^2} = -x^2")
+        scene = Scene("root", "", variables=("x",), roots={r"\sqrt{x^2}": root[1]})
+        assert verdicts(section, Identity("t", scene, claim[1], "")) == [verdict]
+
+
+def test_a_root_that_moves_is_differentiated_without_a_division():
+    section = Section("1", "")
+    motion = section.display("motion", r"\dot s = nC, \quad C^2 = 1-s^2, \quad \dot C = -ns")
+    scene = Scene(
+        "circle", "", variables=("s",), constants=("n",), field=(motion[1],), roots={"C": motion[2]}
+    )
+    assert verdicts(section, Identity("t", scene, motion[3], "")) == ["proved"]

@@ -13,6 +13,7 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    PoissonBracket,
     Power,
     Product,
     Quotient,
@@ -82,11 +83,13 @@ def _extended(kinds):
             st.lists(scalar, min_size=1, max_size=2).map(tuple),
         ),
         st.builds(ScalarProduct, vector, vector),
+        st.builds(PoissonBracket, scalar, scalar),
     )
     vectors = st.one_of(
         vector,
         _kept(vector),
         st.builds(CrossProduct, vector, vector),
+        st.builds(PoissonBracket, vector, scalar),
         st.builds(Vector, _several(scalar)),
         _with_scalar(scalar, vector),
         st.tuples(matrix, vector).map(Product),

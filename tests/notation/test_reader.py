@@ -14,6 +14,7 @@ from kowalevski_cas.notation import (
     Negative,
     NotationError,
     Number,
+    PoissonBracket,
     Power,
     Product,
     Quotient,
@@ -71,6 +72,9 @@ ONE_READING = {
     r"3\times 3": Product((Number(3), Number(3))),
     "c(w_1+x_1)": Product((c, Sum((w_1, x_1)))),
     "[a]\\{b\\}": Product((a, b)),
+    r"\{a,b\}": PoissonBracket(a, b),
+    r"c\{a,b\}^2": Product((c, Power(PoissonBracket(a, b), Number(2)))),
+    r"\{\{a,b\},c\}": PoissonBracket(PoissonBracket(a, b), c),
     "2ab": Product((Number(2), a, b)),
     # quotients and roots
     r"\frac12": Quotient(Number(1), Number(2)),
