@@ -67,9 +67,16 @@ class Oscillation:
         return compare(self.parameters, left, right) == 0
 
     def gap(self, left: str, right: str) -> arb:
-        """One root minus another, to full relative precision."""
-        (x, y), (z, w) = (coordinates(self.parameters, root) for root in (left, right))
-        return self.parameters.value(x - z, y - w)
+        """One root minus another, to full relative precision; each is computed once."""
+        if (left, right) not in self._gaps:
+            (x, y), (z, w) = (coordinates(self.parameters, root) for root in (left, right))
+            found = self.parameters.value(x - z, y - w)
+            self._gaps[left, right], self._gaps[right, left] = found, -found
+        return self._gaps[left, right]
+
+    @cached_property
+    def _gaps(self) -> dict[tuple[str, str], arb]:
+        return {}
 
     def root(self, name: str) -> arb:
         """The value of a root."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from math import isqrt
 from typing import Any
 
@@ -87,7 +88,7 @@ class Parameters:
 
     def value(self, slope: Fraction, constant: Fraction) -> arb:
         r"""The value of slope·ℓ + constant, to the full relative precision of FLINT's context."""
-        root = rational_root(self.ell_square)
+        root = self._root
         if root is not None:
             return ball(slope * self.ell_sign * root + constant)
         term = ball(slope) * self.ell_sign * ball(self.ell_square).sqrt()
@@ -95,6 +96,10 @@ class Parameters:
             return term + ball(constant)
         # The numerator of the difference of squares is rational: nothing cancels.
         return ball(slope**2 * self.ell_square - constant**2) / (term - ball(constant))
+
+    @cached_property
+    def _root(self) -> Fraction | None:
+        return rational_root(self.ell_square)
 
     @property
     def ell(self) -> arb:
