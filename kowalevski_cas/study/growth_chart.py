@@ -33,7 +33,7 @@ def chart(rows: Sequence[Row], cases: Sequence[str]) -> Figure:
     marks = {method: pictures.mark(k) for k, method in enumerate(methods)}
     with pictures.style():
         figure = pictures.new_figure(pictures.WIDTH, 7.0)
-        grid = figure.add_gridspec(3, len(cases), height_ratios=[3, 3, 1.25])
+        grid = figure.add_gridspec(3, len(cases), height_ratios=[3, 3, 1.35])
         notes = figure.add_subplot(grid[2, :])
         for column, case in enumerate(cases):
             own = [row for row in rows if row["case"] == case]
@@ -52,11 +52,13 @@ def chart(rows: Sequence[Row], cases: Sequence[str]) -> Figure:
                 if line == 0:
                     axes.set_title(WORDS[case], size=8.5)
                     found = axes.get_legend_handles_labels()
-                    notes.legend(*found, loc="upper center", ncols=4).set_in_layout(False)
+                    notes.legend(
+                        *found, loc="upper center", ncols=4, borderaxespad=0
+                    ).set_in_layout(False)
             axes.set_xlabel("$k$")
         notes.axis("off")
         stops = (_stops([row for row in rows if row["case"] == case], case) for case in cases)
-        said = notes.text(0, 0.4, "\n".join(stops), size=7.3, va="top")
+        said = notes.text(0, 0.5, "\n".join(stops), size=7.3, va="top")
         said.set_in_layout(False)
     return figure
 

@@ -38,8 +38,8 @@ def measure(quick: bool) -> Iterable[Task]:
         for statement in spread(statements, size):
             yield Task(method.name, statement.id, partial(_decide, method, statement))
     true = [statement for statement in statements if statement.kind == TRUE]
-    for method in found:
-        for k in range(1 if quick else REPEATS):
+    for method in found[:1] if quick else found:
+        for k in range(REPEATS):
             run = partial(_cold, method, true[(2 * k + 1) * len(true) // (2 * REPEATS)])
             yield Task(method.name, f"{COLD} {k + 1}", run)
 
