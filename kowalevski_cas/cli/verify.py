@@ -90,6 +90,11 @@ def _result(arguments: argparse.Namespace, folder: Path, derivation: Derivation)
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
+    if arguments.report is not None and arguments.arithmetic in POINTS:
+        raise CommandError(
+            f"a report says what is proved, and {arguments.arithmetic} proves nothing: "
+            f"choose {', '.join(EXACT)} or all"
+        )
     results = run_derivations(arguments)
     print(load_format(arguments.format)(results), end="")
     sys.stdout.flush()

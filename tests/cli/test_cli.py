@@ -465,6 +465,12 @@ def test_a_screening_that_saw_nothing_is_no_success(cli):
     assert code == 3 and "cannot be seen at points" in out
 
 
+def test_a_screening_writes_no_report(cli, write, tmp_path):
+    code, _, err = cli("verify", write(TRUE), "--arithmetic", "ball", "--report", tmp_path)
+    assert code == 2 and "ball proves nothing: choose flint" in err
+    assert not list(tmp_path.glob("*.tex"))
+
+
 def test_a_screening_is_compared_with_the_record(cli):
     only = ("--only", "eq14", "--only", "eq12")
     code, out, _ = cli("verify", "kharlamov2002", "--arithmetic", "modular", *only)
