@@ -10,11 +10,12 @@ import argparse
 import sys
 from pathlib import Path
 
-from kowalevski_cas.cli import session
+from kowalevski_cas.cli import exits, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
 from kowalevski_cas.study import STEPS, load
 from kowalevski_cas.study.plates import write_plates
 from kowalevski_cas.study.run import measure, stored
+from kowalevski_cas.study.step import DISAGREEMENT
 
 FULL, QUICK = Path("reports/study"), Path("build/study")
 
@@ -48,6 +49,7 @@ def run(arguments: argparse.Namespace) -> int:
             f"the study has no step “{unknown[0]}”; there are {', '.join(STEPS)}", NOTHING
         )
     folder = arguments.output or (QUICK if arguments.quick else FULL)
+    code = AS_RECORDED
     for name in arguments.steps or STEPS:
         step = load(name)
         if arguments.draw:
@@ -62,5 +64,9 @@ def run(arguments: argparse.Namespace) -> int:
         note = f", {failed} with an error" if failed else ""
         print(f"{name}: {step.TITLE}: {len(rows)} measurements{note}")
         sys.stdout.flush()
+        for row in rows:
+            if row["verdict"] == DISAGREEMENT:
+                print(f"the exact arithmetics disagree: {row['reason']}", file=sys.stderr)
+                code = exits.DISAGREEMENT
     write_plates(folder)
-    return AS_RECORDED
+    return code

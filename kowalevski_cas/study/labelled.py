@@ -25,6 +25,11 @@ from kowalevski_cas.stage import StageError
 from kowalevski_cas.study.near_misses import near_misses
 from kowalevski_cas.texts import Texts
 
+
+class Disagreement(Exception):
+    """Two exact arithmetics say different things; the message has the statement and both."""
+
+
 TRUE, MISPRINT, MUTANT = "identity", "misprint", "mutant"
 
 
@@ -44,9 +49,9 @@ class Labelled:
 
     @property
     def truth(self) -> bool:
-        """The label; raises ``ArithmeticError`` if the exact arithmetics disagree."""
+        """The label; raises :class:`Disagreement` if the exact arithmetics do not agree."""
         if len(set(self.verdicts.values())) > 1:
-            raise ArithmeticError(f"{self.id}: the exact arithmetics disagree: {self.verdicts}")
+            raise Disagreement(f"{self.id}: {self.verdicts}")
         return self.verdicts[EXACT[0]]
 
 

@@ -75,9 +75,12 @@ def _modulus(formula: Formula, scene: Scene, texts: Texts) -> Formula:
     return _plus(formula, lambda member: Product((Number(MODULUS), _first_term(member))))
 
 
-def _integers(formula: Formula, scene: Scene, texts: Texts) -> Formula:
+def _integers(formula: Formula, scene: Scene, texts: Texts) -> Formula | None:
     """A term that vanishes where a variable is a small integer."""
-    variable = Name(scene.variables[0])
+    names = (*scene.variables, *scene.constants)
+    if not names:
+        return None
+    variable = Name(names[0])
     square = Power(variable, Number(2))
     factors = (Sum((square, Negative(Number(k * k)))) for k in range(1, ORDINARY + 1))
     return _plus(formula, lambda _: Product((variable, *factors)))

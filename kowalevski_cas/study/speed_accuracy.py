@@ -7,9 +7,9 @@ from functools import partial
 from pathlib import Path
 
 from kowalevski_cas.library import available
-from kowalevski_cas.study.labelled import TRUE, Labelled, labelled, spread
+from kowalevski_cas.study.labelled import TRUE, Disagreement, Labelled, labelled, spread
 from kowalevski_cas.study.methods import Method, methods
-from kowalevski_cas.study.step import Measured, Row, Task
+from kowalevski_cas.study.step import DISAGREEMENT, Measured, Row, Task
 from kowalevski_cas.study.summary import COLD, summaries, table
 
 TITLE = "speed against accuracy"
@@ -45,12 +45,11 @@ def measure(quick: bool) -> Iterable[Task]:
 
 
 def _decide(method: Method, statement: Labelled) -> Measured:
-    return {
-        **method.decide(statement),
-        "kind": statement.kind,
-        "truth": statement.truth,
-        "proves": method.proves,
-    }
+    found = {**method.decide(statement), "kind": statement.kind, "proves": method.proves}
+    try:
+        return {**found, "truth": statement.truth}
+    except Disagreement as error:
+        return {**found, "verdict": DISAGREEMENT, "reason": str(error)}
 
 
 def _cold(method: Method, statement: Labelled) -> Measured:

@@ -8,6 +8,9 @@ from typing import Any, Protocol
 
 from kowalevski_cas.dataclass import dataclass
 
+DISAGREEMENT = "disagreement"
+"""The verdict where exact arithmetics contradict each other: a bug, whatever else is measured."""
+
 Measured = Mapping[str, Any]
 """What one measurement found, as JSON: ``seconds``, ``verdict``, ``reason``, and whatever else."""
 

@@ -4,7 +4,7 @@ from collections import Counter
 
 import pytest
 
-from kowalevski_cas.study.labelled import MISPRINT, TRUE, labelled, spread
+from kowalevski_cas.study.labelled import MISPRINT, TRUE, Disagreement, labelled, spread
 
 
 @pytest.fixture(scope="module")
@@ -38,6 +38,6 @@ def test_a_spread_takes_as_many_true_as_false_and_every_kind(statements):
 def test_a_disagreement_of_exact_arithmetics_is_an_error(statements):
     statement = statements[0]
     statement.__dict__["verdicts"] = {"flint": True, "sympy": False}
-    with pytest.raises(ArithmeticError, match="disagree"):
+    with pytest.raises(Disagreement, match="'sympy': False"):
         _ = statement.truth
     del statement.__dict__["verdicts"]

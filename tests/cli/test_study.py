@@ -1,0 +1,61 @@
+"""The command study, with a step that takes no time."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from kowalevski_cas.cli import main
+from kowalevski_cas.cli import study as command
+from tests.study.toys import Interrupt
+
+
+@pytest.fixture
+def step(monkeypatch):
+    step = Interrupt()
+    monkeypatch.setattr(command, "STEPS", {"toys": "toys"})
+    monkeypatch.setattr(command, "load", lambda name: step)
+    return step
+
+
+def test_a_study_says_what_it_measured_and_what_failed(step, tmp_path, capsys):
+    assert main(["study", "--quick", "-o", str(tmp_path)]) == 0
+    assert capsys.readouterr().out == "toys: toys: 3 measurements, 1 with an error\n"
+    assert (tmp_path / "toys.txt").read_text().split() == ["good", "bad", "slow"]
+    head = json.loads((tmp_path / "data" / "toys.jsonl").read_text().splitlines()[0])
+    assert head["quick"] is True and {"processor", "Python", "sympy"} <= head["machine"].keys()
+
+
+def test_drawing_measures_nothing(step, tmp_path):
+    main(["study", "-o", str(tmp_path)])
+    step.ran.clear()
+    (tmp_path / "toys.txt").unlink()
+    assert main(["study", "--draw", "-o", str(tmp_path)]) == 0
+    assert step.ran == [] and (tmp_path / "toys.txt").exists()
+
+
+def test_nothing_to_draw_is_no_success(step, tmp_path, capsys):
+    assert main(["study", "--draw", "-o", str(tmp_path)]) == 6
+    assert "nothing is stored for “toys”" in capsys.readouterr().err
+
+
+def test_an_unknown_step_is_named(step, capsys):
+    assert main(["study", "tosy"]) == 6
+    assert "no step “tosy”; there are toys" in capsys.readouterr().err
+
+
+def test_an_interruption_keeps_what_was_measured(step, tmp_path):
+    step.at = "slow"
+    assert main(["study", "-o", str(tmp_path)]) == 130
+    step.at = ""
+    step.ran.clear()
+    assert main(["study", "-o", str(tmp_path)]) == 0
+    assert step.ran == ["slow"]
+
+
+def test_a_disagreement_of_exact_arithmetics_has_its_exit_code(step, tmp_path, monkeypatch, capsys):
+    contradicted = {"seconds": 1.0, "verdict": "disagreement", "reason": "eq1: both"}
+    monkeypatch.setattr(step, "_run", lambda method: contradicted)
+    assert main(["study", "-o", str(tmp_path)]) == 4
+    assert "the exact arithmetics disagree: eq1: both" in capsys.readouterr().err
