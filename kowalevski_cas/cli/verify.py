@@ -101,7 +101,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.report is not None:
         from kowalevski_cas.cli.report import write
 
-        each(lambda result: write(result.run, arguments.report), results)
+        each(lambda result: write(result.run, arguments.report, result.folder), results)
     return max((exit_code(result) for result in results), key=_URGENCY.index)
 
 

@@ -17,13 +17,15 @@ Record = Mapping[str, Mapping[str, object]]
 class Checked:
     """What the checker says about certificates.
 
-    ``digests`` has the accepted ones by claim, ``said`` what each of them proves;
+    ``digests`` has the accepted ones by claim, ``said`` what each of them proves,
+    ``notes`` what it leaves to an argument in words;
     ``rejected`` says why for the others, by file; ``without`` lists the recorded
     claims that have none.
     """
 
     digests: dict[str, str] = field(default_factory=dict)
     said: dict[str, list[str]] = field(default_factory=dict)
+    notes: dict[str, list[str]] = field(default_factory=dict)
     rejected: dict[str, str] = field(default_factory=dict)
     without: tuple[str, ...] = ()
 
@@ -49,7 +51,7 @@ def check_committed(folder: Path, record: Record) -> Checked:
         if entry.get("certificate") and not (folder / FOLDER / f"{claim}.json").is_file():
             found.rejected[f"{claim}.json"] = "it is in the record, and missing"
     without = tuple(claim for claim, entry in record.items() if not entry.get("certificate"))
-    return Checked(found.digests, found.said, found.rejected, without)
+    return Checked(found.digests, found.said, found.notes, found.rejected, without)
 
 
 def check_files(paths: Sequence[Path], record: Record | None = None) -> Checked:
@@ -74,4 +76,5 @@ def check_files(paths: Sequence[Path], record: Record | None = None) -> Checked:
             found.rejected[str(path)] = str(error) or type(error).__name__
             continue
         found.digests[claim], found.said[claim] = str(data["digest"]), said
+        found.notes[claim] = list(map(str, data["notes"]))
     return found

@@ -42,9 +42,9 @@ def state_equilibria(claim: Equilibria, parts: Parts) -> None:
     _States(claim, Roots.read(found), parts, parts.space(claim.scene), *spaces, form, turn).write()
     parts.notes.append(
         "a polynomial with leading coefficient 1 and even degree is positive far out and has a "
-        "root between two places where its signs differ"
+        "root between two places where its signs differ; a sum of squares that is not zero is "
+        "positive"
     )
-    parts.notes.append("a sum of squares that is not zero is positive")
 
 
 @dataclass

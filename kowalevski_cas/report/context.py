@@ -16,6 +16,7 @@ from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.graph import Picture, picture
 from kowalevski_cas.report.sections import Section, count, sections
 from kowalevski_cas.report.sentences import opening
+from kowalevski_cas.report.witnesses import Certified, Witness, arithmetics
 
 _ALWAYS: Final = (Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED)
 
@@ -43,9 +44,22 @@ class Report:
     picture: Picture
     products: int
     by_verdict: dict[Verdict, tuple[str, ...]]
+    certified: Certified
+    arithmetics: tuple[Witness, ...]
+    programs: tuple[Witness, ...]
+    words: tuple[tuple[str, tuple[str, ...]], ...]
+
+    @property
+    def witnesses(self) -> tuple[Witness, ...]:
+        """All who confirm claims; the checker is one of them if there are certificates."""
+        checker = Witness("checker", "", frozenset(self.certified.digests))
+        own = (checker,) if checker.claims else ()
+        return (*self.arithmetics, *own, *self.programs)
 
 
-def report(run: Run) -> Report:
+def report(
+    run: Run, certified: Certified | None = None, programs: tuple[Witness, ...] = ()
+) -> Report:
     """Arrange a run for its readers."""
     present = {outcome.verdict for outcome in run.outcomes}
     return Report(
@@ -65,7 +79,20 @@ def report(run: Run) -> Report:
             verdict: tuple(o.claim for o in run.outcomes if o.verdict is verdict)
             for verdict in Verdict
         },
+        certified=certified or Certified(),
+        arithmetics=arithmetics(run.outcomes),
+        programs=programs,
+        words=_words(certified or Certified()),
     )
+
+
+def _words(certified: Certified) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """What certificates leave to an argument in words, with the claims that rest on it."""
+    found: dict[str, list[str]] = {}
+    for claim, notes in certified.notes.items():
+        for note in notes:
+            found.setdefault(note, []).append(claim)
+    return tuple((note, tuple(claims)) for note, claims in found.items())
 
 
 def _provisos(outcomes: Sequence[Outcome]) -> tuple[Proviso, ...]:

@@ -16,6 +16,7 @@ from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.sentences import listed, number
+from kowalevski_cas.report.witnesses import Certified, Witness
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -25,14 +26,26 @@ TEMPLATES: Final = Path(__file__).parent / "templates"
 _LINES: Final = 12  # longer displays of the program's own steps are shortened by dots
 
 
-def render_latex(run: Run, plates: tuple[Plate, ...] = ()) -> str:
-    """The report of a run as a LaTeX document, with pictures that other commands made."""
-    return _render(report(run), plates, "latex")
+def render_latex(
+    run: Run,
+    plates: tuple[Plate, ...] = (),
+    certified: Certified | None = None,
+    programs: tuple[Witness, ...] = (),
+) -> str:
+    """The report of a run as a LaTeX document, with what other commands made and confirmed."""
+    return _render(report(run, certified, programs), plates, "latex")
 
 
-def render_for_pandoc(run: Run, plates: tuple[Plate, ...] = ()) -> str:
+def render_for_pandoc(
+    run: Run,
+    plates: tuple[Plate, ...] = (),
+    certified: Certified | None = None,
+    programs: tuple[Witness, ...] = (),
+) -> str:
     """The same document in the LaTeX that pandoc reads."""
-    text = _render(report(run), plates, "pandoc").replace(r"\begin{aligned}[t]", r"\begin{aligned}")
+    text = _render(report(run, certified, programs), plates, "pandoc").replace(
+        r"\begin{aligned}[t]", r"\begin{aligned}"
+    )
     # a sign at the beginning of a line
     return re.sub(r"\{\}(?= (?:[+-]|\\pm|\\mp) )", r"\\text{}", text)
 

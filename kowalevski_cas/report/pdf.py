@@ -21,6 +21,7 @@ from kowalevski_cas.report.latex import (
     render_typst,
 )
 from kowalevski_cas.report.plates import Plate, copy_plates, plates
+from kowalevski_cas.report.witnesses import Certified, programs
 
 Engine = Literal["auto", "latex", "typst"]
 
@@ -41,19 +42,24 @@ class Written:
     notes: tuple[str, ...] = ()
 
 
-def write_report(run: Run, folder: Path, *, engine: Engine = "auto") -> Written:
+def write_report(
+    run: Run, folder: Path, certified: Certified | None = None, *, engine: Engine = "auto"
+) -> Written:
     """Write ``<derivation>.tex`` and ``<derivation>.pdf`` into a folder.
 
     Each file appears whole or not at all: a failure or an interrupt leaves an earlier one as it
     was. With ``engine="auto"`` LaTeX makes the PDF where it is installed and complete, else Typst.
-    Pictures of the derivation that are in a folder below are shown (:mod:`.plates`).
+    Pictures of the derivation that are in a folder below are shown (:mod:`.plates`), and so is
+    which programs confirmed its certificates (:mod:`.witnesses`).
 
     Raises:
         ReportError: if no PDF can be made; the ``.tex`` is written by then.
     """
     tex = folder / f"{run.derivation}.tex"
     shown = plates(folder, run.derivation)
-    source = render_latex(run, shown)
+    certified = certified or Certified()
+    told = programs(folder, run.derivation, certified)
+    source = render_latex(run, shown, certified, told)
     _replace(tex, source.encode())
     notes: list[str] = []
     if engine == "latex" or (engine == "auto" and latex_command()):
@@ -63,7 +69,8 @@ def write_report(run: Run, folder: Path, *, engine: Engine = "auto") -> Written:
             if engine == "latex":
                 raise
             notes.append(f"{error} The PDF was made by Typst instead.")
-    content, warnings = _typst(run, shown, folder)
+    source = render_for_pandoc(run, shown, certified, told)
+    content, warnings = _typst(run, source, shown, folder)
     return _written(tex, content, "typst", [*notes, *warnings])
 
 
@@ -167,11 +174,11 @@ def typst_pdf(run: Run) -> bytes:
     Raises:
         ReportError: if one of the two is missing or fails.
     """
-    return _typst(run)[0]
+    return _typst(run, render_for_pandoc(run))[0]
 
 
 def _typst(
-    run: Run, shown: tuple[Plate, ...] = (), beside: Path = Path()
+    run: Run, source: str, shown: tuple[Plate, ...] = (), beside: Path = Path()
 ) -> tuple[bytes, list[str]]:
     try:
         import typst
@@ -180,7 +187,7 @@ def _typst(
             "The PDF needs either LaTeX (latexmk and pdflatex) or the typst wheel: "
             "pip install typst."
         ) from None
-    body, warnings = _pandoc(render_for_pandoc(run, shown))
+    body, warnings = _pandoc(source)
     with tempfile.TemporaryDirectory(prefix="kowalevski-") as name:
         folder = Path(name)
         (folder / "report.typ").write_text(render_typst(run, body), encoding="utf-8")

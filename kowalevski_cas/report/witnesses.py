@@ -1,0 +1,79 @@
+"""Who confirms a claim: arithmetics, the checker, and programs that other commands ran.
+
+A program that read the certificates left in the folder of the reports what it confirmed, as
+``witnesses/kharlamov2002/rocq.json``::
+
+    {"program": "rocq", "version": "…", "confirmed": {"eq15": "<digest>"}, "failed": {}}
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Final
+
+from kowalevski_cas.dataclass import dataclass, field
+from kowalevski_cas.proof.outcome import Outcome
+
+FOLDER: Final = "witnesses"
+
+_NAMES: Final = {
+    "flint": "FLINT",
+    "symengine": "SymEngine",
+    "sympy": "SymPy",
+    "rocq": "Rocq",
+    "singular": "Singular",
+    "pari": "PARI",
+}
+
+
+@dataclass(frozen=True)
+class Certified:
+    """The certificates that the checker accepts: digests by claim, and what is argued in words."""
+
+    digests: Mapping[str, str] = field(default_factory=dict)
+    notes: Mapping[str, Sequence[str]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Witness:
+    """A program, its version, and the claims that it confirms."""
+
+    name: str
+    version: str
+    claims: frozenset[str]
+
+
+def arithmetics(outcomes: Sequence[Outcome]) -> tuple[Witness, ...]:
+    """The arithmetics that came to the verdict of the run, in the order in which they ran."""
+    names = dict.fromkeys(name for outcome in outcomes for name in outcome.verdicts)
+    return tuple(
+        Witness(
+            _NAMES.get(name, name),
+            "",
+            frozenset(o.claim for o in outcomes if o.verdicts.get(name) is o.verdict),
+        )
+        for name in names
+    )
+
+
+def programs(folder: Path, derivation: str, certified: Certified) -> tuple[Witness, ...]:
+    """The programs that confirmed certificates as they are now, in the folder of a report.
+
+    What was said about another certificate is passed over, and so is a file that
+    cannot be read.
+    """
+    found: dict[str, Witness] = {}
+    for file in sorted((folder / FOLDER / derivation).glob("*.json")):
+        try:
+            content: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+            confirmed = dict(content["confirmed"]).items()
+            claims = frozenset(c for c, digest in confirmed if certified.digests.get(c) == digest)
+            name, version = str(content["program"]), str(content["version"])
+        except (OSError, ValueError, KeyError, TypeError):
+            continue
+        if claims:
+            found[name] = Witness(_NAMES.get(name, name), version, claims)
+    order = [*(name for name in _NAMES if name in found), *(n for n in found if n not in _NAMES)]
+    return tuple(found[name] for name in order)
