@@ -43,10 +43,10 @@ def draw(motion: Motion) -> Figure:
         shown.append(one.weight / one.s if inverse else one.s / one.weight)
         names.append(f"$1/s_{len(names) + 1}$" if inverse else f"$s_{len(names) + 1}$")
     plane.plot(*shown, color=mark(0).colour, lw=0.7)
-    early = t <= t[0] + np.ptp(t) / 2
+    early = t <= t[-1] / 2 if t[0] == 0 else np.full_like(t, True, dtype=bool)
     for axes, values, index in ((first, shown[0], 0), (second, shown[1], 1)):
         axes.plot(t[early], values[early], color=mark(index).colour, lw=1.0)
-        axes.set_ylabel(names[index], rotation=0)
+        axes.set_ylabel(names[index], rotation=0, labelpad=12)
     first.tick_params(labelbottom=False)
     second.set_xlabel("$t$")
 
@@ -59,7 +59,7 @@ def draw(motion: Motion) -> Figure:
     (left, right), (low, high) = edges
     plane.add_patch(Rectangle((left, low), right - left, high - low, fill=False, ec=INK, lw=1.0))
     plane.set_xlabel(names[0])
-    plane.set_ylabel(names[1], rotation=0)
+    plane.set_ylabel(names[1], rotation=0, labelpad=12)
     plane.grid(False)
     for side in ("left", "bottom"):
         plane.spines[side].set_visible(False)

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from kowalevski_cas.motion.motion import Motion
-from kowalevski_cas.motion.pictures.orbit import net, orbit, periods, times
+from kowalevski_cas.motion.pictures.orbit import Array, net, orbit, periods, times
 from kowalevski_cas.motion.pictures.space import View, blank, curve, reach, triad
 from kowalevski_cas.pictures import FAINT, mark, new_figure
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 CAPTION = (
@@ -30,16 +31,16 @@ def draw(motion: Motion) -> Figure:
     """The torus of a motion, filled by it."""
     figure = new_figure(height=3.3)
     flat, solid = figure.subplots(1, 2)
-    line = mark(0)
-
-    t = times(motion, TURNS, POINTS)
-    angles = [
-        (t - float(origin)) / period % 1 if 0 < period < np.inf else np.zeros_like(t)
-        for origin, period in zip(motion.origins, periods(motion), strict=True)
-    ]
-    jumps = np.flatnonzero(np.any(np.abs(np.diff(angles)) > 0.5, axis=0)) + 1
-    for piece in np.split(np.arange(len(t)), jumps):
-        flat.plot(angles[0][piece], angles[1][piece], color=line.colour, lw=0.8)
+    t, whole = times(motion, TURNS, POINTS), periods(motion)
+    if 0 < min(whole) and max(whole) < np.inf:
+        _fill(flat, t, motion)
+    else:
+        flat.text(
+            0.5,
+            0.5,
+            "This motion fills no torus:\na variable rests, or tends to rest.",
+            ha="center",
+        )
     flat.set(xlim=(0, 1), ylim=(0, 1), xticks=(0, 0.5, 1), yticks=(0, 0.5, 1), aspect="equal")
     flat.set_xlabel(r"$(t-t_1)/T_1$ modulo 1")
     flat.set_ylabel(r"$(t-t_2)/T_2$ modulo 1")
@@ -52,6 +53,17 @@ def draw(motion: Motion) -> Figure:
     states = orbit(motion, TURNS, POINTS)
     for loop in net(motion, LINES, 121):
         curve(solid, view, loop[:, :3], FAINT, 0.45, 1.0)
-    curve(solid, view, states[:, :3], line.colour, 0.9)
+    curve(solid, view, states[:, :3], mark(0).colour, 0.9)
     triad(solid, view, (r"$\omega_1$", r"$\omega_2$", r"$\omega_3$"), reach(states[:, :3]))
     return figure
+
+
+def _fill(axes: Axes, t: Array, motion: Motion) -> None:
+    """Draw the trajectory in the square of the angles, a piece for each passage."""
+    angles = [
+        (t - float(origin)) / period % 1
+        for origin, period in zip(motion.origins, periods(motion), strict=True)
+    ]
+    jumps = np.flatnonzero(np.any(np.abs(np.diff(angles)) > 0.5, axis=0)) + 1
+    for piece in np.split(np.arange(len(t)), jumps):
+        axes.plot(angles[0][piece], angles[1][piece], color=mark(0).colour, lw=0.8)
