@@ -33,6 +33,9 @@ INTEGRATORS: dict[str, Integrator] = {
 }
 """The states at some times, by the state at t = 0, the times, and a tolerance."""
 
+SLOWEST = "radau"
+"""The integrator that a quick study leaves out."""
+
 LOOK: dict[str, Mark] = {
     name: mark(index) for index, name in enumerate(("closed", *INTEGRATORS, "ball"))
 }
