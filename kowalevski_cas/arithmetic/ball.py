@@ -64,7 +64,9 @@ class Arithmetic(Points):
             if found == POINTS:
                 break
         if not found:
-            return Answer(None, "no point was found at which everything is defined and balls decide")
+            return Answer(
+                None, "no point was found at which everything is defined and balls decide"
+            )
         words = f"{found} points, {bits} bits, seed {self.seed}"
         return Answer(True, words, radius=radius)
 

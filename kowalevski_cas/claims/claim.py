@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
+from functools import lru_cache
 
 from kowalevski_cas.arithmetic.numbers import Substitution, gaussian, number_ring, show_number
 from kowalevski_cas.arithmetic.points import Question
@@ -18,6 +19,9 @@ from kowalevski_cas.scene import Locus, Scene
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.evaluate import Triple, Value
 from kowalevski_cas.texts import Printed, Texts
+
+Shape = frozenset[object]
+"""A polynomial up to a constant factor, as a key."""
 
 
 @dataclass(frozen=True)
@@ -175,11 +179,10 @@ def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition,
     indices = sorted({index for element in elements for index in element.denominator})
     if not indices:
         return ()
-    granted = {_shape(scalar(f, stage)) for f in stage.granted()}
-    names = {_shape(scalar(f, stage)): f for f in stage.landmarks()}
+    granted, names = _declared(stage)
     shown: dict[str, None] = {}
     divisors = [Element(ring, {0: ring.divisors[index]}, {}) for index in indices]
-    known = granted | {_shape(divisor) for divisor in divisors if len(divisor.terms()[0]) == 1}
+    known = {_shape(divisor) for divisor in divisors if len(divisor.terms()[0]) == 1}.union(granted)
     for divisor in divisors:
         shape = _shape(divisor)
         if shape in granted:
@@ -195,7 +198,14 @@ def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition,
     return tuple(Condition(tex, "the formulas divide by it") for tex in shown)
 
 
-def _without(divisor: Element, known: set[frozenset[object]]) -> Element:
+@lru_cache(maxsize=64)
+def _declared(stage: Stage) -> tuple[frozenset[Shape], dict[Shape, Formula]]:
+    """What a scene takes for granted not to vanish, and its names for conditions, by shapes."""
+    granted = frozenset(_shape(scalar(formula, stage)) for formula in stage.granted())
+    return granted, {_shape(scalar(formula, stage)): formula for formula in stage.landmarks()}
+
+
+def _without(divisor: Element, known: set[Shape]) -> Element:
     """A polynomial without its factors that are known, which all are after that."""
     from kowalevski_cas.search.factors import irreducible_factors
 
@@ -219,7 +229,7 @@ def locus_of(condition: Condition, stage: Stage) -> Locus | None:
     return None
 
 
-def _shape(element: Element) -> frozenset[object]:
+def _shape(element: Element) -> Shape:
     """A polynomial up to a constant factor, as a key."""
     parts = element.terms()
     lead = next((parts[m][max(parts[m])] for m in sorted(parts)), Fraction(1))

@@ -15,6 +15,7 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     Number,
+    Power,
     Relation,
     Root,
     substitute,
@@ -242,6 +243,13 @@ class Stage:
         ``z_1^2`` in :math:`z_1^2+x_1y_2=c_1`. Members with names that the scene does
         not have are passed over.
         """
+        members = self.relation(printed).members
+        own = Power(Name(name), Number(2))
+        if len(members) == 2 and own in members:
+            try:
+                return scalar(members[members[0] == own], self)
+            except StageError:
+                pass  # it stands on the other side as well
         at = [self._difference(printed, name, self.ring.number(k)) for k in (0, 1, -1, 2)]
         factor = at[1] - at[0]
         even = (at[2] - at[1]).is_zero
