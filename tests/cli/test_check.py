@@ -25,6 +25,12 @@ def copy(tmp_path):
     return folder
 
 
+def test_make_verify_checks_them():
+    makefile = (PAPER.parents[1] / "Makefile").read_text(encoding="utf-8")
+    _, _, after = makefile.partition("\nverify:")
+    assert "\t@$(RUN) check --quiet" in after.split("\n\n")[0].splitlines()
+
+
 def test_all_committed_certificates_belong_to_the_record(capsys):
     assert main(["check", "--quiet", "kharlamov2002"]) == 0
     number = len(certificate_files(PAPER))

@@ -89,7 +89,9 @@ class Theorems:
         """Where some equations hold others do: they are combinations of them."""
         space = self.space
         if "product" in part:
-            raise Inexpressible("a split into cases is for real numbers, and a field is any here")
+            raise Inexpressible(
+                "a split into cases needs real numbers, and these theorems are about any field"
+            )
         given, pairs = space.sides(part["given"]), space.sides(part["equations"])
         if (root := part.get("root")) is not None:
             flip = f"subst {space.flip(root)}"
