@@ -11,7 +11,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import ClassVar
 
-from kowalevski_cas.export.format import Format, Json, identifier
+from kowalevski_cas.export.format import Format, Inexpressible, Json, identifier
 from kowalevski_cas.export.rocq.space import Space
 from kowalevski_cas.export.rocq.theorems import Theorems
 from kowalevski_cas.proof import checker
@@ -72,8 +72,14 @@ class Program(Format):
         return {name: (files(__name__) / name).read_text(encoding="utf-8") for name in names}
 
     def translate(self, certificate: Json) -> str:
+        checker.Space.left = 10 * checker.WORK
+        try:
+            return self._text(certificate)
+        except checker.Rejected as error:
+            raise Inexpressible(f"the checker says: {error}") from None
+
+    def _text(self, certificate: Json) -> str:
         spaces: list[Space] = []
-        checker.Space.left = checker.WORK
         for k, data in enumerate(certificate["spaces"]):
             spaces.append(Space(data, k, spaces))
         sections = [Theorems(space) for space in spaces]

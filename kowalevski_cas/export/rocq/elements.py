@@ -19,6 +19,20 @@ class Term:
     under: tuple[Tree, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Plain:
+    """A variable or polynomial with a plain inverse.
+
+    ``condition`` is the position of the condition by which it is not zero, since it is
+    one of its factors, beside the ``cofactor``.
+    """
+
+    condition: int
+    tree: Tree
+    element: checker.Element
+    cofactor: checker.Element
+
+
 class Elements:
     """How the elements of a space are written.
 
@@ -29,6 +43,22 @@ class Elements:
 
     def __init__(self, space: checker.Space) -> None:
         self.space = space
+        self.plain: list[Plain] = []
+        for k, divisor in sorted(
+            enumerate(space.divisors.values()), key=lambda kd: max(kd[1].terms)
+        ):
+            _, _, rest = self._factored(divisor)
+            if len(rest.terms) > 1:
+                tree = written(self.terms(rest)) if rest is not divisor else space.nonzero[k]
+                self._add(k, tree, rest, divisor)
+            else:
+                for name in self._powers(max(rest.terms)):
+                    self._add(k, name, space.generator(name), divisor)
+
+    def _add(self, k: int, tree: Tree, element: checker.Element, divisor: checker.Element) -> None:
+        cofactor = self._quotient(divisor, element)
+        if cofactor is not None:
+            self.plain.append(Plain(k, tree, element, cofactor))
 
     def terms(self, element: checker.Element) -> list[Term]:
         """The terms of an element."""
@@ -43,56 +73,64 @@ class Elements:
         Raises:
             Rejected: it may be zero.
         """
-        if len(element.terms) == 1:
-            ((monomial, value),) = element.terms.items()
-            powers = self._powers(monomial)
-            if powers.keys() <= {tree for _, tree in self.plain() if isinstance(tree, str)}:
-                return [
-                    self._term(Fraction(element.below, value), {n: -e for n, e in powers.items()})
-                ]
+        value, powers, rest = self._factored(element)
+        if rest.terms.keys() == {0}:
+            return [_over(value, [(self.plain[k], e) for k, e in powers.items()], {})]
         return self.terms(element.inverse())
 
-    def plain(self) -> list[tuple[int, Tree]]:
-        """What has a plain inverse, save a number: variables and polynomials that are no monomials.
+    def _factored(
+        self, element: checker.Element
+    ) -> tuple[Fraction, dict[int, int], checker.Element]:
+        """A number and powers of what has plain inverses, and what is left without them."""
+        powers: dict[int, int] = {}
+        for k, plain in enumerate(self.plain):
+            while (quotient := self._quotient(element, plain.element)) is not None:
+                element, powers[k] = quotient, powers.get(k, 0) + 1
+        value = Fraction(element.terms[0], element.below) if element.terms.keys() == {0} else 1
+        return Fraction(value), powers, element
 
-        Each comes after the position of the condition by which it is not zero.
-        """
-        found: dict[str, tuple[int, Tree]] = {}
-        for k, divisor in enumerate(self.space.divisors.values()):
-            names = self._monomial(divisor)
-            for tree in [self.space.nonzero[k]] if names is None else names:
-                found.setdefault(str(tree), (k, tree))
-        return list(found.values())
+    def _quotient(self, top: checker.Element, below: checker.Element) -> checker.Element | None:
+        """An exact quotient of polynomials, or none."""
+        space, lead = self.space, max(below.terms)
+        quotient, least = space.number(0), self._powers(lead)
+        while top.terms:
+            first = max(top.terms)
+            powers = self._powers(first)
+            if any(powers.get(name, 0) < e for name, e in least.items()):
+                return None
+            value = Fraction(top.terms[first], top.below) / Fraction(below.terms[lead], below.below)
+            term = checker.Element(space, {first - lead: value.numerator}, value.denominator)
+            quotient, top = quotient + term, top - term * below
+        return quotient
 
     def _term(self, value: Fraction, powers: dict[str, int]) -> Term:
-        """A term, from powers that may be negative, or those of inverses in the space."""
-        exponents, under = dict[str, int](), list[Tree]()
+        """A term, from powers among which may be those of inverses in the space."""
+        over: list[tuple[Plain, int]] = []
         for name, e in powers.items():
-            if name not in self.space.divisors:
-                exponents[name] = exponents.get(name, 0) + e
-                continue
-            divisor = self.space.divisors[name]
-            if (names := self._monomial(divisor)) is None:
-                under += [self.space.nonzero[list(self.space.divisors).index(name)]] * e
-                continue
-            (lead,) = divisor.terms.values()
-            value /= Fraction(lead, divisor.below) ** e
-            for other, k in names.items():
-                exponents[other] = exponents.get(other, 0) - k * e
-        under += [name for name, e in exponents.items() for _ in range(-e)]
-        return Term(value, {n: e for n, e in exponents.items() if e > 0}, tuple(under))
-
-    def _monomial(self, divisor: checker.Element) -> dict[str, int] | None:
-        """The powers of variables in a divisor without sums; their inverses are known then."""
-        if len(divisor.terms) > 1:
-            return None
-        powers = self._powers(next(iter(divisor.terms)))
-        return None if any(name in self.space.divisors for name in powers) else powers
+            if name in self.space.divisors:
+                number, plain, _ = self._factored(self.space.divisors[name])
+                value /= number**e
+                over += [(self.plain[k], n * e) for k, n in plain.items()]
+        return _over(
+            1 / value, over, {n: e for n, e in powers.items() if n not in self.space.divisors}
+        )
 
     def _powers(self, monomial: int) -> dict[str, int]:
         shifts = self.space.at.items()
         powers = ((name, monomial >> shift & checker.MASK) for name, shift in shifts)
         return {name: e for name, e in powers if e}
+
+
+def _over(value: Fraction, over: Iterable[tuple[Plain, int]], powers: dict[str, int]) -> Term:
+    """A term, divided by a number and by powers of what has plain inverses."""
+    exponents, under = dict(powers), list[Tree]()
+    for plain, e in over:
+        if isinstance(plain.tree, str):
+            exponents[plain.tree] = exponents.get(plain.tree, 0) - e
+        else:
+            under += [plain.tree] * e
+    under += [name for name, e in exponents.items() for _ in range(-e)]
+    return Term(1 / value, {n: e for n, e in exponents.items() if e > 0}, tuple(under))
 
 
 def written(terms: Iterable[Term]) -> Tree:

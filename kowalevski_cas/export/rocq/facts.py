@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.export.rocq.elements import Term, number, undivided
+from kowalevski_cas.export.rocq.elements import Plain, Term, number, undivided, written
 from kowalevski_cas.export.rocq.space import Space
-from kowalevski_cas.proof.trees import Tree
 
 AT = "R zero one add mul sub opp div inv R_field v"
 """What each lemma about values takes first."""
@@ -46,8 +45,8 @@ class Facts:
         if one_over > 1:
             proof = f"exact (reciprocal {AT} _ number_{k})."
             self._fact(f"{one_over} * (1 / {one_over})", "1", proof)
-        for j, tree in space.elements.plain():
-            self._plain(j, tree)
+        for plain in sorted(space.elements.plain, key=lambda plain: isinstance(plain.tree, str)):
+            self._plain(plain)
         for j, (name, terms) in enumerate(squares.items()):
             under = space.divisors_in(space.squares[name])
             self._table(f"under_{j}", {text: inverses[text] for text in inverses if text in under})
@@ -66,20 +65,22 @@ class Facts:
         self._facts.append(name)
         self._lines.append(f"Lemma {name} : val ({left}) = val ({right}).\nProof. {proof} Qed.")
 
-    def _plain(self, j: int, tree: Tree) -> None:
+    def _plain(self, plain: Plain) -> None:
         """What is not zero by a condition, times its inverse: one, or its leading part."""
-        space, condition = self.space, f"nonzero_{self.k}_{j}"
-        shown = space.term(tree)
-        if isinstance(tree, str):
-            name = f"nonzero_{self.k}_{space.words[tree]}"
-            self._lines.append(
-                f"Lemma {name} : val {shown} <> zero.\n"
-                f"Proof. intros H; apply {condition}; cbv in H |- *; rewrite H; ring. Qed."
-            )
-            self._inverses.setdefault(tree, []).append(f"1 / {shown}")
-            self._fact(f"{shown} * (1 / {shown})", "1", f"exact (reciprocal {AT} _ {name}).")
+        space, shown = self.space, self.space.term(plain.tree)
+        condition = f"plain_{self.k}_{len(self._facts)}"
+        cofactor = space.term(written(space.elements.terms(plain.cofactor)))
+        self._lines.append(
+            f"Lemma {condition} : val ({shown}) <> zero.\n"
+            f"Proof. intros H; apply nonzero_{self.k}_{plain.condition}; "
+            f"transitivity (mul (val ({shown})) (val ({cofactor}))); "
+            "[cbv; ring | rewrite H; ring]. Qed."
+        )
+        if isinstance(plain.tree, str):
+            self._inverses.setdefault(plain.tree, []).append(f"1 / {shown}")
+            self._fact(f"{shown} * (1 / {shown})", "1", f"exact (reciprocal {AT} _ {condition}).")
             return
-        terms = space.elements.terms(space.checked.scalar(tree))
+        terms = space.elements.terms(plain.element)
         terms.sort(key=self._unfit)
         for name in terms[0].powers:
             self._inverses.setdefault(name, []).append(f"1 / ({shown})")

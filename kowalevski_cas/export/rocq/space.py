@@ -119,7 +119,8 @@ class Space(Terms):
         """Define other expressions for the names."""
         shown = [self.polynomial(images[name]) for name in self.names]
         self.define(word, f"each [{'; '.join(shown)}]", "nat -> expr")
-        self.images[word] = self.checked.carried(dict(images), self.checked)
+        with suppress(checker.Rejected):  # not all that is divided by need have an image
+            self.images[word] = self.checked.carried(dict(images), self.checked)
 
     def inverses(self) -> Iterator[tuple[str, list[Term]]]:
         """Divisors as expressions, with their inverses; each may rest on those before it."""

@@ -16,7 +16,9 @@ WORDS = set(
     "return snd3 sound sound_more sub subst table thd3 then true using v val value vanishes vec "
     "w where with zero zip3".split()
 )
-NUMBERED = re.compile(r"(by|d|fact|flip|known|nonzero|number|root|sound|under|Space)_.*|[GH]\d*")
+NUMBERED = re.compile(
+    r"(by|d|fact|flip|known|nonzero|number|plain|root|sound|under|Space)_.*|[GH]\d*"
+)
 PLACES = ("fst3", "snd3", "thd3")
 TIGHT, POWER, MINUS, TIMES, PLUS, LOOSE = 0, 30, 35, 40, 50, 100
 """The levels at which Rocq reads expressions."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from itertools import combinations_with_replacement
 
 from kowalevski_cas.export.format import Inexpressible, Json
@@ -27,6 +28,8 @@ class Theorems:
 
     def part(self, name: str, part: Json) -> None:
         """State and prove one part of the certificate."""
+        if '"conj"' in json.dumps([part, self.space.data]):
+            self._conjugation()
         if part["shows"] == "differ":
             self._computed(name, points.differ(self.space, part))
         elif part["shows"] == "rank":
@@ -51,10 +54,19 @@ class Theorems:
                 [["*", factor, ["vector", *rates] if len(rates) > 1 else rates[0]], right]
             )
         self._equal(f"field_{k}", space.sides(printed))
-        squares = [(f"{a} * {a}", b) for a, b in space.sides(space.squares.items())]
         if space.checked.rates:
-            self._equal(f"moving_roots_{k}", _under("D", squares))
-        self._equal(f"conjugate_roots_{k}", _under("conjugate", squares))
+            self._equal(f"moving_roots_{k}", _under("D", self._squares()))
+        if "change" in space.data:
+            self._conjugation()
+
+    def _conjugation(self) -> None:
+        """The conjugates of roots are roots of the conjugate squares."""
+        name = f"conjugate_roots_{self.k}"
+        if name not in self.names:
+            self._equal(name, _under("conjugate", self._squares()))
+
+    def _squares(self) -> list[Sides]:
+        return [(f"{a} * {a}", b) for a, b in self.space.sides(self.space.squares.items())]
 
     def _change(self) -> None:
         """The inverse gives the variables back, and the vector field is the old one."""
@@ -73,6 +85,11 @@ class Theorems:
             back.append((f"subst back ({own} * {own})", f"subst back ({old.outside(square)})"))
         self._equal(f"back_{k}", back)
         if old.checked.rates:
+            old_names = [f"{module}{old.words[name]}" for name in old.names]
+            rates += [
+                (f"D (subst back {own})", f"subst back ({module}D {own} * ({time}))")
+                for own in old_names
+            ]
             self._equal(f"chain_rule_{k}", rates)
         images = [f"subst back {module}{old.words[name]}" for name in old.data["variables"]]
         self._equal(f"real_{k}", [(f"conjugate ({image})", image) for image in images])
