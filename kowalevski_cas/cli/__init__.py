@@ -34,7 +34,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     gc.set_threshold(100_000)  # formulas and elements hardly make cycles: look for them seldom
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
-            stream.reconfigure(encoding="utf-8")
+            stream.reconfigure(encoding="utf-8", errors="backslashreplace")
     if not arguments or arguments[0] not in COMMANDS:
         return _overview(arguments)
     module = import_module(f"{__name__}.{arguments[0]}")

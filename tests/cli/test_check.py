@@ -1,5 +1,7 @@
 import json
 import shutil
+import subprocess
+import sys
 
 import pytest
 
@@ -87,3 +89,11 @@ def test_no_certificates(copy, capsys):
 def test_a_derivation_that_is_not_there(capsys):
     assert main(["check", "nothing"]) == 2
     assert "no derivation" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("name", "code"), [(b"/nowhere/\xff.json", 5), (b"/nowhere/\xff", 2)])
+def test_a_name_that_is_no_text(name, code):
+    command = [sys.executable, "-m", "kowalevski_cas", "check", name]
+    found = subprocess.run(command, capture_output=True, cwd=PAPER.parents[1])
+    assert found.returncode == code
+    assert b"\\udcff" in found.stdout + found.stderr and b"Traceback" not in found.stderr
