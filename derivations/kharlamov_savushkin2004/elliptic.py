@@ -137,8 +137,8 @@ section.claim(
     Definition(
         "frequency", any_regime, parameters[2], "what multiplies the time", equation=quartic[1]
     ),
-    Definition("A", for_s1, roots_of_phi[1], r"the larger root of $\varphi$", equation=factors[1]),
-    Definition("C", for_s1, roots_of_phi[2], r"the smaller root of $\varphi$", equation=factors[1]),
+    Definition("A", for_s1, roots_of_phi[1], r"one root of $\varphi$", equation=factors[1]),
+    Definition("C", for_s1, roots_of_phi[2], r"the other root of $\varphi$", equation=factors[1]),
     Identity("elliptic.1", for_s1, separated[1], "the solution of the first separated equation"),
     Identity("elliptic.2", for_s2, separated[2], "the solution of the second separated equation"),
 )

@@ -86,6 +86,7 @@ class Outcome:
     took: a cost that is the same on every machine. ``seconds`` and ``verdicts``
     hold the measured time and the verdict of each arithmetic. ``chance`` bounds the
     probability that ``probable`` is wrong, ``radius`` that of the ball of ``enclosed``.
+    ``granted`` lists, in LaTeX, what the scenes of the claim suppose not to vanish.
     """
 
     claim: str
@@ -106,6 +107,7 @@ class Outcome:
     verdicts: dict[str, Verdict] = field(default_factory=dict)
     chance: float | None = None
     radius: float | None = None
+    granted: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

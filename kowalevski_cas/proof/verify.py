@@ -184,6 +184,7 @@ class Session:
             verdicts=verdicts,
             chance=first.chance,
             radius=first.radius,
+            granted=tuple(dict.fromkeys(tex for s in claim.scenes() for tex in s.nonzero)),
         )
 
     def _digest(self, claim: Claim) -> tuple[str, Evidence]:

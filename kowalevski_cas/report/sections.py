@@ -29,6 +29,8 @@ class Section:
     groups: tuple[Group, ...]
     counts: dict[Verdict, int]
     total: int
+    granted: str
+    """What the scenes of the section take for granted, as a sentence."""
 
 
 def sections(run: Run) -> tuple[Section, ...]:
@@ -44,9 +46,21 @@ def sections(run: Run) -> tuple[Section, ...]:
             tuple(_groups(outcomes)),
             count(outcomes),
             len(outcomes),
+            _granted(outcomes),
         )
         for number, outcomes in by_number.items()
         if outcomes
+    )
+
+
+def _granted(outcomes: Sequence[Outcome]) -> str:
+    """What somewhere in these outcomes is supposed not to vanish; empty if nothing is."""
+    names = dict.fromkeys(tex for outcome in outcomes for tex in outcome.granted)
+    shown = ", ".join(rf"${tex} \ne 0$" for tex in names)
+    return (
+        f"Where the formulas of this section divide by them, it is granted: {shown}."
+        if shown
+        else ""
     )
 
 
