@@ -24,6 +24,7 @@ COMMANDS = {
     "study": "measure what each way of checking costs, how sure it is, and where it fails",
     "motion": "follow a motion on N⁴ by its closed form, or by an integrator",
     "pictures": "draw a motion on N⁴: hodographs, traces, torus, bifurcation diagrams",
+    "animation": "show the body as it moves on N⁴, as an animated GIF",
     "record": "write the record of verdicts, and the evidence behind them, anew",
 }
 

@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise CommandError(
             f"there is no picture “{unknown[0]}”; there are {', '.join(PICTURES)}", NOTHING
         )
-    motion = _chosen(arguments)
+    motion = chosen(arguments)
     names = arguments.pictures or list(PICTURES)
     with session.progress_bar() as progress:
         for done, name in enumerate(names):
@@ -68,7 +68,8 @@ def run(arguments: argparse.Namespace) -> int:
     return AS_RECORDED
 
 
-def _chosen(arguments: argparse.Namespace) -> Motion:
+def chosen(arguments: argparse.Namespace) -> Motion:
+    """The motion that the arguments describe, or the example."""
     from kowalevski_cas.motion import Motion, Parameters
 
     if any(getattr(arguments, name) is not None for name in ("a", "b", "m", "l", "h", "point")):

@@ -66,14 +66,19 @@ def net(motion: Motion, lines: int, points: int) -> list[Array]:
 
 
 def in_space(states: Array) -> Array:
-    """The angular velocity (N, 3) by axes that stand still in space, which the fields fix.
+    """The angular velocity (N, 3) by the axes of :func:`frames`."""
+    found: Array = np.einsum("nij,nj->ni", frames(states), states[:, :3])
+    return found
 
-    The first axis is along α, the third along α×β; the second is along β if the fields are at
-    right angles.
+
+def frames(states: Array) -> Array:
+    """Axes that stand still in space, as unit vectors in the body: matrices (N, 3, 3), by rows.
+
+    The fields fix them: the first is along α, the third along α×β; the second is along β if the
+    fields are at right angles. The columns are the axes of the body, as seen in space.
     """
-    omega, alpha, beta = states[:, :3], states[:, 3:6], states[:, 6:]
+    alpha, beta = states[:, 3:6], states[:, 6:]
     third = np.cross(alpha, beta)
     axes = np.stack((alpha, np.cross(third, alpha), third), axis=1)
-    unit = axes / np.linalg.norm(axes, axis=2, keepdims=True)
-    found: Array = np.einsum("nij,nj->ni", unit, omega)
+    found: Array = axes / np.linalg.norm(axes, axis=2, keepdims=True)
     return found

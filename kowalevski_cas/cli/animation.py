@@ -1,0 +1,46 @@
+"""Write the animation of a motion on N⁴: the body as it moves between the two fields.
+
+A motion is given as for `kowalevski-cas motion`; if none is given, an example is shown.
+
+  kowalevski-cas animation --a 1 --b 0.4 --m 0.8 --l 0.9 --out body.gif
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import tempfile
+from pathlib import Path
+
+from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
+from kowalevski_cas.cli.motion import add_motion
+from kowalevski_cas.cli.pictures import chosen
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the command."""
+    add_motion(parser)
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=Path("reports/motion/body.gif"),
+        metavar="FILE",
+        help="where to write (reports/motion/body.gif)",
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run the command and return its exit code."""
+    from kowalevski_cas.motion.pictures.animation import write
+
+    path, motion = arguments.out, chosen(arguments)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=path.parent) as unfinished:
+            whole = Path(unfinished) / "body.gif"
+            write(motion, whole)
+            os.replace(whole, path)
+    except OSError as error:
+        raise CommandError(f"{path} cannot be written: {error.strerror}") from None
+    print(path)
+    return AS_RECORDED
