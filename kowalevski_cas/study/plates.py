@@ -14,6 +14,7 @@ PLATES = {
         "How long a method takes for a statement, and how wrong it can be. Each was put to "
         "identities of the derivations, and to misprints, mutants and near misses of them; three "
         "exact arithmetics, which agree, say which are true. A bar spans eight of ten times. "
+        "Slow methods were put to fewer statements. "
         "Methods whose answers are proofs, and of which none was seen to be wrong, stand on the "
         "rail below. A full square is a measured share of errors, a triangle a guaranteed bound. "
         "An open square means that no error was seen and none is excluded; a larger share would "

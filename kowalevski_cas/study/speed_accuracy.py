@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import partial
+from itertools import zip_longest
 from pathlib import Path
 
 from kowalevski_cas.library import available
@@ -29,14 +30,19 @@ QUICK = 6
 
 
 def measure(quick: bool) -> Iterable[Task]:
-    """Each method on each statement of its share, and its start from nothing."""
+    """Each method on each statement of its share, and its start from nothing.
+
+    Methods take turns, so that a noisy moment of the machine touches all of them.
+    """
     found = methods()
     statements = labelled(1, available()[:1]) if quick else labelled(MUTANTS)
+    turns = []
     for method in found:
         size = method.share or MOST
         size = min(QUICK, max(2, size // 10)) if quick else size
-        for statement in spread(statements, size):
-            yield Task(method.name, statement.id, partial(_decide, method, statement))
+        share = spread(statements, size)
+        turns.append([Task(method.name, s.id, partial(_decide, method, s)) for s in share])
+    yield from (task for turn in zip_longest(*turns) for task in turn if task is not None)
     true = [statement for statement in statements if statement.kind == TRUE]
     for method in found[:1] if quick else found:
         for k in range(REPEATS):

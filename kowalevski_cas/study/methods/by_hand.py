@@ -31,7 +31,7 @@ class ByHand(Method):
         try:
             data = json.loads(certificate(statement))
         except (CertificateError, checker.Rejected) as error:
-            return {"seconds": None, "verdict": NONE, "reason": str(error)}
+            return {"seconds": None, "verdict": NONE, "reason": str(error.args[0])}
         return self._worker.ask({"method": self.call, "certificate": data})
 
     def cold(self, statement: Labelled) -> float:

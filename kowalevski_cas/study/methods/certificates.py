@@ -47,7 +47,7 @@ class Checker(Method):
         try:
             text = certificate(statement)
         except (CertificateError, checker.Rejected) as error:
-            return {"seconds": None, "verdict": NONE, "reason": str(error)}
+            return {"seconds": None, "verdict": NONE, "reason": str(error.args[0])}
         start = perf_counter()
         reason = ""
         try:
@@ -98,7 +98,7 @@ class Program(Method):
         try:
             text = self.format.translate(json.loads(certificate(statement)))
         except (CertificateError, Inexpressible, checker.Rejected) as error:
-            return {"seconds": None, "verdict": NONE, "reason": str(error)}
+            return {"seconds": None, "verdict": NONE, "reason": str(error.args[0])}
         path = self.folder / f"claim{self.format.suffix}"
         path.write_text(text, encoding="utf-8")
         start = perf_counter()

@@ -11,14 +11,14 @@ from kowalevski_cas.study.methods.certificates import Checker, Program
 from kowalevski_cas.study.methods.method import Method
 from kowalevski_cas.study.methods.points import PointArithmetic
 
-SHARES = {"checker": 200, "rocq": 24, "singular": 120, "pari": 120, "by hand": 80}
+SHARES = {"rocq": 24, "by hand": 80}
 """How many statements those methods are put to that take long."""
 
 
 def methods() -> list[Method]:
     """The methods, those that prove first."""
     found: list[Method] = [ExactArithmetic(name) for name in EXACT]
-    found.append(Checker("checker", SHARES["checker"]))
+    found.append(Checker("checker"))
     for name in FORMATS:
         try:
             found.append(Program(name, load(name), SHARES.get(name)))
