@@ -36,13 +36,13 @@ class Space:
         writer.generators += self.at.values()
         plain = [*data["variables"], *data.get("constants", [])]
         self.env: dict[str, Values] = {name: (self.generator(name),) for name in plain}
+        self.divisors = self._divisors([])
         self.over = [
             (name, self.writer.named(self.scalar(tree), f"{self.at[name]}_below"))
             for name, tree in zip(self.checked.divisors, self.checked.nonzero, strict=True)
         ]
-        self.divisors = writer.fresh(f"{prefix}_divisors")
-        pairs = [(self.at[name], below.text) for name, below in self.over]
-        writer.say(writer.language.divisors(self.divisors, pairs))
+        if self.over:
+            self.divisors = self._divisors([(self.at[n], below.text) for n, below in self.over])
         self.squares: dict[str, Value] = {}
         for kind, name, tree in data.get("steps", []):
             self._step(kind, name, tree)
@@ -58,6 +58,12 @@ class Space:
         self._bar: Map | None = None
 
     # -- what defines the space ----------------------------------------------------
+
+    def _divisors(self, pairs: Sequence[tuple[str, str]]) -> str:
+        """A name for generators with the expressions whose inverses they are."""
+        name = self.writer.fresh(f"{self.prefix}_divisors")
+        self.writer.say(self.writer.language.divisors(name, pairs))
+        return name
 
     def _step(self, kind: str, name: Tree, tree: Tree) -> None:
         if kind == "root":
@@ -99,15 +105,19 @@ class Space:
     def bar(self) -> Map:
         """The map to conjugates, made when it is first asked for."""
         if self._bar is None:
-            swap = {a: b for pair in self._pairs for a, b in (pair, pair[::-1])}
-            images = {name: self.generator(swap.get(name, name)) for name in self.checked.names}
-            for name, square in self.squares.items():
-                if square.element.terms == {0: -1}:
-                    images[name] = self.number(0) - images[name]
-            self._bar = self.carried(images, self)
+            self._bar = self.carried(self.conjugates(), self)
             for own in self.old:
                 self.vanishes("a real variable", own - self._bar(own))
         return self._bar
+
+    def conjugates(self) -> dict[str, Value]:
+        """The conjugates of the names."""
+        swap = {a: b for pair in self._pairs for a, b in (pair, pair[::-1])}
+        images = {name: self.generator(swap.get(name, name)) for name in self.checked.names}
+        for name, square in self.squares.items():
+            if square.element.terms == {0: -1}:
+                images[name] = self.number(0) - images[name]
+        return images
 
     # -- values --------------------------------------------------------------------
 
@@ -266,7 +276,6 @@ class Space:
         at = self.carried(dict(images), numbers)
         for difference in self.differences(given):
             numbers.vanishes("at the point", at(difference))
-        for name in self.checked.names:
-            bar = at(self.bar(self.generator(name)))
-            numbers.vanishes("a real point", bar - numbers.bar(images[name]))
+        for name, conjugate in self.conjugates().items():
+            numbers.vanishes("a real point", at(conjugate) - numbers.bar(images[name]))
         return at, numbers
