@@ -23,6 +23,7 @@ STEPS: dict[str, str] = {
     "precision": "stability.precision",
     "swell": "stability.swell",
     "scenes": "scenes",
+    "phase-point": "phase_point",
     "motion-precision": "motion.precision",
     "motion-leaving": "motion.leaving",
     "motion-limits": "motion.limits",
