@@ -77,7 +77,7 @@ def draw(rows: Sequence[Row], folder: Path) -> None:
     methods = list(dict.fromkeys(row["method"] for row in rows))
     cases = list(dict.fromkeys(row["case"] for row in rows))
     with pictures.style():
-        figure = pictures.new_figure(height=3.4)
+        figure = pictures.new_figure(height=3.7)
         axes = figure.subplots()
         for index, method in enumerate(methods):
             mark = pictures.mark(index)
@@ -101,5 +101,7 @@ def draw(rows: Sequence[Row], folder: Path) -> None:
         axes.set_yticks(range(len(cases)), cases)
         axes.invert_yaxis()
         axes.set_xlabel("seconds; open where the method does not see that the statement is true")
-        figure.legend(loc="outside lower center", ncols=4, title="method, and its time for all")
+        figure.legend(
+            loc="outside lower center", ncols=3, title="each method, and its time for all"
+        )
         pictures.save(figure, folder, "phase-point")
