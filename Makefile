@@ -46,8 +46,8 @@ test: $(VENV)/.dev ## Run the tests (SLOW=1: also the slow ones; JUNIT=file: res
 lint: $(VENV)/.dev ## Check style and types
 	@$(PY) -m ruff check . && $(PY) -m ruff format --check . && $(PY) -m mypy
 
-rocq: $(VENV)/.installed ## Let Rocq confirm the certificates
-	@$(RUN) witness rocq
+rocq: $(VENV)/.installed ## Let Rocq confirm the certificates (DERIVATION=: of this one only)
+	@$(RUN) witness rocq $(DERIVATION)
 
 witnesses: $(VENV)/.installed ## Let Singular and PARI/GP confirm the certificates
 	@$(RUN) witness singular

@@ -45,6 +45,8 @@ class Facts:
         if one_over > 1:
             proof = f"exact (reciprocal {AT} _ number_{k})."
             self._fact(f"{one_over} * (1 / {one_over})", "1", proof)
+        numbers = {text: terms for text, terms in inverses.items() if not any(map(_moves, terms))}
+        self._table("numbers", numbers)
         for plain in sorted(space.elements.plain, key=lambda plain: isinstance(plain.tree, str)):
             self._plain(plain)
         for j, (name, terms) in enumerate(squares.items()):
@@ -73,8 +75,8 @@ class Facts:
         self._lines.append(
             f"Lemma {condition} : val ({shown}) <> zero.\n"
             f"Proof. intros H; apply nonzero_{self.k}_{plain.condition}; "
-            f"transitivity (mul (val ({shown})) (val ({cofactor}))); "
-            "[cbv; ring | rewrite H; ring]. Qed."
+            f"transitivity (val (({shown}) * ({cofactor}))); [{self._equal('numbers')}|"
+            f"change (mul (val ({shown})) (val ({cofactor})) = zero); rewrite H; ring]. Qed."
         )
         if isinstance(plain.tree, str):
             self._inverses.setdefault(plain.tree, []).append(f"1 / {shown}")
@@ -85,7 +87,9 @@ class Facts:
         for name in terms[0].powers:
             self._inverses.setdefault(name, []).append(f"1 / ({shown})")
         lead, rest = self._undivided(terms[:1]), self._undivided(terms[1:])
-        proof = f"etransitivity; [|exact (reciprocal {AT} _ {condition})]; cbv; ring."
+        proof = (
+            f"etransitivity; [|exact (reciprocal {AT} _ {condition})]; {self._equal('numbers')}."
+        )
         self._fact(
             f"({lead}) * (1 / ({shown}))",
             f"1 - ({rest}) * (1 / ({shown}))",
@@ -125,3 +129,8 @@ class Facts:
         names = [f"H{j}" for j in range(len(facts))]
         posed = "".join(f"pose proof {f} as {h}; " for f, h in zip(facts, names, strict=True))
         return f"{posed}cbv in {', '.join(names)} |- *; ring [{' '.join(names)}]"
+
+
+def _moves(term: Term) -> bool:
+    """Whether a term is more than a number."""
+    return bool(term.powers or term.under)

@@ -34,6 +34,7 @@ class Space(Terms):
         self.names: list[str] = self.checked.names
         self.divisors: dict[str, tuple[str, Element]] = {}
         self.images: dict[str, checker.Elements] = {}
+        self.applied: set[str] = set()
         self._lines: list[str] = []
         for place, name in enumerate(self.names):
             self.define(self.new_word(name), f"Var {place}")
@@ -48,7 +49,10 @@ class Space(Terms):
             self.define("D", self.motion(self.checked.rates), "expr -> expr")
         self._image("bar", {name: self.checked.bar[name] for name in self.names})
         self.define("conjugate", "subst bar", "expr -> expr")
+        for tree in self.checked.nonzero:
+            self._note(tree)
         if "change" in data:
+            self.applied.add("bar")
             back = [self.term(name) for name in self.old.names]
             self.define("back", f"each [{'; '.join(back)}]", "nat -> expr")
 
@@ -111,6 +115,7 @@ class Space(Terms):
     def flip(self, name: str) -> str:
         """The word for the change of sign of a root."""
         word = f"flip_{self.words[name]}"
+        self.applied.add(word)
         images = {n: self.checked.generator(n) for n in self.names}
         self._image(word, images | {name: self.checked.number(-1) * images[name]})
         return word
@@ -126,7 +131,8 @@ class Space(Terms):
         """Divisors as expressions, with their inverses; each may rest on those before it."""
         own = [(text, divisor) for text, (_, divisor) in self.divisors.items()]
         yield from ((text, self.elements.inverse(divisor)) for text, divisor in own)
-        carried = [(f"subst {word}", images, own) for word, images in self.images.items()]
+        needed = [word for word in self.images if word in self.applied]
+        carried = [(f"subst {word}", self.images[word], own) for word in needed]
         if "change" in self.data:
             images = {name: self.checked.scalar(name) for name in self.old.names}
             images = self.old.checked.carried(images, self.checked)
@@ -152,6 +158,8 @@ class Space(Terms):
         """Note the divisors in a tree, inner ones first."""
         if not isinstance(tree, list):
             return
+        if tree[0] == "conj":
+            self.applied.add("bar")
         for part in tree[1:]:
             self._note(part)
         for part in tree[2:] if tree[0] == "/" else ():

@@ -17,7 +17,7 @@ WORDS = set(
     "w where with zero zip3".split()
 )
 NUMBERED = re.compile(
-    r"(by|d|fact|flip|known|nonzero|number|plain|root|sound|under|Space)_.*|[GH]\d*"
+    r"(by|d|fact|flip|known|nonzero|numbers?|plain|root|sound|under|Space)_.*|[GH]\d*"
 )
 PLACES = ("fst3", "snd3", "thd3")
 TIGHT, POWER, MINUS, TIMES, PLUS, LOOSE = 0, 30, 35, 40, 50, 100
