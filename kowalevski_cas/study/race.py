@@ -15,7 +15,9 @@ from time import perf_counter
 from kowalevski_cas.study.step import Measured
 
 MEBIBYTE = 2**20
-_MEMORY = ("emory", "stack overflows")
+_MEMORY = (b"MemoryError", b"out of memory", b"not enough memory", b"stack overflows")
+"""What programs say when there is no more memory."""
+
 _STEP = re.compile(r"^step (\d+) (\S+)$")
 
 
@@ -51,7 +53,7 @@ def race(
         preexec_fn=limit,
     ) as process:
         assert process.stdout is not None
-        text, verdict, reason = b"", "reached", ""
+        chunk, text, verdict, reason = b"", b"", "reached", ""
         while verdict == "reached":
             left = seconds - (perf_counter() - start)
             ready = select.select([process.stdout], [], [], max(0.0, left))[0]
@@ -71,12 +73,14 @@ def race(
                 elif words and "Warning: " not in words:
                     verdict, reason = "stopped", words[:100]
                     break
+        if verdict == "stopped" and select.select([process.stdout], [], [], 0.5)[0]:
+            chunk += os.read(process.stdout.fileno(), 65536)
+        if verdict == "stopped" and any(word in chunk for word in _MEMORY):
+            verdict, reason = "timeout", f"{mebibytes} MiB"
         if verdict != "reached":
             process.kill()  # what it says after an error, or a limit, means nothing
         code = process.wait()
-    if verdict != "timeout" and any(word in reason for word in _MEMORY):
-        verdict, reason = "timeout", f"{mebibytes} MiB"
-    elif verdict == "reached" and code:
+    if verdict == "reached" and code:
         verdict, reason = "stopped", f"exit code {code}"
     return {
         "seconds": perf_counter() - start,
