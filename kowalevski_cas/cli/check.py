@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
+from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.library import LibraryError, available, find
 from kowalevski_cas.proof.committed import Checked, check_committed, check_files
 from kowalevski_cas.proof.record import RecordError, load_record
@@ -45,13 +45,16 @@ def run(arguments: argparse.Namespace) -> int:
     return NOTHING if not total else AS_RECORDED if certified == total else REJECTED
 
 
-def _checked(names: list[str]) -> Iterator[Checked]:
+def _checked(names: list[str]) -> list[Checked]:
     """What the checker says about files, and about each derivation."""
-    if files := [Path(name) for name in names if name.endswith(".json")]:
-        yield check_files(files)
+    files = [Path(name) for name in names if name.endswith(".json")]
+    folders = [name for name in names if not name.endswith(".json")] if names else available()
     try:
-        for name in [n for n in names if not n.endswith(".json")] if names else available():
-            folder = find(name)
-            yield check_committed(folder, load_record(folder) or {})
+        found = each(_committed, [find(name) for name in folders])
     except (LibraryError, RecordError) as error:
         raise CommandError(str(error)) from None
+    return [check_files(files), *found]
+
+
+def _committed(folder: Path) -> Checked:
+    return check_committed(folder, load_record(folder) or {})
