@@ -9,7 +9,7 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.roles import places_of
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import components
+from kowalevski_cas.claims.formulas import components
 from kowalevski_cas.notation import Constant, Formula, NotationError, Relation
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage, StageError, evaluate

@@ -6,17 +6,10 @@ from collections.abc import Iterator
 
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import (
-    Claim,
-    Finding,
-    Neighbour,
-    ask,
-    counterexample,
-    green,
-    refuted,
-    show,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, refuted
+from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.claims.identity import Identity, Pair
+from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof.outcome import Step, Verdict

@@ -4,24 +4,16 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
-from fractions import Fraction
-from functools import lru_cache
 
-from kowalevski_cas.arithmetic.numbers import Substitution, gaussian, number_ring, show_number
 from kowalevski_cas.arithmetic.points import Question
-from kowalevski_cas.arithmetic.present import formula_of
-from kowalevski_cas.arithmetic.tower import Element, Ring
-from kowalevski_cas.claims.bench import Bench, Key
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.dataclass import dataclass
-from kowalevski_cas.notation import Constant, Edit, Formula, Relation, edits, to_latex
-from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Point, Step, Verdict
-from kowalevski_cas.scene import Locus, Scene
-from kowalevski_cas.stage import Stage, StageError, scalar
-from kowalevski_cas.stage.evaluate import Triple, Value
+from kowalevski_cas.notation import Edit, Formula, edits
+from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Step, Verdict
+from kowalevski_cas.scene import Scene
+from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Printed, Texts
-
-Shape = frozenset[object]
-"""A polynomial up to a constant factor, as a key."""
 
 
 @dataclass(frozen=True)
@@ -138,108 +130,6 @@ def ask(
     )
 
 
-def members(relation: Relation) -> list[Formula]:
-    """The members of a chain of equalities that are formulas, not the word ``const``."""
-    return [member for member in relation.members if not isinstance(member, Constant)]
-
-
-def components(value: Value) -> tuple[Element, ...]:
-    """A scalar or a vector as a tuple of scalars."""
-    return tuple(value) if isinstance(value, Triple) else (value,)
-
-
-def differences(left: Value, right: Value) -> list[Element]:
-    """The components of the difference of two scalars or of two vectors."""
-    pairs = zip(components(left), components(right), strict=True)
-    return [a - b for a, b in pairs]
-
-
-def equation(printed: Printed, stage: Stage) -> Element:
-    """The left side minus the right side of a printed equation, which has these two only."""
-    relation = stage.relation(printed)
-    if len(relation.members) != 2 or r"\ne" in relation.signs:
-        raise StageError(f"an equation with two sides is expected at {printed.place}")
-    left, right = relation.members
-    return scalar(left, stage) - scalar(right, stage)
-
-
-def equations(places: Sequence[Printed], stage: Stage) -> list[Element]:
-    """The left sides minus the right sides of printed equations."""
-    return [equation(printed, stage) for printed in places]
-
-
-def show(element: Element, stage: Stage) -> str:
-    """An element in the names of its stage, as LaTeX."""
-    return to_latex(formula_of(element, stage.texts.vocabulary))
-
-
-def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition, ...]:
-    """What the denominators of these elements assume to be non-zero, each factor once."""
-    ring = stage.ring
-    indices = sorted({index for element in elements for index in element.denominator})
-    if not indices:
-        return ()
-    granted, names = _declared(stage)
-    shown: dict[str, None] = {}
-    divisors = [Element(ring, {0: ring.divisors[index]}, {}) for index in indices]
-    known = {_shape(divisor) for divisor in divisors if len(divisor.terms()[0]) == 1}.union(granted)
-    for divisor in divisors:
-        shape = _shape(divisor)
-        if shape in granted:
-            continue
-        if shape not in names and shape not in known:
-            divisor = _without(divisor, known)
-        if divisor is not ring.one:
-            shown[to_latex(names[shape]) if shape in names else show(divisor, stage)] = None
-    for first, second in stage.scene.conjugates:
-        if first in shown and second in shown:
-            del shown[second]
-            shown = {(f"{first}{second}" if tex == first else tex): None for tex in shown}
-    return tuple(Condition(tex, "the formulas divide by it") for tex in shown)
-
-
-@lru_cache(maxsize=64)
-def _declared(stage: Stage) -> tuple[frozenset[Shape], dict[Shape, Formula]]:
-    """What a scene takes for granted not to vanish, and its names for conditions, by shapes."""
-    granted = frozenset(_shape(scalar(formula, stage)) for formula in stage.granted())
-    return granted, {_shape(scalar(formula, stage)): formula for formula in stage.landmarks()}
-
-
-def _without(divisor: Element, known: set[Shape]) -> Element:
-    """A polynomial without its factors that are known, which all are after that."""
-    from kowalevski_cas.search.factors import irreducible_factors
-
-    ring, result = divisor.ring, divisor.ring.one
-    factors = irreducible_factors(divisor.terms()[0])
-    new = [(f, e) for terms, e in factors if _shape(f := ring.from_terms({0: terms})) not in known]
-    known.update(_shape(factor) for factor, _ in new)
-    whole = all(value.denominator == 1 for value in divisor.terms()[0].values())
-    if whole and len(new) == len(factors) and all(exponent == 1 for _, exponent in new):
-        return divisor
-    for factor, _ in new:
-        result = result * factor
-    return result
-
-
-def locus_of(condition: Condition, stage: Stage) -> Locus | None:
-    """The declared locus where a condition is violated, if there is one."""
-    for locus in stage.scene.loci:
-        if to_latex(stage.formula(locus.condition)) == condition.tex:
-            return locus
-    return None
-
-
-def _shape(element: Element) -> Shape:
-    """A polynomial up to a constant factor, as a key."""
-    parts = element.terms()
-    lead = next((parts[m][max(parts[m])] for m in sorted(parts)), Fraction(1))
-    return frozenset(
-        (mask, exponents, (scaled := value / lead).numerator, scaled.denominator)
-        for mask, terms in parts.items()
-        for exponents, value in terms.items()
-    )
-
-
 def green(conditions: tuple[Condition, ...], steps: Sequence[Step] = ()) -> Finding:
     """A finding for a statement that holds, perhaps under conditions."""
     verdict = Verdict.CONDITIONAL if conditions else Verdict.PROVED
@@ -249,94 +139,3 @@ def green(conditions: tuple[Condition, ...], steps: Sequence[Step] = ()) -> Find
 def refuted(counterexample: Counterexample, steps: Sequence[Step] = ()) -> Finding:
     """A finding for a statement that an exact point refutes."""
     return Finding(Verdict.REFUTED, (), tuple(steps), counterexample)
-
-
-class AtPoint:
-    """The values of elements of a stage at an exact point, in the arithmetic of the stage."""
-
-    def __init__(self, stage: Stage, point: dict[str, tuple[Fraction, Fraction]]) -> None:
-        self.stage = stage
-        self.numbers: Ring = number_ring(stage.arithmetic)
-        self.values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
-        self.value = Substitution(stage.ring, self.values, self.numbers)
-
-    def __call__(self, element: Element) -> Element:
-        return self.value(element)
-
-    def shown(self) -> Point:
-        """The point, to be printed: the variables and constants, then the roots."""
-        stage, scene = self.stage, self.stage.scene
-        names = [*scene.variables, *scene.constants, *scene.undefined, *scene.roots]
-        values = {
-            name: self.values.get(name) or self(scalar(stage.formula(name), stage))
-            for name in names
-        }
-        return Point({name: show_number(value) for name, value in values.items()})
-
-
-def counterexample(
-    bench: Bench,
-    scene: Scene,
-    key: Key,
-    pairs: Callable[[Stage], Sequence[tuple[Element, Element]]],
-    zero: Callable[[Stage], Sequence[Element]] = lambda stage: (),
-    words: str = "",
-) -> Counterexample | None:
-    """An exact point where ``zero`` vanishes and the members of a pair differ.
-
-    The point is found with FLINT and both values are computed in the arithmetic
-    of the bench; ``None`` if no such point was found.
-    """
-    if not bench.refute:
-        return None
-
-    def search(finder: Bench) -> dict[str, tuple[Fraction, Fraction]] | None:
-        from kowalevski_cas.search.real import real_points
-
-        stage = finder.stage(scene)
-        left_right = pairs(stage)
-        differing = [a - b for a, b in left_right if not (a - b).is_zero]
-        if not differing:
-            return None
-        for point in real_points(stage, zero(stage), ()):
-            at = AtPoint(stage, point)
-            try:
-                if not at(differing[0]).is_zero:
-                    return point
-            except ZeroDivisionError:
-                continue
-        return None
-
-    point = bench.found(("counterexample", key), search)
-    if point is None:
-        return None
-    stage = bench.stage(scene)
-    at = AtPoint(stage, point)
-    if any(not at(element).is_zero for element in zero(stage)):
-        return None
-    for left, right in pairs(stage):
-        a, b = at(left), at(right)
-        if not (a - b).is_zero:
-            return Counterexample(at.shown(), show_number(a), show_number(b), words)
-    return None
-
-
-__all__ = [
-    "AtPoint",
-    "Claim",
-    "Finding",
-    "Neighbour",
-    "ask",
-    "components",
-    "conditions_of",
-    "counterexample",
-    "differences",
-    "equation",
-    "equations",
-    "green",
-    "locus_of",
-    "members",
-    "refuted",
-    "show",
-    "show_number",
-]

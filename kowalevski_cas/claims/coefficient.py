@@ -7,16 +7,10 @@ from collections.abc import Iterator
 from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import (
-    Claim,
-    Finding,
-    conditions_of,
-    counterexample,
-    green,
-    members,
-    refuted,
-    show,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, green, refuted
+from kowalevski_cas.claims.conditions import conditions_of
+from kowalevski_cas.claims.formulas import members, show
+from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Relation, Sum, Unwritten
 from kowalevski_cas.proof.outcome import Step, Verdict

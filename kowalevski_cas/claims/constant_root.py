@@ -8,28 +8,20 @@ from itertools import islice, product
 
 from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.numbers import rational, square_root
-from kowalevski_cas.arithmetic.points import Question
+from kowalevski_cas.arithmetic.points import ExactPoint, Question
 from kowalevski_cas.arithmetic.present import fraction_formula
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import (
-    AtPoint,
-    Claim,
-    Finding,
-    ask,
-    conditions_of,
-    equation,
-    green,
-    refuted,
-    show,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, ask, green, refuted
+from kowalevski_cas.claims.conditions import conditions_of
+from kowalevski_cas.claims.formulas import equation, show
+from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.change import solve
 
-ExactPoint = dict[str, tuple[Fraction, Fraction]]
 Guess = list[Fraction]
 Sample = tuple[ExactPoint, list[Fraction], list[Fraction]]
 """A point, the two roots there, and the values of the basis."""

@@ -10,18 +10,10 @@ from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import (
-    Claim,
-    Finding,
-    Neighbour,
-    ask,
-    conditions_of,
-    green,
-    locus_of,
-    refuted,
-    show,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, refuted
+from kowalevski_cas.claims.conditions import conditions_of, locus_of
 from kowalevski_cas.claims.critical_equations import CriticalEquations, Weights
+from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.claims.membership import combination, combination_steps
 from kowalevski_cas.claims.witness import witness
 from kowalevski_cas.dataclass import dataclass, replace

@@ -3,27 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 from itertools import combinations, islice
 
 from kowalevski_cas.arithmetic.derivation import gradient
 from kowalevski_cas.arithmetic.numbers import rank
-from kowalevski_cas.arithmetic.points import Question
+from kowalevski_cas.arithmetic.points import ExactPoint, Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench, Key
-from kowalevski_cas.claims.claim import (
-    AtPoint,
-    Claim,
-    Finding,
-    Neighbour,
-    ask,
-    conditions_of,
-    equation,
-    green,
-    members,
-    refuted,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, refuted
+from kowalevski_cas.claims.conditions import conditions_of
+from kowalevski_cas.claims.formulas import equation, members
 from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
@@ -33,8 +24,6 @@ from kowalevski_cas.texts import Printed, Texts
 
 TRIES = 3
 """At how many points the rank is taken at most; one with full rank is enough."""
-
-ExactPoint = dict[str, tuple[Fraction, Fraction]]
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,18 +10,11 @@ from kowalevski_cas.arithmetic.derivation import gradient
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import (
-    Claim,
-    Finding,
-    ask,
-    conditions_of,
-    counterexample,
-    equations,
-    green,
-    refuted,
-    show,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, ask, green, refuted
+from kowalevski_cas.claims.conditions import conditions_of
+from kowalevski_cas.claims.formulas import equations, show
 from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Relation
 from kowalevski_cas.proof.outcome import Step, Verdict

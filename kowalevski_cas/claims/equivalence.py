@@ -8,19 +8,11 @@ from functools import partial
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import (
-    Claim,
-    Finding,
-    ask,
-    conditions_of,
-    counterexample,
-    equation,
-    equations,
-    green,
-    refuted,
-    show,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, ask, green, refuted
+from kowalevski_cas.claims.conditions import conditions_of
+from kowalevski_cas.claims.formulas import equation, equations, show
 from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.stage import Stage

@@ -8,19 +8,11 @@ from functools import partial
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import (
-    Claim,
-    Finding,
-    ask,
-    conditions_of,
-    counterexample,
-    equations,
-    green,
-    members,
-    refuted,
-    show,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, ask, green, refuted
+from kowalevski_cas.claims.conditions import conditions_of
+from kowalevski_cas.claims.formulas import equations, members, show
 from kowalevski_cas.claims.membership import combination, combination_steps
+from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Name, Power, Relation
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict

@@ -8,18 +8,11 @@ from functools import partial
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import (
-    Claim,
-    Finding,
-    ask,
-    conditions_of,
-    counterexample,
-    equations,
-    green,
-    locus_of,
-    refuted,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, ask, green, refuted
+from kowalevski_cas.claims.conditions import conditions_of, locus_of
+from kowalevski_cas.claims.formulas import equations
 from kowalevski_cas.claims.membership import combination, combination_steps
+from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.proof.outcome import Condition, Step, Verdict

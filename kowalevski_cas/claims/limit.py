@@ -8,19 +8,12 @@ from functools import partial
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import (
-    Claim,
-    Finding,
-    Neighbour,
-    ask,
-    conditions_of,
-    counterexample,
-    green,
-    refuted,
-    show,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, refuted
+from kowalevski_cas.claims.conditions import conditions_of
+from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import edits
 from kowalevski_cas.proof.outcome import Step, Verdict

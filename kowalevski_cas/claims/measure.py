@@ -8,18 +8,11 @@ from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import (
-    Claim,
-    Finding,
-    Neighbour,
-    ask,
-    conditions_of,
-    counterexample,
-    green,
-    refuted,
-    show,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, refuted
+from kowalevski_cas.claims.conditions import conditions_of
+from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
+from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.scene import Scene

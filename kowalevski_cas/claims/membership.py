@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from fractions import Fraction
 from itertools import islice
 
+from kowalevski_cas.arithmetic.points import ExactPoint
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench, Key
-from kowalevski_cas.claims.claim import AtPoint, show
+from kowalevski_cas.claims.formulas import show
+from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.proof.outcome import Step
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage
@@ -80,7 +81,7 @@ def is_inhabited(
         except ZeroDivisionError:
             return False
 
-    def search(finder: Bench) -> dict[str, tuple[Fraction, Fraction]] | None:
+    def search(finder: Bench) -> ExactPoint | None:
         from kowalevski_cas.search.real import real_points
 
         stage = finder.stage(scene)

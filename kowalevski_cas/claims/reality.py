@@ -7,16 +7,9 @@ from collections.abc import Iterator
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import (
-    Claim,
-    Finding,
-    Neighbour,
-    ask,
-    conditions_of,
-    counterexample,
-    green,
-    refuted,
-)
+from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, refuted
+from kowalevski_cas.claims.conditions import conditions_of
+from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.stage import Stage, scalar

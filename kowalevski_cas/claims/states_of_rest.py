@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from kowalevski_cas.arithmetic.numbers import number_ring
+from kowalevski_cas.arithmetic.numbers import number_ring, show_number
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element, Ring
-from kowalevski_cas.claims.claim import Claim, show_number
+from kowalevski_cas.claims.claim import Claim
 from kowalevski_cas.claims.real_roots import System
 from kowalevski_cas.claims.rest import Rest
 from kowalevski_cas.dataclass import dataclass

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from fractions import Fraction
 from itertools import islice
 
+from kowalevski_cas.arithmetic.numbers import show_number
+from kowalevski_cas.arithmetic.points import ExactPoint
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench, Key
-from kowalevski_cas.claims.claim import AtPoint, show_number
+from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.proof.outcome import Counterexample
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage
 
-ExactPoint = dict[str, tuple[Fraction, Fraction]]
 Elements = Callable[[Stage], Sequence[Element]]
 
 TRIES = 40

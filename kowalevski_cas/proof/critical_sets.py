@@ -8,8 +8,8 @@ from itertools import combinations, combinations_with_replacement, islice
 from kowalevski_cas.arithmetic.derivation import gradient
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims import CriticalSet
-from kowalevski_cas.claims.claim import AtPoint
 from kowalevski_cas.claims.critical_equations import CriticalEquations
+from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.dataclass import replace
 from kowalevski_cas.proof.parts import TRIES, Equation, Parts
 from kowalevski_cas.proof.spaces import SpaceWriter

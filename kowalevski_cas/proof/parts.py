@@ -8,12 +8,11 @@ from typing import Any
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import AtPoint
+from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.proof.spaces import SpaceWriter
 from kowalevski_cas.proof.trees import CertificateError, Tree
 from kowalevski_cas.scene import Change, Scene
 from kowalevski_cas.stage import Stage
-from kowalevski_cas.texts import Printed
 
 Equation = list[Tree]
 TRIES = 12
@@ -183,8 +182,3 @@ def minus(sides: Equation) -> Tree:
     """The left minus the right side of an equation."""
     left, right = sides
     return left if right == 0 else ["+", left, ["-", right]]
-
-
-def printed_sides(space: SpaceWriter, places: Sequence[Printed]) -> list[Equation]:
-    """The sides of printed equations."""
-    return [space.sides(printed) for printed in places]

@@ -11,7 +11,7 @@ from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.present import fraction_formula, polynomial_formula
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims import Equilibria
-from kowalevski_cas.claims.claim import AtPoint
+from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.claims.real_roots import form_of
 from kowalevski_cas.claims.rest import Rest
 from kowalevski_cas.dataclass import dataclass, replace

@@ -9,7 +9,7 @@ from typing import Any
 from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.present import polynomial_formula
 from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.claims.claim import AtPoint
+from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.notation import (
     Application,
     Conjugate,

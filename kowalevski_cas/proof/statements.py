@@ -35,9 +35,10 @@ from kowalevski_cas.claims import (
     SolvedExponents,
     Unit,
 )
-from kowalevski_cas.claims.claim import counterexample, equation, members
 from kowalevski_cas.claims.dimension import Set
+from kowalevski_cas.claims.formulas import equation, members
 from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.notation import Constant, Formula, Relation, Sum, Unwritten
 from kowalevski_cas.proof.critical_sets import deny_critical_set, state_critical_set
 from kowalevski_cas.proof.parts import Parts, minus

@@ -13,13 +13,11 @@ from itertools import islice
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.arithmetic.numbers import square_root
+from kowalevski_cas.arithmetic.points import ExactPoint
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.search.points import Assignment, constant, points
 from kowalevski_cas.stage import Stage
-
-ExactPoint = dict[str, tuple[Fraction, Fraction]]
-"""Real and imaginary parts of the generators."""
 
 RATIONAL_ROOTS = 40
 """How many points are looked at for one at which all roots are rational."""

@@ -160,7 +160,7 @@ def test_3_timed_out(cli, write):
 FICKLE = """
 class Fickle(Identity):
     def decide(self, bench):
-        from kowalevski_cas.claims.claim import green, Finding
+        from kowalevski_cas.claims.claim import Finding, green
         from kowalevski_cas.proof.outcome import Verdict
         return green(()) if bench.arithmetic != "sympy" else Finding(Verdict.REFUTED)
 t = s.display("t", "x=x")

@@ -24,9 +24,9 @@ from kowalevski_cas.arithmetic.programs import Program
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import AtPoint
 from kowalevski_cas.claims.dimension import Dimension
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
+from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.dataclass import replace
 from kowalevski_cas.stage import Stage, StageError
 from kowalevski_cas.stage.programs import ProgramStage

@@ -10,7 +10,7 @@ from typing import Any
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import AtPoint
+from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.library import find, load
 from kowalevski_cas.proof.evidence import load_evidence

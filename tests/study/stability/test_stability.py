@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 
 from kowalevski_cas.arithmetic import load_points
-from kowalevski_cas.claims.claim import AtPoint
+from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.study import load
 from kowalevski_cas.study.stability import branch, degenerate, precision, primes, swell, theta
 from kowalevski_cas.study.stability.material import bench, claim
