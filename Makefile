@@ -41,7 +41,7 @@ mutants: $(VENV)/.installed ## Change one token at a time: what does an audit no
 	@$(RUN) mutants $(PAPER) $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED))
 
 test: $(VENV)/.dev ## Run the tests (SLOW=1: also the slow ones; JUNIT=file: results as XML)
-	@$(PY) -m pytest -q $(if $(SLOW),,-m "not slow") $(if $(JUNIT),--junit-xml="$(JUNIT)")
+	@$(PY) -m pytest -q -n auto --dist loadfile $(if $(SLOW),,-m "not slow") $(if $(JUNIT),--junit-xml="$(JUNIT)")
 
 lint: $(VENV)/.dev ## Check style and types
 	@$(PY) -m ruff check . && $(PY) -m ruff format --check . && $(PY) -m mypy

@@ -18,6 +18,9 @@ MEBIBYTE = 2**20
 _MEMORY = (b"MemoryError", b"out of memory", b"not enough memory", b"stack overflows")
 """What programs say when there is no more memory."""
 
+_PATIENCE = 2.0
+"""How many seconds a program may be silent before what it said is taken for all of it."""
+
 _STEP = re.compile(r"^step (\d+) (\S+)$")
 
 
@@ -73,10 +76,15 @@ def race(
                 elif words and "Warning: " not in words:
                     verdict, reason = "stopped", words[:100]
                     break
-        if verdict == "stopped" and select.select([process.stdout], [], [], 0.5)[0]:
-            chunk += os.read(process.stdout.fileno(), 65536)
-        if verdict == "stopped" and any(word in chunk for word in _MEMORY):
-            verdict, reason = "timeout", f"{mebibytes} MiB"
+        while verdict == "stopped":
+            if any(word in chunk for word in _MEMORY):
+                verdict, reason = "timeout", f"{mebibytes} MiB"
+            elif not select.select([process.stdout], [], [], _PATIENCE)[0]:
+                break
+            elif more := os.read(process.stdout.fileno(), 65536):
+                chunk += more
+            else:
+                break
         if verdict != "reached":
             process.kill()  # what it says after an error, or a limit, means nothing
         code = process.wait()
