@@ -119,7 +119,7 @@ class RealCoordinates:
     def point(self, assignment: Assignment) -> ExactPoint:
         """The exact point with these coordinates."""
         value = {name: assignment[k] for k, name in enumerate(self.names)}
-        result: ExactPoint = {}
+        result: dict[str, tuple[Fraction, Fraction]] = {}
         for name in self.names:
             result[name] = (value[name], Fraction(0))
         for a, b in self.pairs.items():
