@@ -7,10 +7,10 @@ import shutil
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict, dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from kowalevski_cas.dataclass import asdict, dataclass
 from kowalevski_cas.export.format import Export, Format
 
 JOBS = 2
@@ -24,7 +24,7 @@ class MissingProgram(Exception):
     """The program is not installed, or does not run; the message says what to do."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Testimony:
     """What a program confirms.
 

@@ -8,7 +8,6 @@ program for Singular or PARI/GP, and timed.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
 from operator import add, mul, neg, sub
 from time import perf_counter
@@ -16,6 +15,7 @@ from typing import Any
 
 from kowalevski_cas.arithmetic.flint import Arithmetic as Flint
 from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
+from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.study.growing import growth
 
 
@@ -35,7 +35,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
 FORGET = "forget"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Operation:
     """What makes the polynomial ``result`` of others, by number; ``d`` by a generator.
 
@@ -48,7 +48,7 @@ class Operation:
     generator: int | None = None
 
 
-@dataclass(slots=True)
+@dataclass
 class Trace:
     """What is computed: polynomials that come from outside, operations, and what is zero."""
 

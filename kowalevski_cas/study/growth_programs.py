@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.study.direct import FORGET, Recording, Trace
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Words:
     """How a program says it: templates for the parts of a file."""
 

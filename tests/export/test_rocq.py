@@ -53,12 +53,13 @@ def test_a_combination_a_misprint_and_a_rank(rocq, claim):
 
 @needs_rocq
 @pytest.mark.slow
-def test_rocq_confirms_the_whole_paper(tmp_path, capsys):
+def test_rocq_confirms_the_paper_save_a_split_into_cases_over_the_reals(tmp_path, capsys):
     assert main(["witness", "rocq", "kharlamov2002", "-o", str(tmp_path)]) == 0
     said = json.loads((tmp_path / "kharlamov2002" / "rocq.json").read_text(encoding="utf-8"))
     assert said["failed"] == {}
     assert said["confirmed"] == {c: certificate(c)["digest"] for c in said["confirmed"]}
-    assert len(said["confirmed"]) == len(list(find("kharlamov2002").glob("certificates/*.json")))
+    all_claims = {file.stem for file in find("kharlamov2002").glob("certificates/*.json")}
+    assert all_claims - said["confirmed"].keys() == {"critical-set"}
 
 
 # -- what is false --------------------------------------------------------------

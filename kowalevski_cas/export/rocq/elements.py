@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof import checker
 from kowalevski_cas.proof.trees import Tree
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Term:
     """A coefficient, the powers of names, and what is divided by, as often as it is."""
 
@@ -19,7 +19,7 @@ class Term:
     under: tuple[Tree, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Plain:
     """A variable or polynomial with a plain inverse.
 

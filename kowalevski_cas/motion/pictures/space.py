@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.pictures import FAINT, INK
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ FAR = 0.25
 """How much of its colour a line keeps where it is farthest away."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class View:
     """A direction of view, in degrees: ``azimuth`` about the third axis, ``elevation`` above."""
 
