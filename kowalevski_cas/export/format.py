@@ -50,9 +50,6 @@ class Format(ABC):
     suffix: ClassVar[str]
     """The end of the names of its files."""
 
-    omits: ClassVar[str]
-    """A sentence: which claims it cannot express, and why."""
-
     version: ClassVar[tuple[str, ...]] = ("--version",)
     """The arguments with which the program tells its version, on the first line."""
 

@@ -43,7 +43,6 @@ class Program(Language):
     commands = (("gp",),)
     package = "pari-gp"
     suffix = ".gp"
-    omits = "No claim is left out for its kind; what rests on words as well is confirmed without."
     version = ("--version-short",)
 
     def arguments(self, file: Path) -> list[str]:

@@ -43,7 +43,6 @@ class Program(Language):
     commands = (("Singular",),)
     package = "singular-ui"
     suffix = ".sing"
-    omits = "No claim is left out for its kind; what rests on words as well is confirmed without."
 
     def arguments(self, file: Path) -> list[str]:
         return ["--quiet", "--no-rc", "--no-warn", file.name]

@@ -56,16 +56,16 @@ SHARED = ("Expressions", "Values", "Points")
 
 
 class Program(Format):
-    """Rocq 9, or Coq since 8.16."""
+    """Rocq 9, or Coq since 8.16.
+
+    It leaves out points whose coordinates are no Gaussian rational numbers, since their
+    roots would have to be numbers that can be computed with, and splits into cases, since
+    squares that add up to zero vanish for real numbers only.
+    """
 
     commands: ClassVar = (("coqc",), ("rocq", "compile"))
     package: ClassVar = "coq"
     suffix: ClassVar = ".v"
-    omits: ClassVar = (
-        "points whose coordinates are no Gaussian rational numbers are left out, "
-        "since their roots would have to be numbers that can be computed with, and splits into "
-        "cases, since squares that add up to zero vanish for real numbers only"
-    )
 
     def shared(self) -> dict[str, str]:
         names = [f"{name}.v" for name in SHARED]

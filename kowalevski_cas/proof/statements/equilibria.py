@@ -19,6 +19,7 @@ from kowalevski_cas.notation import Formula, Name, Number, Power
 from kowalevski_cas.proof.parts import Equation, Parts
 from kowalevski_cas.proof.roots import Roots
 from kowalevski_cas.proof.spaces import SpaceWriter
+from kowalevski_cas.proof.statements.kinds import state
 from kowalevski_cas.proof.trees import CertificateError, Tree, decode, encode
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.stage import Stage, scalar
@@ -27,6 +28,7 @@ LARGEST = 16
 """Up to which whole numbers are tried as values at a state of rest."""
 
 
+@state.register
 def state_equilibria(claim: Equilibria, parts: Parts) -> None:
     """Each state of rest gives a root of an equation, each root a state; all roots are real."""
     bench = parts.bench.finder

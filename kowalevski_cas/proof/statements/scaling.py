@@ -8,6 +8,7 @@ from kowalevski_cas.claims import Scaling
 from kowalevski_cas.notation import Quotient, Root
 from kowalevski_cas.proof.parts import Parts
 from kowalevski_cas.proof.spaces import SpaceWriter
+from kowalevski_cas.proof.statements.kinds import state
 from kowalevski_cas.proof.trees import CertificateError, Tree, encode
 
 
@@ -45,7 +46,8 @@ class StarredSpace(SpaceWriter):
         return data | ({"nonzero": self.nonzero} if self.nonzero else {})
 
 
-def scale(claim: Scaling, parts: Parts) -> None:
+@state.register
+def state_scaling(claim: Scaling, parts: Parts) -> None:
     """The equations of the simple scene hold in the units that the claim names."""
     if claim.printed is None:
         raise CertificateError("the unit of time is not printed")

@@ -14,10 +14,12 @@ from kowalevski_cas.dataclass import replace
 from kowalevski_cas.proof.parts import TRIES, Equation, Parts
 from kowalevski_cas.proof.spaces import SpaceWriter
 from kowalevski_cas.proof.splits import Prover, Row
+from kowalevski_cas.proof.statements.kinds import deny, state
 from kowalevski_cas.proof.trees import CertificateError, Tree
 from kowalevski_cas.stage import Stage
 
 
+@state.register
 def state_critical_set(claim: CriticalSet, parts: Parts) -> None:
     """The derivatives along the surface vanish on the set, and only there.
 
@@ -51,6 +53,7 @@ def state_critical_set(claim: CriticalSet, parts: Parts) -> None:
     )
 
 
+@deny.register
 def deny_critical_set(claim: CriticalSet, parts: Parts) -> None:
     """A critical point on the surface at which an equation of the set fails."""
     bench = parts.bench.finder
