@@ -1,4 +1,7 @@
-"""Exact arithmetics, one file each; a library is imported when it is first asked for."""
+"""Arithmetics, one file each; a library is imported when it is first asked for.
+
+Exact ones decide (:data:`EXACT`); those that look at points screen (:data:`POINTS`).
+"""
 
 from __future__ import annotations
 
