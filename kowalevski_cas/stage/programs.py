@@ -10,7 +10,6 @@ from collections.abc import Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.programs import Program, Programs
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.stage.evaluate import StageError, Triple, Value, scalar
@@ -69,28 +68,9 @@ class ProgramStage(Stage):
         """An exact element as a program."""
         if isinstance(element, Program):
             return element
-        ring = element.ring
-        total = self.programs.zero
-        for mask, terms in element.terms().items():
-            value = self._polynomial(terms, ring.polynomials.generators)
-            for bit, name in enumerate(ring.roots):
-                if mask >> bit & 1:
-                    value = value * self.programs.generator(name)
-            total = total + value
-        for index, exponent in element.denominator.items():
-            terms = ring.polynomials.terms(ring.divisors[index])
-            total = total * self._polynomial(terms, ring.polynomials.generators) ** -exponent
-        return total
-
-    def _polynomial(self, terms: Terms, names: tuple[str, ...]) -> Program:
-        total = self.programs.zero
-        for exponents, coefficient in terms.items():
-            product = self.programs.number(coefficient)
-            for name, exponent in zip(names, exponents, strict=True):
-                if exponent:
-                    product = product * self.programs.generator(name) ** exponent
-            total = total + product
-        return total
+        image = self._image(element, self.programs.generator)
+        assert isinstance(image, Program)
+        return image
 
     @property
     def field(self) -> Field:

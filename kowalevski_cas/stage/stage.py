@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 
 from kowalevski_cas.arithmetic.derivation import Field, along
 from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
@@ -131,19 +131,12 @@ class Stage:
 
     def _conjugate(self, element: Element) -> Element:
         """The conjugate of an element, by the conjugates of the generators."""
-        ring = self.ring
-        bases = [scalar(Name(name), self, True) for name in self.generators]
-        total = ring.zero
-        for mask, terms in element.terms().items():
-            value = self._substituted(terms, bases)
-            for bit, name in enumerate(ring.roots):
-                if mask >> bit & 1:
-                    value = value * scalar(self.formula(name), self, True)
-            total = total + value
-        for index, exponent in element.denominator.items():
-            divisor = self._substituted(ring.polynomials.terms(ring.divisors[index]), bases)
-            total = total * divisor**-exponent
-        return total
+
+        def barred(name: str) -> Element:
+            own = name in self.generators
+            return scalar(Name(name) if own else self.formula(name), self, True)
+
+        return self._image(element, barred)
 
     def _zero_names(self) -> Iterator[str]:
         for printed in self.scene.zero:
@@ -317,30 +310,33 @@ class Stage:
 
     def carry(self, element: Element) -> Element:
         """An element of another scene's ring, its generators taken for the names of this one."""
-        ring = element.ring
-        bases = [self._named(name) for name in ring.polynomials.generators]
-        roots = [self._named(name) for name in ring.roots]
+        return self._image(element, lambda name: scalar(self.formula(name), self))
+
+    def _image(self, element: Element, value_of: Callable[[str], Element]) -> Element:
+        """The image of an element under values for the generators and roots of its ring."""
+        ring, value_of = element.ring, cache(value_of)
+        names = ring.polynomials.generators
         total = self.ring.zero
         for mask, terms in element.terms().items():
-            value = self._substituted(terms, bases)
-            for bit, root in enumerate(roots):
+            value = self._substituted(terms, names, value_of)
+            for bit, root in enumerate(ring.roots):
                 if mask >> bit & 1:
-                    value = value * root
+                    value = value * value_of(root)
             total = total + value
         for index, exponent in element.denominator.items():
-            divisor = self._substituted(ring.polynomials.terms(ring.divisors[index]), bases)
-            total = total * divisor**-exponent
+            terms = ring.polynomials.terms(ring.divisors[index])
+            total = total * self._substituted(terms, names, value_of) ** -exponent
         return total
 
-    def _named(self, name: str) -> Element:
-        return scalar(self.formula(name), self)
-
-    def _substituted(self, terms: Terms, bases: list[Element]) -> Element:
+    def _substituted(
+        self, terms: Terms, names: Sequence[str], value_of: Callable[[str], Element]
+    ) -> Element:
         total = self.ring.zero
         for exponents, coefficient in terms.items():
             product = self.ring.number(coefficient)
-            for base, exponent in zip(bases, exponents, strict=True):
-                product = product * base**exponent if exponent else product
+            for name, exponent in zip(names, exponents, strict=True):
+                if exponent:
+                    product = product * value_of(name) ** exponent
             total = total + product
         return total
 
