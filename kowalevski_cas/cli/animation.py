@@ -2,7 +2,7 @@
 
 A motion is given as for `kowalevski-cas motion`; if none is given, an example is shown.
 
-  kowalevski-cas animation --a 1 --b 0.4 --m 0.8 --l 0.9 --out body.gif
+  kowalevski-cas animation --a 1 --b 0.4 --m 0.8 --l 0.9 --output body.gif
 """
 
 from __future__ import annotations
@@ -21,7 +21,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
     add_motion(parser)
     parser.add_argument(
-        "--out",
+        "-o",
+        "--output",
         type=Path,
         default=Path("reports/motion/body.gif"),
         metavar="FILE",
@@ -33,7 +34,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     from kowalevski_cas.motion.pictures.animation import write
 
-    path, motion = arguments.out, chosen(arguments)
+    path, motion = arguments.output, chosen(arguments)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=path.parent) as unfinished:

@@ -21,12 +21,7 @@ from kowalevski_cas.proof.record import FILE, RecordError, with_certificates
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
-    parser.add_argument(
-        "derivations",
-        nargs="*",
-        metavar="DERIVATION",
-        help="name in the library, or folder; all of the library if none is named",
-    )
+    session.add_derivations(parser)
     parser.add_argument(
         "-o", "--output", type=Path, metavar="DIR", help="write there instead of the derivation"
     )

@@ -22,12 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
     words = "; ".join(f"{name}: {words}" for name, words in FORMATS.items())
     parser.add_argument("format", choices=FORMATS, metavar="FORMAT", help=words)
-    parser.add_argument(
-        "derivations",
-        nargs="*",
-        metavar="DERIVATION",
-        help="name in the library, or folder; all of the library if none is named",
-    )
+    session.add_derivations(parser)
     parser.add_argument(
         "-o", "--output", type=Path, metavar="DIR", required=True, help="write there"
     )

@@ -4,7 +4,7 @@ A motion is given by the lengths of the two fields with m and the energy or the 
 by a state. By constants alone, s1 and s2 start at the first root of their arcs at t = 0.
 
   kowalevski-cas motion --a 1 --b 0.4 --m 0.8 --l 0.9 --until 1e6
-  kowalevski-cas motion --a 1 --b 0.4 --m -0.3 --h 1.2 --method ball --format csv --out orbit
+  kowalevski-cas motion --a 1 --b 0.4 --m -0.3 --h 1.2 --method ball --format csv --output orbit
 """
 
 from __future__ import annotations
@@ -40,7 +40,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--method", choices=METHODS, default="closed", help=words)
     parser.add_argument("--format", choices=FORMATS, default="json")
     parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="write DIR/motion.FORMAT instead of printing"
+        "-o",
+        "--output",
+        type=Path,
+        metavar="DIR",
+        help="write DIR/motion.FORMAT instead of printing",
     )
 
 
@@ -63,12 +67,12 @@ def add_motion(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    binary = arguments.format == "npz" and arguments.out is None
+    binary = arguments.format == "npz" and arguments.output is None
     if binary and sys.stdout.isatty():
-        raise CommandError("npz is not for a terminal; give --out DIR, or send it to a file")
+        raise CommandError("npz is not for a terminal; give --output DIR, or send it to a file")
     contents = load_format(arguments.format)(_followed(arguments))
-    if arguments.out is not None:
-        print(_written(arguments.out / f"motion.{arguments.format}", contents))
+    if arguments.output is not None:
+        print(_written(arguments.output / f"motion.{arguments.format}", contents))
     elif binary:
         sys.stdout.buffer.write(contents)
     else:

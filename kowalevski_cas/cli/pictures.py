@@ -3,7 +3,7 @@
 A motion is given as for `kowalevski-cas motion`; if none is given, an example is drawn.
 
   kowalevski-cas pictures
-  kowalevski-cas pictures torus traces --a 1 --b 0.4 --m 0.8 --l 0.9 --out portrait
+  kowalevski-cas pictures torus traces --a 1 --b 0.4 --m 0.8 --l 0.9 --output portrait
 """
 
 from __future__ import annotations
@@ -39,7 +39,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add_motion(parser)
     parser.add_argument(
-        "--out",
+        "-o",
+        "--output",
         type=Path,
         default=Path("reports/motion"),
         metavar="DIR",
@@ -59,12 +60,12 @@ def run(arguments: argparse.Namespace) -> int:
     with session.progress_bar() as progress:
         for done, name in enumerate(names):
             progress(name, done, len(names))
-            _write(name, motion, arguments.out)
+            _write(name, motion, arguments.output)
     plates = [{"name": name, "caption": load(name).caption} for name in PICTURES]
     content = {"derivation": DERIVATION, "plates": plates}
     text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
-    session.write_whole({arguments.out / LIST: text})
-    print(f"{arguments.out}: {', '.join(names)}")
+    session.write_whole({arguments.output / LIST: text})
+    print(f"{arguments.output}: {', '.join(names)}")
     return AS_RECORDED
 
 

@@ -18,12 +18,7 @@ from kowalevski_cas.proof.verify import disagreement
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
-    parser.add_argument(
-        "derivations",
-        nargs="*",
-        metavar="DERIVATION",
-        help="name in the library, or folder; all of the library if none is named",
-    )
+    session.add_derivations(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -22,12 +22,7 @@ if TYPE_CHECKING:
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
-    parser.add_argument(
-        "derivations",
-        nargs="*",
-        metavar="DERIVATION",
-        help="name in the library, or folder; all of the library if none is named",
-    )
+    session.add_derivations(parser)
     parser.add_argument(
         "--output",
         type=Path,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
@@ -14,6 +15,16 @@ from kowalevski_cas.library import LibraryError, available, find, load
 from kowalevski_cas.proof.evidence import Evidence, load_evidence
 from kowalevski_cas.proof.outcome import Run
 from kowalevski_cas.proof.verify import Progress, verify
+
+
+def add_derivations(parser: argparse.ArgumentParser) -> None:
+    """The argument by which a command is told its :func:`derivations`."""
+    parser.add_argument(
+        "derivations",
+        nargs="*",
+        metavar="DERIVATION",
+        help="name in the library, or folder; all of the library if none is named",
+    )
 
 
 def derivations(names: Sequence[str], only: Sequence[str] = ()) -> list[tuple[Path, Derivation]]:

@@ -32,12 +32,7 @@ from kowalevski_cas.proof.verify import disagreement
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
-    parser.add_argument(
-        "derivations",
-        nargs="*",
-        metavar="DERIVATION",
-        help="name in the library, or folder; all of the library if none is named",
-    )
+    session.add_derivations(parser)
     parser.add_argument(
         "--only", action="append", default=[], metavar="ID", help="this claim only (repeatable)"
     )

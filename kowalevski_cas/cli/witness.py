@@ -20,12 +20,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
     words = "; ".join(f"{name}: {words}" for name, words in FORMATS.items())
     parser.add_argument("program", choices=FORMATS, metavar="PROGRAM", help=words)
-    parser.add_argument(
-        "derivations",
-        nargs="*",
-        metavar="DERIVATION",
-        help="name in the library, or folder; all of the library if none is named",
-    )
+    session.add_derivations(parser)
     parser.add_argument(
         "-o",
         "--output",

@@ -17,7 +17,7 @@ def few_frames(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_it_writes_a_gif_in_which_the_body_moves(tmp_path: Path) -> None:
-    assert main(["animation", "--out", str(tmp_path / "new" / "body.gif")]) == 0
+    assert main(["animation", "--output", str(tmp_path / "new" / "body.gif")]) == 0
     with Image.open(tmp_path / "new" / "body.gif") as found:
         assert found.n_frames == 4
         frames = []
@@ -31,7 +31,7 @@ def test_it_writes_a_gif_in_which_the_body_moves(tmp_path: Path) -> None:
 def test_constants_without_a_motion_are_said(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    given = "animation --a 1 --b 0.4 --m 1 --l 0 --out".split()
+    given = "animation --a 1 --b 0.4 --m 1 --l 0 --output".split()
     assert main([*given, str(tmp_path / "body.gif")]) == 2
     assert "negative" in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
@@ -41,5 +41,5 @@ def test_a_file_that_cannot_be_written_is_said(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "file").write_text("")
-    assert main(["animation", "--out", str(tmp_path / "file" / "body.gif")]) == 2
+    assert main(["animation", "--output", str(tmp_path / "file" / "body.gif")]) == 2
     assert "cannot be written" in capsys.readouterr().err

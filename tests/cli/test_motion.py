@@ -65,7 +65,7 @@ def test_csv_and_npz_hold_the_same_states(cli, tmp_path):
     header, *rows = csv.reader(io.StringIO(cli(*USUAL, "--format", "csv")[1]))
     assert header[:4] == ["t", "omega1", "omega2", "omega3"]
     assert np.array_equal(np.array(rows, dtype=float)[:, 1:], expected)
-    code, out, _ = cli(*USUAL, "--format", "npz", "--out", tmp_path / "new")
+    code, out, _ = cli(*USUAL, "--format", "npz", "--output", tmp_path / "new")
     assert code == 0 and out.strip() == str(tmp_path / "new" / "motion.npz")
     with np.load(tmp_path / "new" / "motion.npz") as saved:
         assert np.array_equal(np.hstack([saved[n] for n in ("omega", "alpha", "beta")]), expected)
@@ -114,7 +114,7 @@ def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
         ([*USUAL, "--point", "1"], "cannot stand beside it"),
         (["--point", "1", "2"], "nine numbers"),
         (["--point", *"123456789"], "the state is not on N⁴"),
-        ([*USUAL, "--out", "/dev/null/x"], "/dev/null/x/motion.json cannot be written"),
+        ([*USUAL, "--output", "/dev/null/x"], "/dev/null/x/motion.json cannot be written"),
     ],
 )
 def test_wrong_use_gets_a_message(cli, arguments, words):

@@ -11,7 +11,7 @@ from kowalevski_cas.report.plates import plates
 
 
 def test_it_writes_three_formats_and_the_list_for_the_report(tmp_path: Path) -> None:
-    assert main(["pictures", "rectangle", "--out", str(tmp_path / "motion")]) == 0
+    assert main(["pictures", "rectangle", "--output", str(tmp_path / "motion")]) == 0
     written = {path.name for path in (tmp_path / "motion").iterdir()}
     assert written == {"rectangle.pdf", "rectangle.svg", "rectangle.png", "plates.json"}
     listed = json.loads((tmp_path / "motion/plates.json").read_text(encoding="utf-8"))
@@ -22,7 +22,7 @@ def test_it_writes_three_formats_and_the_list_for_the_report(tmp_path: Path) -> 
 
 def test_a_motion_may_be_given_and_looks_different(tmp_path: Path) -> None:
     for name, given in (("example", []), ("other", "--a 1 --b 0.4 --m 0.8 --l 0.9".split())):
-        assert main(["pictures", "rectangle", *given, "--out", str(tmp_path / name)]) == 0
+        assert main(["pictures", "rectangle", *given, "--output", str(tmp_path / name)]) == 0
     pictures = [(tmp_path / name / "rectangle.svg").read_bytes() for name in ("example", "other")]
     assert pictures[0] != pictures[1]
 
@@ -38,7 +38,7 @@ def test_a_motion_may_be_given_and_looks_different(tmp_path: Path) -> None:
 def test_what_cannot_be_drawn_is_said(
     given: list[str], code: int, said: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    assert main(["pictures", *given, "--out", str(tmp_path)]) == code
+    assert main(["pictures", *given, "--output", str(tmp_path)]) == code
     assert said in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
 
@@ -47,5 +47,5 @@ def test_a_folder_that_cannot_be_written_is_said(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "file").write_text("")
-    assert main(["pictures", "rectangle", "--out", str(tmp_path / "file")]) == 2
+    assert main(["pictures", "rectangle", "--output", str(tmp_path / "file")]) == 2
     assert "cannot be written" in capsys.readouterr().err
