@@ -88,7 +88,7 @@ Definition cross (u v : vec) : vec :=
 (** * Simpler expressions with the same value
 
     Derivatives have many zeros, which [simple] takes away. [plain] also writes quotients
-    as products, for divisors with a known inverse; then [ring] can do the rest. *)
+    as products, for divisors with a known inverse; what is left is polynomial. *)
 
 Definition sum (a b : expr) : expr :=
   match a, b with

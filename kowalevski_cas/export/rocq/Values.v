@@ -75,10 +75,13 @@ Qed.
 Lemma reciprocal (d : expr) : val d <> zero -> val (d * (1 / d)) = val 1.
 Proof. intros H. cbn. field. exact H. Qed.
 
-(** Where [a + b] has the inverse [u], the product [a * u] can be written in another way. *)
+Lemma inverted (d e : expr) : val e <> zero -> val d = val e -> mul (val d) (val (1 / e)) = one.
+Proof. intros H ->. exact (reciprocal e H). Qed.
 
-Lemma leading (a b u : expr) : val ((a + b) * u) = val 1 -> val (a * u) = val (1 - b * u).
-Proof. intros H. cbn in *. rewrite <- H. ring. Qed.
+(** A factor of what is not zero is not zero. *)
+
+Lemma factor (a b c : expr) : val c <> zero -> val c = val (a * b) -> val a <> zero.
+Proof. intros N E Z. apply N. rewrite E. cbn. rewrite Z. ring. Qed.
 
 Lemma sum_value (a b : expr) : val (sum a b) = add (val a) (val b).
 Proof.
@@ -164,7 +167,7 @@ Proof.
   exact (quotient _ _ _ (inverse_value _ _ S _ E)).
 Qed.
 
-(** What [ring] has to show for two expressions to have the same value. *)
+(** What has to be shown for two expressions to have the same value. *)
 
 Lemma plainly (known : table) (a b : expr) :
   sound known -> val (plain known (a - b)) = zero -> val a = val b.
@@ -173,12 +176,6 @@ Proof.
   cbn [value Sub] in H.
   transitivity (add (add (val a) (opp (val b))) (val b)); [ring|]. rewrite H. ring.
 Qed.
-
-(** One more divisor; its inverse may rest on those that are known before. *)
-
-Lemma sound_more (known : table) (b c : expr) :
-  sound known -> val (plain known (b * c - 1)) = zero -> sound ((b, c) :: known).
-Proof. intros S H. split; [exact (plainly known (b * c) 1 S H)|exact S]. Qed.
 
 (** Combinations of equations that hold. *)
 

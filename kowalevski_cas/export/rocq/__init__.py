@@ -21,7 +21,7 @@ HEAD = """\
 
     Generated from a certificate. Before it, coqc has to read {shared}. *)
 
-From Coq Require Import ZArith QArith Field List.
+From Coq Require Import ZArith QArith Field_theory List.
 Require Import {modules}.
 Import ListNotations.
 Open Scope expr_scope.
@@ -39,9 +39,7 @@ Variable opp : R -> R.
 Variable div : R -> R -> R.
 Variable inv : R -> R.
 Variable R_field : field_theory zero one add mul sub opp div inv (@eq R).
-Add Field R_as_field : R_field.
 Variable v : nat -> R.
-Variable w : R.
 Notation val := (value R zero one add mul opp div v).
 """
 
@@ -52,7 +50,7 @@ Definition proved := ({names}).
 Print Assumptions proved.
 """
 
-SHARED = ("Expressions", "Values", "Points")
+SHARED = ("Expressions", "Values", "Identities", "Points")
 
 
 class Program(Format):
@@ -76,7 +74,7 @@ class Program(Format):
         try:
             return self._text(certificate)
         except checker.Rejected as error:
-            raise Inexpressible(f"the checker says: {error}") from None
+            raise Inexpressible(f"the checker says: {error.args[0]}") from None
 
     def _text(self, certificate: Json) -> str:
         spaces: list[Space] = []

@@ -1,4 +1,4 @@
-"""The hypotheses about a space, and what ``ring`` has to know of its roots and divisors."""
+"""The hypotheses about a space, and what proofs have to know of its roots and divisors."""
 
 from __future__ import annotations
 
@@ -8,51 +8,58 @@ from kowalevski_cas.export.rocq.space import Space
 AT = "R zero one add mul sub opp div inv R_field v"
 """What each lemma about values takes first."""
 
+VALUES = "R zero one add mul opp div v"
+"""What each statement about values takes first."""
+
 
 class Facts:
-    """Hypotheses, lemmas and tactics at the beginning of a section.
+    """Hypotheses, lemmas and a tactic at the beginning of a section.
 
-    The facts are equations whose left sides are monomials: a root times itself, and
-    what is not zero times its inverse. With them ``ring`` finds normal forms, if the
-    names in such a product follow one another in its list of names: otherwise it does
-    not see the product in others. An equation of something with itself makes the list so.
+    The facts are equations whose left sides are monomials: a root times itself, and a
+    number or name that is not zero times its inverse. They bring polynomials into normal
+    forms, since each has a product of its own. Where other polynomials are divided by,
+    equations are multiplied by powers of them, which are not zero.
     """
 
     def __init__(self, space: Space) -> None:
         self.space, self.k = space, space.k
         self._lines: list[str] = []
-        self._facts: list[str] = []
-        self._inverses: dict[str, list[str]] = {}
+        self._facts = self._under = 0
 
     def text(self) -> str:
-        """The hypotheses, lemmas and tactics."""
+        """The hypotheses, lemmas and the tactic."""
         space, k = self.space, self.k
         inverses = dict(space.inverses())
         squares = {name: space.elements.terms(e) for name, e in space.checked.roots.items()}
         self._number = number(
             [t for terms in (*inverses.values(), *squares.values()) for t in terms]
         )
-        one_over = self._number
-        if one_over > 1:
-            self._lines.append(f"Hypothesis number_{k} : val {one_over} <> zero.")
+        if self._number > 1:
+            self._lines.append(f"Hypothesis number_{k} : val {self._number} <> zero.")
         for j, tree in enumerate(space.checked.nonzero):
             self._lines.append(f"Hypothesis nonzero_{k}_{j} : val ({space.term(tree)}) <> zero.")
         for j, (name, square) in enumerate(space.squares.items()):
             own = space.term(name)
             equation = f"val ({own} * {own}) = val ({space.term(square)})"
             self._lines.append(f"Hypothesis root_{k}_{j} : {equation}.")
-        self._lines.append("")
-        if one_over > 1:
+        self._lines += [
+            f"\nDefinition order_{k} : list expr :=\n  [{'; '.join(self._unknowns())}].",
+            f"Definition facts_{k}_0 : equations := [].",
+            f"Lemma hold_{k}_0 : hold {VALUES} facts_{k}_0.\nProof. exact I. Qed.",
+            f"Definition under_{k}_0 : table := [].",
+            f"Lemma sound_under_{k}_0 : sound {VALUES} under_{k}_0.\nProof. exact I. Qed.\n",
+        ]
+        if self._number > 1:
             proof = f"exact (reciprocal {AT} _ number_{k})."
-            self._fact(f"{one_over} * (1 / {one_over})", "1", proof)
+            self._fact(f"{self._number} * (1 / {self._number})", "1", proof)
         numbers = {text: terms for text, terms in inverses.items() if not any(map(_moves, terms))}
         self._table("numbers", numbers)
-        for plain in sorted(space.elements.plain, key=lambda plain: isinstance(plain.tree, str)):
-            self._plain(plain)
+        for j, plain in enumerate(space.elements.plain):
+            self._plain(j, plain)
         for j, (name, terms) in enumerate(squares.items()):
-            under = space.divisors_in(space.squares[name])
-            self._table(f"under_{j}", {text: inverses[text] for text in inverses if text in under})
-            own, equal = space.term(name), self._equal(f"under_{j}")
+            within = space.divisors_in(space.squares[name])
+            self._table(f"over_{j}", {text: inverses[text] for text in inverses if text in within})
+            own, equal = space.term(name), self._equal(f"over_{j}")
             proof = f"etransitivity; [exact root_{k}_{j}|{equal}]."
             self._fact(f"{own} * {own}", self._undivided(terms), proof)
         self._table("known", inverses)
@@ -62,73 +69,67 @@ class Facts:
     def _undivided(self, terms: list[Term]) -> str:
         return self.space.term(undivided(terms, self._number))
 
+    def _unknowns(self) -> list[str]:
+        """In what all is a polynomial: roots, names after their inverses, one over a number."""
+        space = self.space
+        divided = {plain.tree for plain in space.elements.plain if isinstance(plain.tree, str)}
+        found = list[str]()
+        for name in sorted(space.names, key=lambda name: name not in space.squares):
+            shown = space.term(name)
+            found += [f"1 / {shown}", shown] if name in divided else [shown]
+        return [*found, f"1 / {self._number}"] if self._number > 1 else found
+
     def _fact(self, left: str, right: str, proof: str) -> None:
-        name = f"fact_{self.k}_{len(self._facts)}"
-        self._facts.append(name)
-        self._lines.append(f"Lemma {name} : val ({left}) = val ({right}).\nProof. {proof} Qed.")
+        """One more equation that holds."""
+        old, self._facts = self._facts, self._facts + 1
+        k, n = self.k, self._facts
+        self._lines += [
+            f"Definition facts_{k}_{n} : equations :=\n  ({left}, {right}) :: facts_{k}_{old}.",
+            f"Lemma hold_{k}_{n} : hold {VALUES} facts_{k}_{n}.",
+            f"Proof. split; [{proof[:-1]}|exact hold_{k}_{old}]. Qed.\n",
+        ]
 
-    def _plain(self, plain: Plain) -> None:
-        """What is not zero by a condition, times its inverse: one, or its leading part."""
-        space, shown = self.space, self.space.term(plain.tree)
-        condition = f"plain_{self.k}_{len(self._facts)}"
+    def _plain(self, j: int, plain: Plain) -> None:
+        """What is not zero by a condition has an inverse."""
+        space, k, shown = self.space, self.k, self.space.term(plain.tree)
         cofactor = space.term(written(space.elements.terms(plain.cofactor)))
-        self._lines.append(
-            f"Lemma {condition} : val ({shown}) <> zero.\n"
-            f"Proof. intros H; apply nonzero_{self.k}_{plain.condition}; "
-            f"transitivity (val (({shown}) * ({cofactor}))); [{self._equal('numbers')}|"
-            f"change (mul (val ({shown})) (val ({cofactor})) = zero); rewrite H; ring]. Qed."
-        )
+        self._lines += [
+            f"Lemma plain_{k}_{j} : val ({shown}) <> zero.",
+            f"Proof. apply (factor {AT} _ ({cofactor}) _ nonzero_{k}_{plain.condition}); "
+            f"{self._equal('numbers')}. Qed.",
+        ]
         if isinstance(plain.tree, str):
-            self._inverses.setdefault(plain.tree, []).append(f"1 / {shown}")
-            self._fact(f"{shown} * (1 / {shown})", "1", f"exact (reciprocal {AT} _ {condition}).")
+            proof = f"exact (reciprocal {AT} _ plain_{k}_{j})."
+            self._fact(f"{shown} * (1 / {shown})", "1", proof)
             return
-        terms = space.elements.terms(plain.element)
-        terms.sort(key=self._unfit)
-        for name in terms[0].powers:
-            self._inverses.setdefault(name, []).append(f"1 / ({shown})")
-        lead, rest = self._undivided(terms[:1]), self._undivided(terms[1:])
-        proof = (
-            f"etransitivity; [|exact (reciprocal {AT} _ {condition})]; {self._equal('numbers')}."
-        )
-        self._fact(
-            f"({lead}) * (1 / ({shown}))",
-            f"1 - ({rest}) * (1 / ({shown}))",
-            f"apply (leading {AT}); {proof}",
-        )
-
-    def _unfit(self, term: Term) -> tuple[bool, int, int]:
-        """How little a term is fit to be the leading one: best is a power of a fresh name."""
-        others = [len(self._inverses.get(name, ())) for name in term.powers]
-        return abs(term.coefficient) != 1, abs(len(others) - 1), sum(others)
+        old, self._under = self._under, self._under + 1
+        n, terms = self._under, self._undivided(space.elements.terms(plain.element))
+        self._lines += [
+            f"Definition under_{k}_{n} : table :=\n  ({terms}, 1 / ({shown})) :: under_{k}_{old}.",
+            f"Lemma sound_under_{k}_{n} : sound {VALUES} under_{k}_{n}.",
+            f"Proof. split; [apply (inverted {AT} _ _ plain_{k}_{j}); "
+            f"{self._equal('numbers', old)}|exact sound_under_{k}_{old}]. Qed.\n",
+        ]
 
     def _table(self, label: str, inverses: dict[str, list[Term]]) -> None:
         """Divisors with their inverses."""
-        k = self.k
+        k, name = self.k, f"{label}_{self.k}"
         rows = [f"({text}, {self._undivided(terms)})" for text, terms in reversed(inverses.items())]
         self._lines += [
-            f"Definition {label}_{k} : table :=\n  [" + ";\n   ".join(rows) + "].",
-            f"Lemma sound_{label}_{k} : sound R zero one add mul opp div v {label}_{k}.",
-            f"Proof. unfold {label}_{k}. "
-            f"repeat (apply (sound_more {AT}); [|{self._ring()}]). exact I. Qed.\n",
+            f"Definition {name} : table :=\n  [" + ";\n   ".join(rows) + "].",
+            f"Lemma sound_{name} : sound {VALUES} {name}.",
+            f"Proof. apply (all_sound {AT} under_{k}_{self._under} order_{k} "
+            f"facts_{k}_{self._facts} _ sound_under_{k}_{self._under} hold_{k}_{self._facts}); "
+            "vm_compute; reflexivity. Qed.\n",
         ]
 
-    def _equal(self, label: str) -> str:
-        """The tactic that proves equations with a table of divisors."""
-        name = f"{label}_{self.k}"
-        return f"apply (plainly {AT} {name} _ _ sound_{name}); {self._ring()}"
-
-    def _ring(self) -> str:
-        """The tactic that proves equations with all facts so far."""
-        if not self._facts:
-            return "cbv; ring"
-        facts = list(self._facts)
-        if self._inverses:
-            rows = ([*i[:1], self.space.term(n), *i[1:]] for n, i in self._inverses.items())
-            order = " * ".join(f"({text})" for row in rows for text in row)
-            facts.append(f"(eq_refl (mul w (val ({order}))))")
-        names = [f"H{j}" for j in range(len(facts))]
-        posed = "".join(f"pose proof {f} as {h}; " for f, h in zip(facts, names, strict=True))
-        return f"{posed}cbv in {', '.join(names)} |- *; ring [{' '.join(names)}]"
+    def _equal(self, label: str, under: int | None = None) -> str:
+        """The tactic that proves equations with a table of divisors, and with all facts so far."""
+        k, name, u = self.k, f"{label}_{self.k}", self._under if under is None else under
+        return (
+            f"apply (decided {AT} under_{k}_{u} order_{k} facts_{k}_{self._facts} {name} "
+            f"_ _ sound_under_{k}_{u} hold_{k}_{self._facts} sound_{name}); vm_compute; reflexivity"
+        )
 
 
 def _moves(term: Term) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from copy import deepcopy
 
-from kowalevski_cas.export.format import Json
+from kowalevski_cas.export.format import Inexpressible, Json
 from kowalevski_cas.export.rocq.elements import Elements, Term, written
 from kowalevski_cas.export.rocq.terms import Terms
 from kowalevski_cas.proof import checker
@@ -104,9 +104,19 @@ class Space(Terms):
         return word
 
     def motion(self, rates: checker.Elements) -> str:
-        """The derivative when some names have rates; those of roots follow."""
-        every = [self.checked.generator(name).along(rates) for name in self.names]
-        return f"along (each [{'; '.join(map(self.polynomial, every))}])"
+        """The derivative when some names have rates; those of roots follow.
+
+        Raises:
+            Inexpressible: a root moves that may be zero.
+        """
+        every = []
+        for name in self.names:
+            try:
+                every.append(self.polynomial(self.checked.generator(name).along(rates)))
+            except checker.Rejected:
+                reason = f"the derivative of the root {name} is divided by it, and it may be zero"
+                raise Inexpressible(reason) from None
+        return f"along (each [{'; '.join(every)}])"
 
     def polynomial(self, element: Element) -> str:
         """An element as an expression; what it divides by is noted."""

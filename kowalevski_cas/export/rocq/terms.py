@@ -9,15 +9,15 @@ from kowalevski_cas.proof.trees import Tree
 
 WORDS = set(
     "Add Axiom Claims D Definition Div End Fixpoint I Import Lemma Let Module Mul Notation Num "
-    "Opp Pow Prop R R_as_field R_field Section Set Sub Theorem Type Var Variable add along andb "
-    "as at at_point back bar cofix combined conj conjugate cross div dot each else end eq_refl "
-    "equal exists exists2 expr false fix for forall fst3 fun gauss gbar if in inv leading let "
-    "list map map3 match minor mod mul nat one opp partials plainly point proved reciprocal "
-    "return snd3 sound sound_more sub subst table thd3 then true using v val value vanishes vec "
-    "w where with zero zip3".split()
+    "Opp Pow Prop R R_field Section Set Sub Theorem Type Var Variable add all_sound along andb as "
+    "at at_point back bar cofix combined conj conjugate cross decided div dot each else end "
+    "equal equations exists exists2 expr factor false fix for forall fst3 fun gauss gbar hold if "
+    "in inv inverted let list map map3 match minor mod mul nat one opp partials point proved "
+    "reciprocal return snd3 sound sub subst table thd3 then true using v val value vanishes vec "
+    "where with zero zip3".split()
 )
 NUMBERED = re.compile(
-    r"(by|d|fact|flip|known|nonzero|numbers?|plain|root|sound|under|Space)_.*|[GH]\d*"
+    r"(by|d|facts|flip|hold|known|nonzero|numbers?|order|over|plain|root|sound|under|Space)_.*|G\d*"
 )
 PLACES = ("fst3", "snd3", "thd3")
 TIGHT, POWER, MINUS, TIMES, PLUS, LOOSE = 0, 30, 35, 40, 50, 100
