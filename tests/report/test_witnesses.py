@@ -13,7 +13,7 @@ DIGESTS = {"eq6": "6" * 64, "eq7": "7" * 64}
 CERTIFIED = Certified(DIGESTS, {"eq7": ["a trace of zero preserves the measure"]})
 
 
-def testimony(folder, name, **content):
+def says(folder, name, **content):
     place = folder / "witnesses" / "kharlamov2002"
     place.mkdir(parents=True, exist_ok=True)
     said = {"program": name, "version": f"{name} 1.0", "confirmed": DIGESTS, "failed": {}}
@@ -22,19 +22,19 @@ def testimony(folder, name, **content):
 
 class TestPrograms:
     def test_one_that_confirms_the_certificates(self, tmp_path):
-        testimony(tmp_path, "rocq")
+        says(tmp_path, "rocq")
         (rocq,) = programs(tmp_path, "kharlamov2002", CERTIFIED)
         assert rocq == Witness("Rocq", "rocq 1.0", frozenset(DIGESTS))
 
     def test_another_certificate_is_not_confirmed(self, tmp_path):
-        testimony(tmp_path, "rocq", confirmed={"eq6": "6" * 64, "eq7": "0" * 64, "eq8": "8" * 64})
+        says(tmp_path, "rocq", confirmed={"eq6": "6" * 64, "eq7": "0" * 64, "eq8": "8" * 64})
         (rocq,) = programs(tmp_path, "kharlamov2002", CERTIFIED)
         assert rocq.claims == {"eq6"}
 
     def test_none(self, tmp_path):
         assert programs(tmp_path, "kharlamov2002", CERTIFIED) == ()
-        testimony(tmp_path, "pari", confirmed={})
-        testimony(tmp_path, "rocq")
+        says(tmp_path, "pari", confirmed={})
+        says(tmp_path, "rocq")
         assert programs(tmp_path, "kharlamov2002", Certified()) == ()
         assert programs(tmp_path, "another", CERTIFIED) == ()
 
@@ -42,13 +42,13 @@ class TestPrograms:
         "content", ["", "[]", "{", '{"confirmed": 3}', "\0", '{"confirmed": {}}']
     )
     def test_what_cannot_be_read(self, content, tmp_path):
-        testimony(tmp_path, "rocq")
+        says(tmp_path, "rocq")
         (tmp_path / "witnesses" / "kharlamov2002" / "pari.json").write_text(content)
         assert [w.name for w in programs(tmp_path, "kharlamov2002", CERTIFIED)] == ["Rocq"]
 
     def test_they_stand_in_one_order(self, tmp_path):
         for name in ("another", "pari", "singular", "rocq"):
-            testimony(tmp_path, name)
+            says(tmp_path, name)
         found = programs(tmp_path, "kharlamov2002", CERTIFIED)
         assert [w.name for w in found] == ["Rocq", "Singular", "PARI", "another"]
 
@@ -94,7 +94,7 @@ class TestPage:
             pytest.skip("there is no LaTeX")
         known = run().outcomes
         digests = {outcome.claim: "a" * 64 for outcome in known}
-        testimony(tmp_path, "rocq", confirmed=digests)
+        says(tmp_path, "rocq", confirmed=digests)
         written = write_report(run(), tmp_path, Certified(digests), engine=engine)
         assert written.pdf.read_bytes().startswith(b"%PDF")
         assert "& Rocq" in written.tex.read_text(encoding="utf-8")
