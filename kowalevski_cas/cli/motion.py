@@ -51,7 +51,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def add_motion(parser: argparse.ArgumentParser) -> None:
     """The arguments that describe a motion, for every command about one."""
     # Numbers are decimals, -1e-3, or quotients, -1/3; argparse knows the plain ones only.
-    parser._negative_number_matcher = re.compile(r"^-[.\d]")
+    parser._negative_number_matcher = re.compile(r"^-([.\d]|inf|nan)")
     parser.add_argument("--a", metavar="A", help="the length of the longer field")
     parser.add_argument("--b", metavar="B", help="the length of the other field, b < a")
     parser.add_argument("--m", metavar="M", help="the constant m, not zero")

@@ -20,6 +20,10 @@ Real = int | float | str | Fraction
 """What may be given as a number; a string is read as the decimal or quotient that it prints."""
 
 
+LARGEST = Fraction(10**50)
+"""What is given, and 1/m, may be as large: then floats can hold all constants."""
+
+
 class Inadmissible(ValueError):
     """Constants for which there is no motion on N⁴; the message says why and what would do."""
 
@@ -51,8 +55,11 @@ class Parameters:
             raise Inadmissible(
                 f"a = {float(self.a):g} and b = {float(self.b):g} are {words}; a > b ≥ 0 is needed"
             )
-        if self.m == 0:
-            raise Inadmissible("m = 0: the roots (ℓ±1)/2m are at infinity; m > 0 or m < 0 would do")
+        if abs(self.m) * LARGEST < 1:
+            words = "almost 0" if self.m else "0"
+            raise Inadmissible(
+                f"m = {words}: the roots (ℓ±1)/2m are at infinity; m > 0 or m < 0 would do"
+            )
 
     @staticmethod
     def of(a: Real, b: Real, m: Real, ell: Real) -> Parameters:
@@ -61,14 +68,14 @@ class Parameters:
         Raises :class:`Inadmissible` unless a > b ≥ 0 and m ≠ 0, and ``ValueError`` for
         what is no finite number.
         """
-        value = exact(ell)
-        return Parameters(exact(a), exact(b), exact(m), value**2, (value > 0) - (value < 0))
+        fields, value = (usable(a), usable(b), usable(m)), usable(ell)
+        return Parameters(*fields, value**2, _sign(value))
 
     @staticmethod
     def at_energy(a: Real, b: Real, m: Real, h: Real) -> Parameters:
         r"""The constants a, b, m and the energy h, by :math:`\ell^2=2p^2m^2+2hm+1`, ℓ ≥ 0."""
         first = Parameters.of(a, b, m, 0)
-        square = 2 * first.p_square * first.m**2 + 2 * exact(h) * first.m + 1
+        square = 2 * first.p_square * first.m**2 + 2 * usable(h) * first.m + 1
         if square < 0:
             bound = float(-(2 * first.p_square * first.m**2 + 1) / (2 * first.m))
             sign = "≥" if first.m > 0 else "≤"
@@ -155,6 +162,15 @@ def exact(value: Real) -> Fraction:
         return Fraction(value)
     except (ValueError, OverflowError, ZeroDivisionError):
         raise ValueError(f"“{value}” is no finite number") from None
+
+
+def usable(value: Real) -> Fraction:
+    """The number as a fraction; raises ``ValueError`` unless it is finite and not huge."""
+    number = exact(value)
+    if abs(number) > LARGEST:
+        words = "a constant" if isinstance(value, Fraction) else f"“{value}”"
+        raise ValueError(f"{words} is too large: {float(LARGEST):g} is the most; take other units")
+    return number
 
 
 def rational_root(square: Fraction) -> Fraction | None:

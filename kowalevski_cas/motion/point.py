@@ -23,9 +23,9 @@ from kowalevski_cas.motion.parameters import (
     Parameters,
     Real,
     ball,
-    exact,
     precision,
     rational_root,
+    usable,
 )
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.regimes import PHI, coordinates, extreme_ell, regime_of
@@ -48,7 +48,7 @@ def through(state: Sequence[Real]) -> Motion:
     :class:`~kowalevski_cas.motion.parameters.Inadmissible` if the state is not on N⁴, or too
     close to x1x2 = 0, where s1 is infinite.
     """
-    given = [exact(value) for value in state]
+    given = [usable(value) for value in state]
     if len(given) != 9:
         raise ValueError(f"a state has nine numbers, ω, α, β; {len(given)} are given")
     _check(given)

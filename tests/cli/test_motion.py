@@ -113,6 +113,11 @@ def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
         ([*USUAL, "--method", "euler"], "invalid choice: 'euler'"),
         ([*USUAL, "--point", "1"], "cannot stand beside it"),
         (["--point", "1", "2"], "nine numbers"),
+        (["--a", "1e400", "--b", "1", "--m", "1", "--l", "1"], "“1e400” is too large: 1e+50"),
+        ([*FIELDS, "--m", "1e-400", "--l", "1"], "m = almost 0: the roots"),
+        ([*FIELDS, "--m", "-inf", "--l", "1"], "“-inf” is no finite number"),
+        (["--point", "1e300", *"00100040"], "“1e300” is too large"),
+        (["--point", "1e50", *"001000", ".4", "0"], "a constant is too large"),
         (["--point", *"123456789"], "the state is not on N⁴"),
         ([*USUAL, "--output", "/dev/null/x"], "/dev/null/x/motion.json cannot be written"),
     ],
@@ -136,3 +141,11 @@ def test_following_a_motion_imports_no_pictures_and_the_command_line_no_arrays(c
         [sys.executable, "-c", script], capture_output=True, text=True, timeout=60
     )
     assert done.returncode == 0, done.stderr
+
+
+def test_a_time_out_of_reach_is_seen_at_once(cli):
+    for until, reached in (("1e300", "t = 248"), ("-1e308", "t = -248")):
+        code, out, err = cli(*USUAL, "--method", "lsoda", "--until", until)
+        assert code == 3 and out == ""
+        assert f"LSODA has come to {reached} after 10000 evaluations" in err
+        assert "RuntimeWarning" not in err

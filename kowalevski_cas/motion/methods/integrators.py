@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,6 +17,11 @@ Array = NDArray[np.float64]
 
 TOLERANCE = 1e-12
 """The relative and absolute tolerance unless another is asked for."""
+
+
+PILOT, MOST = 10**4, 10**10
+"""After so many evaluations of the rates it is seen whether the last time is within reach: the
+others, at the same pace, should not be more than so many, which take a day or several."""
 
 
 def initial_state(motion: Motion) -> Array:
@@ -51,7 +58,7 @@ def integrate(
             states[chosen] = start
             continue
         solution = solve_ivp(
-            lambda _, y, sign=sign: [sign * rate for rate in right(*y.tolist())],
+            _within_reach(method, right, sign, forward[-1]),
             (0.0, forward[-1]),
             start,
             method=method,
@@ -64,3 +71,22 @@ def integrate(
                               f"{solution.message}")  # fmt: skip
         states[chosen] = solution.y.T
     return states
+
+
+def _within_reach(
+    method: str, right: Function, sign: float, last: float
+) -> Callable[[float, Array], list[float]]:
+    """The rates in the direction of time, until it is seen that the last time is out of reach."""
+    evaluations = 0
+
+    def rates(t: float, y: Array) -> list[float]:
+        nonlocal evaluations
+        evaluations += 1
+        if evaluations == PILOT and t * (MOST / PILOT) < last:
+            raise MethodError(
+                f"{method} has come to t = {sign * t:.3g} after {PILOT} evaluations: "
+                f"t = {sign * last:g} is out of its reach; the closed form is not slower there"
+            )
+        return [sign * rate for rate in right(*y.tolist())]
+
+    return rates
