@@ -14,7 +14,7 @@ from kowalevski_cas.cli import exits, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
 from kowalevski_cas.study import STEPS, load
 from kowalevski_cas.study.plates import write_plates
-from kowalevski_cas.study.run import measure, stored
+from kowalevski_cas.study.run import data_file, measure, stored
 from kowalevski_cas.study.step import DISAGREEMENT
 
 FULL, QUICK = Path("reports/study"), Path("build/study")
@@ -59,7 +59,13 @@ def run(arguments: argparse.Namespace) -> int:
         else:
             with session.progress_bar() as progress:
                 rows = measure(name, step, folder, arguments.quick, progress, arguments.afresh)
-        step.draw(rows, folder)
+        try:
+            step.draw(rows, folder)
+        except KeyError as missing:
+            raise CommandError(
+                f"“{name}” cannot be drawn: {missing} is missing in {data_file(folder, name)}; "
+                f"measure it: kowalevski-cas study {name} -o {folder}"
+            ) from None
         failed = sum(row["verdict"] == "error" for row in rows)
         note = f", {failed} with an error" if failed else ""
         print(f"{name}: {step.TITLE}: {len(rows)} measurements{note}")

@@ -8,7 +8,8 @@ import resource
 import select
 import shutil
 import subprocess
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from time import perf_counter
 
@@ -46,15 +47,18 @@ def race(
     memory: list[int | None] = []
     start = perf_counter()
     unbuffered = ["stdbuf", "-oL"] if shutil.which("stdbuf") else []
-    with subprocess.Popen(
-        [*unbuffered, *command],
-        cwd=folder,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        env=None if environment is None else {**os.environ, **environment},
-        preexec_fn=limit,
-    ) as process:
+    with (
+        subprocess.Popen(
+            [*unbuffered, *command],
+            cwd=folder,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            env=None if environment is None else {**os.environ, **environment},
+            preexec_fn=limit,
+        ) as process,
+        _ended(process),
+    ):
         assert process.stdout is not None
         chunk, text, verdict, reason = b"", b"", "reached", ""
         while verdict == "reached":
@@ -98,6 +102,16 @@ def race(
         "times": times,
         "memory": memory,
     }
+
+
+@contextmanager
+def _ended(process: subprocess.Popen[bytes]) -> Iterator[None]:
+    """End a process if its race is interrupted; only a terminal would interrupt it as well."""
+    try:
+        yield
+    except BaseException:
+        process.kill()
+        raise
 
 
 def _peak(pid: int) -> int | None:

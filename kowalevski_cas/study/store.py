@@ -30,24 +30,26 @@ class Store:
 
     def _read(self) -> None:
         try:
-            lines = self.path.read_text(encoding="utf-8").splitlines()
+            lines = self.path.read_bytes().splitlines()
         except FileNotFoundError:
             return
         for number, line in enumerate(lines):
             try:
                 entry = json.loads(line)
-            except ValueError:
-                break  # a line that was being written when the study was interrupted
-            if number == 0:
-                self.header = entry
-            else:
-                self.rows[entry["method"], entry["case"]] = entry
+                if number == 0:
+                    self.header = dict(entry)
+                elif entry.keys() >= {"method", "case", "verdict"}:
+                    self.rows[entry["method"], entry["case"]] = entry
+            except (ValueError, TypeError, AttributeError, RecursionError):
+                continue  # torn when the study was interrupted, or damaged: it is measured again
 
     def begin(self) -> None:
         """Write what is kept, without torn lines, and make ready for more."""
         self.path.parent.mkdir(parents=True, exist_ok=True)
         lines = [_line(self.header), *map(_line, self.rows.values())]
-        self.path.write_text("".join(lines), encoding="utf-8")
+        whole = self.path.with_suffix(".new")
+        whole.write_text("".join(lines), encoding="utf-8")
+        whole.replace(self.path)
 
     def add(self, row: Row) -> None:
         """Keep a row, on disk at once."""

@@ -47,6 +47,9 @@ class Worker:
             line = process.stdout.readline() if ready else None
         except BrokenPipeError:
             line = ""
+        except BaseException:
+            self.close()  # an interruption reaches the process only if it comes from a terminal
+            raise
         if line:
             answer: Measured = json.loads(line)
             return answer

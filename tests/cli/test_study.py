@@ -59,3 +59,17 @@ def test_a_disagreement_of_exact_arithmetics_has_its_exit_code(step, tmp_path, m
     monkeypatch.setattr(step, "_run", lambda method: contradicted)
     assert main(["study", "-o", str(tmp_path)]) == 4
     assert "the exact arithmetics disagree: eq1: both" in capsys.readouterr().err
+
+
+def test_a_folder_that_cannot_be_written_is_named(step, capsys):
+    assert main(["study", "-o", "/dev/null/x"]) == 2
+    assert "/dev/null/x/data/toys.jsonl: Not a directory" in capsys.readouterr().err
+
+
+def test_a_picture_that_lacks_a_measurement_says_which(step, tmp_path, monkeypatch, capsys):
+    def draw(rows, folder):
+        raise KeyError("good")
+
+    monkeypatch.setattr(step, "draw", draw)
+    assert main(["study", "-o", str(tmp_path)]) == 2
+    assert "“toys” cannot be drawn: 'good' is missing in" in capsys.readouterr().err

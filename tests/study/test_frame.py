@@ -70,3 +70,22 @@ def test_the_same_task_twice_is_refused(tmp_path):
     step.measure = lambda quick: [*Interrupt().measure(quick), *Interrupt().measure(quick)]
     with pytest.raises(ValueError, match="same method and case"):
         run(step, tmp_path)
+
+
+def test_damaged_lines_are_measured_again_and_the_others_kept(tmp_path):
+    run(Interrupt(), tmp_path)
+    file = data_file(tmp_path, "toys")
+    header, good, *rest = file.read_bytes().splitlines(keepends=True)
+    noise = b'\xff\x00\n[]\nnull\n{"method": [1], "case": {}, "verdict": 1}\n{"method": "x"}\n'
+    file.write_bytes(b"".join([header, noise, good[:-9] + b"\n", *rest]))
+    again = Interrupt()
+    rows = run(again, tmp_path)
+    assert again.ran == ["good"] and len(rows) == 3
+
+
+def test_a_file_of_noise_is_no_study(tmp_path):
+    file = data_file(tmp_path, "toys")
+    file.parent.mkdir()
+    file.write_bytes(bytes(range(128, 256)) + b"\n" + b"[" * 100_000)
+    assert stored("toys", tmp_path) == []
+    assert len(run(Interrupt(), tmp_path)) == 3

@@ -1,7 +1,10 @@
 from __future__ import annotations
 
+import subprocess
+
 import pytest
 
+from kowalevski_cas.study.race import race
 from kowalevski_cas.study.worker import Worker
 
 TOYS = "tests.study.toys"
@@ -40,3 +43,35 @@ def test_a_limit_of_memory_is_a_timeout_with_that_reason(worker):
 @pytest.mark.parametrize("worker", ["fail"], indirect=True)
 def test_an_error_is_said(worker):
     assert worker.ask("so it is")["reason"] == "ValueError: so it is"
+
+
+@pytest.mark.parametrize("worker", ["sleep"], indirect=True)
+def test_an_interruption_ends_the_process(worker, monkeypatch):
+    worker.ask(0)
+    process = worker._process
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("select.select", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        worker.ask(30)
+    assert process.poll() is not None
+
+
+def test_an_interruption_ends_a_race(tmp_path, monkeypatch):
+    started = []
+    popen = subprocess.Popen
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    def start(*arguments, **options):
+        started.append(popen(*arguments, **options))
+        return started[0]
+
+    monkeypatch.setattr("subprocess.Popen", start)
+    monkeypatch.setattr("select.select", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        race(["sleep", "30"], tmp_path, 20, 1000)
+    assert started[0].wait(5) < 0
