@@ -38,15 +38,16 @@ def main(argv: Sequence[str] | None = None) -> int:
             stream.reconfigure(encoding="utf-8", errors="backslashreplace")
     if not arguments or arguments[0] not in COMMANDS:
         return _overview(arguments)
-    module = import_module(f"{__name__}.{arguments[0]}")
-    parser = argparse.ArgumentParser(
-        prog=f"kowalevski-cas {arguments[0]}",
-        description=module.__doc__,
-        epilog=EXIT_CODES,
-        formatter_class=_Help,
-    )
-    module.add_arguments(parser)
+    sys.unraisablehook = _unraisable
     try:
+        module = import_module(f"{__name__}.{arguments[0]}")
+        parser = argparse.ArgumentParser(
+            prog=f"kowalevski-cas {arguments[0]}",
+            description=module.__doc__,
+            epilog=EXIT_CODES,
+            formatter_class=_Help,
+        )
+        module.add_arguments(parser)
         code: int = module.run(parser.parse_args(arguments[1:]))
         sys.stdout.flush()
         gc.freeze()  # the process ends: nobody need look for cycles in what is left
@@ -57,10 +58,33 @@ def main(argv: Sequence[str] | None = None) -> int:
         print("\ninterrupted: files written earlier are as they were", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
-        # The reader has gone; nothing more can be said, not even at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _silence()
         return 0
+    except OSError as error:
+        if error.filename is None:
+            _silence()
+        place = error.filename or "the output"
+        print(f"kowalevski-cas {arguments[0]}: {place}: {error.strerror}", file=sys.stderr)
+        return USAGE
     return code
+
+
+def _silence() -> None:
+    """The reader has gone, or the disk is full: nothing more can be written, not even at exit."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _unraisable(unraisable: sys.UnraisableHookArgs) -> None:
+    """An interruption that fell into a finalizer, where nothing can be raised, comes once more."""
+    if unraisable.exc_type is not KeyboardInterrupt:
+        sys.__unraisablehook__(unraisable)
+        return
+    from signal import SIGINT, pthread_kill
+    from threading import Timer, get_ident
+
+    again = Timer(0.02, pthread_kill, (get_ident(), SIGINT))
+    again.daemon = True
+    again.start()
 
 
 class _Help(argparse.RawDescriptionHelpFormatter):

@@ -35,6 +35,8 @@ def run(arguments: argparse.Namespace) -> int:
     from kowalevski_cas.motion.pictures.animation import write
 
     path, motion = arguments.output, chosen(arguments)
+    if path.is_dir() or path.suffix.lower() != ".gif":
+        raise CommandError(f"--output {path} is no file that ends with .gif")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=path.parent) as unfinished:

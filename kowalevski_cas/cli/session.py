@@ -98,16 +98,16 @@ class progress_bar:
 
 def write_whole(files: Mapping[Path, str]) -> None:
     """Write files so that all of them appear, whole, or none does."""
-    before = {path: path.read_text(encoding="utf-8") for path in files if path.exists()}
+    before = {path: path.read_text(encoding="utf-8") for path in files if path.is_file()}
     try:
         for path, text in files.items():
             _write(path, text)
     except BaseException:
-        for path in files:
-            if path in before and path.read_text(encoding="utf-8") != before[path]:
+        for path in filter(Path.is_file, files):
+            if path not in before:
+                path.unlink()
+            elif path.read_text(encoding="utf-8") != before[path]:
                 _write(path, before[path])
-            elif path not in before:
-                path.unlink(missing_ok=True)
         raise
 
 

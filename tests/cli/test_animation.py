@@ -43,3 +43,9 @@ def test_a_file_that_cannot_be_written_is_said(
     (tmp_path / "file").write_text("")
     assert main(["animation", "--output", str(tmp_path / "file" / "body.gif")]) == 2
     assert "cannot be written" in capsys.readouterr().err
+
+
+def test_an_animation_is_a_gif(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for wrong in (tmp_path, tmp_path / "body.mp4"):
+        assert main(["animation", "--output", str(wrong)]) == 2
+        assert f"--output {wrong} is no file that ends with .gif" in capsys.readouterr().err

@@ -475,3 +475,54 @@ def test_a_screening_is_compared_with_the_record(cli):
     only = ("--only", "eq14", "--only", "eq12")
     code, out, _ = cli("verify", "kharlamov2002", "--arithmetic", "modular", *only)
     assert code == 0 and out.rstrip().endswith("as recorded")
+
+
+def test_an_interrupt_while_modules_are_loaded_is_one(cli, monkeypatch):
+    def interrupted(name):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("kowalevski_cas.cli.import_module", interrupted)
+    code, _, err = cli("verify")
+    assert code == 130 and "interrupted" in err
+
+
+def test_an_interrupt_that_falls_into_a_finalizer_comes_again():
+    script = """
+import sys, time
+from kowalevski_cas import cli
+
+class Finalized:
+    def __del__(self):
+        raise KeyboardInterrupt
+
+class Command:
+    __doc__ = ""
+    add_arguments = staticmethod(lambda parser: None)
+    def run(arguments):
+        Finalized()
+        time.sleep(20)
+
+cli.import_module = lambda name: Command
+sys.exit(cli.main(["verify"]))
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, timeout=15
+    )
+    assert done.returncode == 130 and "Traceback" not in done.stderr
+
+
+def test_a_full_disk_is_said():
+    command = "verify kharlamov2002 --only eq6 --arithmetic flint > /dev/full"
+    done = subprocess.run(
+        f"{sys.executable} -m kowalevski_cas {command}",
+        shell=True, capture_output=True, text=True, cwd=ROOT, timeout=60,
+    )  # fmt: skip
+    assert done.returncode == 2
+    assert done.stderr.strip() == "kowalevski-cas verify: the output: No space left on device"
+
+
+def test_nothing_can_be_written_below_a_file(cli, write, tmp_path):
+    (tmp_path / "file").write_text("kept")
+    code, _, err = cli("certificates", write(), "-o", tmp_path / "file" / "folder")
+    assert code == 2 and "cannot be written" in err
+    assert (tmp_path / "file").read_text() == "kept"
