@@ -47,13 +47,15 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _checked(names: list[str]) -> list[Checked]:
     """What the checker says about files, and about each derivation."""
-    files = [Path(name) for name in names if name.endswith(".json")]
+    files: dict[Path, list[Path]] = {}  # derivations may have claims of the same name
+    for path in [Path(name) for name in names if name.endswith(".json")]:
+        files.setdefault(path.parent.resolve(), []).append(path)
     folders = [name for name in names if not name.endswith(".json")] if names else available()
     try:
         found = each(_committed, [find(name) for name in folders])
     except (LibraryError, RecordError) as error:
         raise CommandError(str(error)) from None
-    return [check_files(files), *found]
+    return [*map(check_files, files.values()), *found]
 
 
 def _committed(folder: Path) -> Checked:

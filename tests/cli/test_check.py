@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.library import find
+from kowalevski_cas.library import available, find
 from kowalevski_cas.proof.committed import certificate_files
 
 PAPER = find("kharlamov2002")
@@ -77,6 +77,12 @@ def test_files(copy, capsys):
     assert main(["check", "-q", *files]) == 0
     assert main(["check", "-q", *files, files[0]]) == 5
     assert "certified before" in capsys.readouterr().out
+
+
+def test_files_of_derivations_with_claims_of_the_same_name(capsys):
+    files = [str(find(name) / "certificates" / "eq10.1.json") for name in available()]
+    assert main(["check", "-q", *files]) == 0
+    assert capsys.readouterr().out == "certificates: CERTIFIED 2 of 2\n"
 
 
 def test_no_certificates(copy, capsys):

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from kowalevski_cas.library import find
+from kowalevski_cas.library import available, find
 from kowalevski_cas.proof import checker
 from kowalevski_cas.proof.committed import certificate_files, check_committed, check_files
 
@@ -80,6 +80,11 @@ class TestProgram:
         result = run(FILES[0], FILES[0])
         assert result.returncode == 5
         assert "certified before" in result.stdout
+
+    def test_claims_of_the_same_name_in_two_derivations(self):
+        result = run(*(find(name) / "certificates" / "eq10.1.json" for name in available()))
+        assert result.returncode == 0
+        assert result.stdout.endswith("CERTIFIED 2 of 2\n")
 
     def test_under_the_name_of_another_claim(self, tmp_path):
         other = tmp_path / "eq4.1.json"
