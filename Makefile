@@ -49,9 +49,10 @@ lint: $(VENV)/.dev ## Check style and types
 rocq: $(VENV)/.installed ## Let Rocq confirm the certificates (DERIVATION=: of this one only)
 	@$(RUN) witness rocq $(DERIVATION)
 
-witnesses: $(VENV)/.installed ## Let Singular and PARI/GP confirm the certificates
+witnesses: $(VENV)/.installed ## Let Singular, PARI/GP and Maxima confirm the certificates
 	@$(RUN) witness singular
 	@$(RUN) witness pari
+	@$(RUN) witness maxima
 
 study: $(VENV)/.installed ## Measure speed against accuracy, and where methods fail (QUICK=1: under a minute)
 	@$(RUN) study $(if $(QUICK),--quick)

@@ -11,6 +11,7 @@ __all__ = ["FORMATS", "Export", "Format", "Inexpressible", "Json", "load"]
 FORMATS = {
     "rocq": "theorems for Rocq, which differentiates by itself and assumes no axioms",
     "singular": "polynomial identities for Singular, which differentiates by its own `diff`",
+    "maxima": "polynomial identities for Maxima, which differentiates by its own `diff`",
     "pari": "polynomial identities for PARI/GP, which differentiates by its own `deriv`",
 }
 """The formats and what they are. Each has a module here with a class ``Program``."""

@@ -25,6 +25,7 @@ _NAMES: Final = {
     "rocq": "Rocq",
     "singular": "Singular",
     "pari": "PARI",
+    "maxima": "Maxima",
 }
 
 

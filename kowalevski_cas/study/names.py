@@ -13,6 +13,7 @@ _NAMES = {
     "rocq": "Rocq",
     "singular": "Singular",
     "pari": "PARI/GP",
+    "maxima": "Maxima",
     "python-flint": "python-flint alone",
 }
 

@@ -19,7 +19,7 @@ FILES = certificate_files(find("kharlamov2002"))
 CERTIFICATES = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in FILES}
 
 
-@pytest.fixture(params=["singular", "pari"])
+@pytest.fixture(params=["singular", "pari", "maxima"])
 def language(request):
     language = load(request.param)
     if shutil.which(language.commands[0][0]) is None:
@@ -117,9 +117,17 @@ class TestObjection:
         said = load(name).objection(self.TEXT, output)
         assert said.startswith(words) and bool(said) == bool(words)
 
-    @pytest.mark.parametrize("name", ["singular", "pari"])
+    @pytest.mark.parametrize("name", ["singular", "pari", "maxima"])
     def test_a_file_that_states_nothing_is_not_confirmed(self, name):
         assert load(name).objection("quit;", "")
+
+
+def test_what_maxima_repeats_is_no_answer():
+    text, asked = TestObjection.TEXT, 'errcatch(batchload("claim.mac"))\n'
+    said = "holds: 1 inverse\n"
+    assert not load("maxima").objection(text, f"{asked}{said}holds: 2 statement\nquit()\n")
+    assert load("maxima").objection(text, f"{asked}{said}incorrect syntax\nquit()\n")
+    assert load("maxima").objection(text, f"{asked}{said}fails: 2 statement\nquit()\n")
 
 
 def test_the_program_is_asked_to_differentiate():
