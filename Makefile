@@ -23,7 +23,6 @@ help: ## Show this list
 
 verify: $(VENV)/.installed ## Prove or refute every formula, check the certificates, write the report
 	@$(RUN) verify --report reports
-	@$(RUN) check --quiet
 
 motion: $(VENV)/.installed ## Draw a motion on N⁴ into reports/motion; the reports then show it
 	@$(RUN) pictures

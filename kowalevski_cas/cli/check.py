@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
@@ -32,10 +33,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    certified = total = 0
-    for found in _checked(arguments.certificates):
-        for claim, said in found.said.items() if not arguments.quiet else ():
+    results = _checked(arguments.certificates)
+    for found in results if not arguments.quiet else ():
+        for claim, said in found.said.items():
             print("\n".join(f"{claim}: {words}" for words in said))
+    return tell(results)
+
+
+def tell(results: Sequence[Checked]) -> int:
+    """Say how many certificates are accepted, and why others are not; the exit code."""
+    certified = total = 0
+    for found in results:
         for name, why in found.rejected.items():
             print(f"REJECTED {name}: {why}")
         if found.without:

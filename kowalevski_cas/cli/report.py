@@ -17,6 +17,7 @@ from kowalevski_cas.proof.outcome import Run
 from kowalevski_cas.proof.record import RecordError, load_record
 
 if TYPE_CHECKING:
+    from kowalevski_cas.proof.committed import Checked
     from kowalevski_cas.report.witnesses import Certified
 
 
@@ -45,31 +46,38 @@ def _report(folder: Path, derivation: Derivation, output: Path) -> None:
     write(replace(found, versions=session.versions()), output, folder)
 
 
-def write(run: Run, folder: Path, derivation: Path) -> None:
-    """Write the report of a run with the certificates of its derivation, and say where it is."""
+def write(run: Run, folder: Path, derivation: Path) -> Checked:
+    """Write the report of a run, and say where it is; what the checker says of its certificates."""
     from kowalevski_cas.report import ReportError, write_report
 
+    checked = _checked(derivation)
     try:
-        written = write_report(run, folder, _certified(run, derivation))
+        written = write_report(run, folder, _certified(run, checked))
     except (ReportError, OSError) as error:
         raise CommandError(f"the report: {error}") from None
     for note in written.notes:
         print(note, file=sys.stderr)
     print(f"{written.tex} and {written.pdf} are written", file=sys.stderr)
+    return checked
 
 
-def _certified(run: Run, derivation: Path) -> Certified:
-    """The committed certificates that the checker accepts, and that are about the run."""
-    from kowalevski_cas.proof.committed import check_committed
-    from kowalevski_cas.report.witnesses import Certified
+def _checked(derivation: Path) -> Checked:
+    """What the checker says of the committed certificates; nothing without a record."""
+    from kowalevski_cas.proof.committed import Checked, check_committed
 
     try:
-        record = load_record(derivation) or {}
+        return check_committed(derivation, load_record(derivation) or {})
     except RecordError:
-        return Certified()
-    statements = {outcome.claim: outcome.digest for outcome in run.outcomes}
-    found = check_committed(
-        derivation,
-        {c: entry for c, entry in record.items() if entry.get("statement") == statements.get(c)},
-    )
-    return Certified(found.digests, found.notes)
+        return Checked()
+
+
+def _certified(run: Run, checked: Checked) -> Certified:
+    """The accepted certificates that are about the statements of the run."""
+    from kowalevski_cas.report.witnesses import Certified
+
+    digests = {
+        outcome.claim: checked.digests[outcome.claim]
+        for outcome in run.outcomes
+        if checked.statements.get(outcome.claim) == outcome.digest
+    }
+    return Certified(digests, {claim: checked.notes[claim] for claim in digests})

@@ -17,6 +17,7 @@ from kowalevski_cas.cli.exits import (
     AS_RECORDED,
     DIFFERENT,
     DISAGREEMENT,
+    REJECTED,
     UNDECIDED,
     USAGE,
     CommandError,
@@ -93,11 +94,15 @@ def run(arguments: argparse.Namespace) -> int:
     results = run_derivations(arguments)
     print(load_format(arguments.format)(results), end="")
     sys.stdout.flush()
+    codes = [exit_code(result) for result in results]
     if arguments.report is not None:
+        from kowalevski_cas.cli.check import tell
         from kowalevski_cas.cli.report import write
 
-        each(lambda result: write(result.run, arguments.report, result.folder), results)
-    return max((exit_code(result) for result in results), key=_URGENCY.index)
+        work = each(lambda result: write(result.run, arguments.report, result.folder), results)
+        if checked := [found for found in work if found.total]:
+            codes.append(tell(checked))
+    return max(codes, key=_URGENCY.index)
 
 
 def exit_code(result: Result) -> int:
@@ -119,7 +124,7 @@ def exit_code(result: Result) -> int:
     return DIFFERENT if result.differences else AS_RECORDED
 
 
-_URGENCY = (AS_RECORDED, DIFFERENT, UNDECIDED, USAGE, DISAGREEMENT)
+_URGENCY = (AS_RECORDED, DIFFERENT, REJECTED, UNDECIDED, USAGE, DISAGREEMENT)
 
 
 def _positive(text: str) -> float:

@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from kowalevski_cas.dataclass import dataclass, field
+from kowalevski_cas.dataclass import dataclass, field, replace
 from kowalevski_cas.proof import checker
 
 FOLDER = "certificates"
@@ -17,13 +17,15 @@ Record = Mapping[str, Mapping[str, object]]
 class Checked:
     """What the checker says about certificates.
 
-    ``digests`` has the accepted ones by claim, ``said`` what each of them proves,
+    ``digests`` has the accepted ones by claim, ``statements`` the digests of what
+    they state, ``said`` what each of them proves,
     ``notes`` what it leaves to an argument in words;
     ``rejected`` says why for the others, by file; ``without`` lists the recorded
     claims that have none.
     """
 
     digests: dict[str, str] = field(default_factory=dict)
+    statements: dict[str, str] = field(default_factory=dict)
     said: dict[str, list[str]] = field(default_factory=dict)
     notes: dict[str, list[str]] = field(default_factory=dict)
     rejected: dict[str, str] = field(default_factory=dict)
@@ -51,7 +53,7 @@ def check_committed(folder: Path, record: Record) -> Checked:
         if entry.get("certificate") and not (folder / FOLDER / f"{claim}.json").is_file():
             found.rejected[f"{claim}.json"] = "it is in the record, and missing"
     without = tuple(claim for claim, entry in record.items() if not entry.get("certificate"))
-    return Checked(found.digests, found.said, found.notes, found.rejected, without)
+    return replace(found, without=without)
 
 
 def check_files(paths: Sequence[Path], record: Record | None = None) -> Checked:
@@ -76,5 +78,6 @@ def check_files(paths: Sequence[Path], record: Record | None = None) -> Checked:
             found.rejected[str(path)] = str(error) or type(error).__name__
             continue
         found.digests[claim], found.said[claim] = str(data["digest"]), said
+        found.statements[claim] = str(data["statement"])
         found.notes[claim] = list(map(str, data["notes"]))
     return found

@@ -27,10 +27,17 @@ def copy(tmp_path):
     return folder
 
 
-def test_make_verify_checks_them():
+def test_a_run_with_a_report_checks_them_as_make_verify_does(copy, tmp_path, capsys):
     makefile = (PAPER.parents[1] / "Makefile").read_text(encoding="utf-8")
-    _, _, after = makefile.partition("\nverify:")
-    assert "\t@$(RUN) check --quiet" in after.split("\n\n")[0].splitlines()
+    assert "\t@$(RUN) verify --report reports\n" in makefile
+    arguments = ["verify", str(copy), "--arithmetic", "flint", "--only", "eq14"]
+    arguments += ["--report", str(tmp_path / "out")]
+    main(arguments)
+    number = len(certificate_files(copy))
+    assert f"certificates: CERTIFIED {number} of {number}\n" in capsys.readouterr().out
+    certificate_files(copy)[0].write_text("{}")
+    assert main(arguments) == 5
+    assert "REJECTED" in capsys.readouterr().out
 
 
 def test_all_committed_certificates_belong_to_the_record(capsys):
