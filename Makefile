@@ -6,7 +6,7 @@ PY    := $(VENV)/bin/python
 RUN   := $(PY) -m kowalevski_cas
 SLOW  ?=
 QUICK ?=
-PAPER ?= $(firstword $(wildcard ../shared/paper/*.txt ../shared/paper/*.tex))
+PAPER ?=
 JUNIT ?=
 
 # The first Python that is new enough. `make PYTHON=...` chooses another.

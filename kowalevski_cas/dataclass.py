@@ -64,9 +64,9 @@ def dataclass(cls: Any = None, /, *, frozen: bool = False, eq: bool = True) -> A
     return _made(cls, frozen, eq) if cls is not None else lambda it: _made(it, frozen, eq)
 
 
-def fields(thing: object) -> tuple[Field, ...]:
+def fields(thing: Any) -> tuple[Field, ...]:
     """The attributes of a data class or of one of its instances, the inherited ones first."""
-    found: tuple[Field, ...] = thing.__fields__  # type: ignore[attr-defined]
+    found: tuple[Field, ...] = thing.__fields__
     return found
 
 
@@ -95,7 +95,7 @@ def _made(cls: Any, frozen: bool, eq: bool) -> Any:
         if isinstance(given, Field):
             delattr(cls, name)
     cls.__fields__ = tuple(known.values())
-    cls.__match_args__ = tuple(known)  # type: ignore[misc]
+    type.__setattr__(cls, "__match_args__", tuple(known))  # type checkers allow no plain assignment
     cls.__init__ = _initializer(cls, tuple(known))
     if "__repr__" not in cls.__dict__:
         cls.__repr__ = _repr

@@ -41,7 +41,7 @@ class Program(Element):
 
     __slots__ = ("args", "data", "op")
 
-    ring: Programs  # type: ignore[assignment]
+    ring: Programs  # type: ignore[assignment] # a program lives in a ring of programs only
 
     def __init__(self, ring: Programs, op: Op, args: tuple[Program, ...], data: object) -> None:
         self.ring = ring

@@ -26,7 +26,8 @@ class Series:
     def __add__(self, other: Coefficient) -> Series:
         level = level_of(other)
         if level > self.level:
-            return other + self  # type: ignore[no-any-return]
+            total: Series = other + self
+            return total
         own = self.coefficients
         if level < self.level:
             return Series(level=self.level, coefficients=[own[0] + other, *own[1:]])
@@ -37,7 +38,8 @@ class Series:
     def __mul__(self, other: Coefficient) -> Series:
         level = level_of(other)
         if level > self.level:
-            return other * self  # type: ignore[no-any-return]
+            outer: Series = other * self
+            return outer
         own = self.coefficients
         if level < self.level:
             return Series(self.level, [a * other for a in own])

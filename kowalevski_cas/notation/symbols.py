@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+
 from kowalevski_cas.notation.cursor import STARTS, Cursor, Piece
 from kowalevski_cas.notation.formula import (
     Application,
@@ -17,24 +19,24 @@ from kowalevski_cas.notation.macros import GREEK
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 
 
-class Symbols(Cursor):
+class Symbols(Cursor, ABC):
     """Reads names, accents, primes, powers and arguments."""
 
+    @abstractmethod
     def sum(self) -> Piece:
         """A sum, which the parser reads."""
-        raise NotImplementedError
 
+    @abstractmethod
     def factor(self) -> Piece:
         """An atom with its powers and primes, which the parser reads."""
-        raise NotImplementedError
 
+    @abstractmethod
     def bracket(self) -> Piece:
         """A bracket, which the parser reads."""
-        raise NotImplementedError
 
+    @abstractmethod
     def listed(self, pair: bool = False) -> tuple[Piece, ...]:
         """A list in brackets, which the parser reads."""
-        raise NotImplementedError
 
     # Names
 

@@ -168,17 +168,8 @@ def _log(folder: Path) -> str:
 # ------------------------------------------------------------------------ Typst
 
 
-def typst_pdf(run: Run) -> bytes:
-    """The PDF that pandoc and Typst make of a run, from wheels alone.
-
-    Raises:
-        ReportError: if one of the two is missing or fails.
-    """
-    return _typst(run, render_for_pandoc(run))[0]
-
-
 def _typst(
-    run: Run, source: str, shown: tuple[Plate, ...] = (), beside: Path = Path()
+    run: Run, source: str, shown: tuple[Plate, ...], beside: Path
 ) -> tuple[bytes, list[str]]:
     try:
         import typst

@@ -170,6 +170,16 @@ def test_a_point_with_other_roots_is_named():
         ROCQ.translate(data)
 
 
+class Unrooted(Terms):
+    """Terms in which no root and no derivative stands."""
+
+    def root(self, tree):
+        raise AssertionError("there is no root here")
+
+    def partial(self, name):
+        raise AssertionError("nothing is differentiated here")
+
+
 @pytest.mark.parametrize(
     ("tree", "text"),
     [
@@ -185,7 +195,7 @@ def test_a_point_with_other_roots_is_named():
     ],
 )  # fmt: skip
 def test_formulas_read_as_they_are_meant(tree, text):
-    terms = Terms()
+    terms = Unrooted()
     for name in "xyu":
         terms.new_word(name)
     terms.wide.add("u")
@@ -204,7 +214,7 @@ def test_words_are_distinct_and_not_rocqs():
         r"\sqrt{x_1x_2}",
         "D",
     ]
-    terms = Terms()
+    terms = Unrooted()
     words = [terms.new_word(name) for name in names]
     assert len(set(words)) == len(names)
     assert not set(words) & {"in", "I", "v", "d_x", "nonzero_1", "D"}

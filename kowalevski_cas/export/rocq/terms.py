@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from abc import ABC, abstractmethod
 
 from kowalevski_cas.export.format import Inexpressible, identifier
 from kowalevski_cas.proof.trees import Tree
@@ -24,7 +25,7 @@ TIGHT, POWER, MINUS, TIMES, PLUS, LOOSE = 0, 30, 35, 40, 50, 100
 """The levels at which Rocq reads expressions."""
 
 
-class Terms:
+class Terms(ABC):
     """Names with their words, and how trees with these names are printed."""
 
     def __init__(self) -> None:
@@ -39,13 +40,13 @@ class Terms:
         self.words[name] = word
         return word
 
+    @abstractmethod
     def root(self, tree: Tree) -> str:
         """The name of the root of a tree."""
-        raise NotImplementedError
 
+    @abstractmethod
     def partial(self, name: str) -> str:
         """The word for the partial derivative by a name."""
-        raise NotImplementedError
 
     def is_vector(self, tree: Tree) -> bool:
         """Whether a tree has three components."""
