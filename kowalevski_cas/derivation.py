@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 
 from kowalevski_cas.claims.claim import Claim
-from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.scene import Change, Locus, Scene, vocabulary
 from kowalevski_cas.texts import Display, Texts
 

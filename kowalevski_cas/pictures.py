@@ -9,10 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
-
-from kowalevski_cas.dataclass import dataclass
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,9 +7,9 @@ it meaning (:mod:`kowalevski_cas.stage`).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from dataclasses import field as default
 
-from kowalevski_cas.dataclass import dataclass
-from kowalevski_cas.dataclass import field as default
 from kowalevski_cas.notation import Vocabulary
 from kowalevski_cas.texts import Printed
 

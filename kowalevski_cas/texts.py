@@ -9,9 +9,9 @@ with other texts.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import cache
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import (
     Edit,
     Formula,

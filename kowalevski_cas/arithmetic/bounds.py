@@ -8,10 +8,10 @@ from the formulas themselves.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from math import log2
 
 from kowalevski_cas.arithmetic.programs import Op, Program, field_of, steps
-from kowalevski_cas.dataclass import dataclass
 
 
 @dataclass(frozen=True)

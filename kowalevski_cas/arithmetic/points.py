@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING
-
-from kowalevski_cas.dataclass import dataclass, field
 
 if TYPE_CHECKING:
     from kowalevski_cas.arithmetic.programs import Program, Programs

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import dataclass
 from itertools import islice
 from time import perf_counter
 
@@ -17,7 +18,6 @@ from kowalevski_cas.audit.places import Place, find_places
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import words
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Outcome
 from kowalevski_cas.texts import Display
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.dataclass import dataclass, field
+from dataclasses import dataclass, field
+
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Verdict
 from kowalevski_cas.texts import Printed
 

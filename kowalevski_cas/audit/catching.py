@@ -5,6 +5,7 @@ from __future__ import annotations
 import multiprocessing
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 from time import perf_counter
 
 from kowalevski_cas.audit.audit import Audit, audit
@@ -13,7 +14,6 @@ from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.mutants import Mutant
 from kowalevski_cas.audit.session import AS_BEFORE
 from kowalevski_cas.audit.source import Source
-from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.proof.outcome import Outcome
 
 

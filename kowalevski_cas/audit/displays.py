@@ -7,8 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-
-from kowalevski_cas.dataclass import dataclass
+from dataclasses import dataclass
 
 DISPLAYS = (
     "equation displaymath eqnarray align alignat flalign gather multline dmath math subequations"

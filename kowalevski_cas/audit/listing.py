@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 
 from kowalevski_cas.audit.audit import typed_formulas
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.audit.tokens import scanned
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import NotationError, Vocabulary, read_display
 from kowalevski_cas.notation.lexer import Token
 from kowalevski_cas.notation.macros import GREEK

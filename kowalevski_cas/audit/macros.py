@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from dataclasses import dataclass, field
 
 from kowalevski_cas.audit.source import Source, SourceError
-from kowalevski_cas.dataclass import dataclass, field
 
 DEEPEST = 30
 """Macros within macros."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass, field
 
 from kowalevski_cas.audit.roles import places_of
 from kowalevski_cas.claims import Claim
-from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.proof.evidence import Evidence
 from kowalevski_cas.proof.outcome import Outcome

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import lru_cache
 from random import Random
 
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.places import Place
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, NotationError, Statement, Vocabulary, read_display
 from kowalevski_cas.notation.lexer import Token, scan
 from kowalevski_cas.texts import Printed

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from difflib import unified_diff
 
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.tokens import changes
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.notation import NotationError, read_display
 
 ROUNDS = 3

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.tokens import likeness, words
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.texts import Display
 

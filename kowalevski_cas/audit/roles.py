@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, field, fields
 
 from kowalevski_cas.claims import Claim
-from kowalevski_cas.dataclass import dataclass, field, fields
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import Formula, Name, Relation
 from kowalevski_cas.scene import Change, Scene

@@ -8,13 +8,13 @@ the definition is the cause, and the claim is not corrected to fit it.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 
 from kowalevski_cas.audit.differences import changed_places, spliced, usable_evidence
 from kowalevski_cas.audit.memory import Base, Decided, Key, Memory
 from kowalevski_cas.audit.reach import Reach
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.notation import NotationError, to_latex
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.evidence import Evidence

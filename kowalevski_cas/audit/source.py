@@ -10,10 +10,9 @@ import os
 import re
 import stat
 from bisect import bisect_right
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-
-from kowalevski_cas.dataclass import dataclass
 
 LARGEST = 4_000_000
 """Bytes in a source; the longest papers have a tenth of this."""

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element, Ring
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.cases import Case, Reduction, Squares
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.claims.bench import Bench
@@ -10,7 +11,6 @@ from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, r
 from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.claims.identity import Identity, Pair
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.scene import Change, Scene

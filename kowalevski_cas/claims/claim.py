@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Step, Verdict
 from kowalevski_cas.scene import Scene

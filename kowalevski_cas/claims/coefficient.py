@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.tower import Element
@@ -11,7 +12,6 @@ from kowalevski_cas.claims.claim import Claim, Finding, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.formulas import members, show
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Relation, Sum, Unwritten
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.stage import Stage, scalar

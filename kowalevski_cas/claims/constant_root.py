@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import islice, product
 
@@ -16,7 +17,6 @@ from kowalevski_cas.claims.claim import Claim, Finding, ask, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.formulas import equation, show
 from kowalevski_cas.claims.points import AtPoint
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, scalar

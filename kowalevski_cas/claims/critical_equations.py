@@ -3,6 +3,7 @@ r"""Critical equations: the derivatives of a function along a level surface."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations, permutations
 
@@ -11,7 +12,6 @@ from kowalevski_cas.arithmetic.numbers import rational
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.cases import System
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Relation, to_latex
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.texts import Printed, Texts

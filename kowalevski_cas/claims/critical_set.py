@@ -3,6 +3,7 @@ r"""Critical sets: where all derivatives of a function along a level surface van
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import combinations_with_replacement
 
@@ -16,7 +17,6 @@ from kowalevski_cas.claims.critical_equations import CriticalEquations, Weights
 from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.claims.membership import combination, combination_steps
 from kowalevski_cas.claims.witness import witness
-from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.notation import edits, to_latex
 from kowalevski_cas.proof.cases import Case
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Step, Verdict

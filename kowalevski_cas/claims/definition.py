@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import ask
 from kowalevski_cas.claims.identity import Identity, Pair
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, to_latex
 from kowalevski_cas.proof.outcome import Step
 from kowalevski_cas.scene import head

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from itertools import combinations, islice
 
 from kowalevski_cas.arithmetic.derivation import gradient
@@ -15,7 +16,6 @@ from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.formulas import equation, members
 from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.claims.points import AtPoint
-from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.scene import Locus

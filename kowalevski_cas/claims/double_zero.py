@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from functools import partial
 from itertools import combinations_with_replacement
 
@@ -15,7 +16,6 @@ from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.formulas import equations, show
 from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Relation
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, scalar

@@ -3,6 +3,7 @@ r"""Equilibria: how many states of rest there are for given values of the integr
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element
@@ -17,7 +18,6 @@ from kowalevski_cas.claims.states_of_rest import (
     latex,
     proportional,
 )
-from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.proof.roots import Roots, Sign

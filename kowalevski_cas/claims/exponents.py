@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from kowalevski_cas.arithmetic.derivation import along, gradient
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, green, refuted
 from kowalevski_cas.claims.formulas import show
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Name
 from kowalevski_cas.proof.outcome import Counterexample, Point, Step
 from kowalevski_cas.stage import Stage, StageError, scalar

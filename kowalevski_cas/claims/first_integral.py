@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from functools import partial
 
 from kowalevski_cas.arithmetic.points import Question
@@ -13,7 +14,6 @@ from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.formulas import equations, members, show
 from kowalevski_cas.claims.membership import combination, combination_steps
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Name, Power, Relation
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, scalar

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
 from kowalevski_cas.arithmetic.tower import Element
@@ -11,7 +12,6 @@ from kowalevski_cas.claims.claim import Claim, Finding, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.formulas import components, members, show
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Constant, Derivative, Formula, Relation, to_latex
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, evaluate

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from functools import partial
 
 from kowalevski_cas.arithmetic.points import Question
@@ -13,7 +14,6 @@ from kowalevski_cas.claims.conditions import conditions_of, locus_of
 from kowalevski_cas.claims.formulas import equations
 from kowalevski_cas.claims.membership import combination, combination_steps
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.proof.outcome import Condition, Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, scalar

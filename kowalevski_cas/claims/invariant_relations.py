@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import partial
 
 from kowalevski_cas.arithmetic.points import Question
@@ -13,7 +14,6 @@ from kowalevski_cas.claims.conditions import conditions_of, locus_of
 from kowalevski_cas.claims.formulas import equations, show
 from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage
 from kowalevski_cas.texts import Printed

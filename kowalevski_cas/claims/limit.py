@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import partial
 
 from kowalevski_cas.arithmetic.points import Question
@@ -14,7 +15,6 @@ from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import edits
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.scene import Scene

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 from kowalevski_cas.arithmetic.derivation import along
 from kowalevski_cas.arithmetic.points import Question
@@ -13,7 +14,6 @@ from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage, scalar

@@ -3,6 +3,7 @@ r"""Systems solved by the roots of one equation, all of them real and distinct."
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 from kowalevski_cas.arithmetic.hermite import hermite_minors
@@ -10,7 +11,6 @@ from kowalevski_cas.arithmetic.numbers import Substitution
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.cases import is_sum
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.proof.roots import Eliminant, Roots
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.tower import Element
@@ -10,7 +11,6 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.texts import Texts

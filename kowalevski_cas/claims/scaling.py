@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.scene import Scene

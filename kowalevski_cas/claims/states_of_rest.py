@@ -3,6 +3,7 @@ r"""States of rest for given values of integrals: the system for them, and exact
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
 from kowalevski_cas.arithmetic.numbers import number_ring, show_number
@@ -12,7 +13,6 @@ from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.claim import Claim
 from kowalevski_cas.claims.real_roots import System
 from kowalevski_cas.claims.rest import Rest
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation import Formula, Relation, Vocabulary, to_latex
 from kowalevski_cas.proof.outcome import Counterexample, Point
 from kowalevski_cas.stage import Stage, scalar

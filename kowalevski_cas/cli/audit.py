@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from dataclasses import asdict
 from pathlib import Path
 
 from kowalevski_cas.arithmetic import EXACT
@@ -28,7 +29,6 @@ from kowalevski_cas.cli.exits import (
     USAGE,
     CommandError,
 )
-from kowalevski_cas.dataclass import asdict
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.library import available
 from kowalevski_cas.proof.evidence import load_evidence

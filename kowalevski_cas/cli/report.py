@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,7 +12,6 @@ from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
 from kowalevski_cas.cli.parallel import each
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.proof.outcome import Run
 from kowalevski_cas.proof.record import RecordError, load_record

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from kowalevski_cas.arithmetic import EXACT, POINTS
@@ -24,7 +25,6 @@ from kowalevski_cas.cli.exits import (
 )
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.cli.parallel import each
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.proof.record import RecordError, contradictions, differences, load_record

@@ -5,10 +5,9 @@ from __future__ import annotations
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
-
-from kowalevski_cas.dataclass import dataclass
 
 Json = dict[str, Any]
 """A certificate as it was read (docs/certificate.md), accepted by the checker."""

@@ -7,10 +7,10 @@ import shutil
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from kowalevski_cas.dataclass import asdict, dataclass
 from kowalevski_cas.export.format import Export, Format
 
 JOBS = 2

@@ -6,11 +6,11 @@ Kharlamov and Savushkin (2004).
 
 from __future__ import annotations
 
+from dataclasses import replace as changed
 from functools import cache
 
 from kowalevski_cas.arithmetic import load as load_arithmetic
 from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.dataclass import replace as changed
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.library import load as load_derivation
 from kowalevski_cas.motion.compile import Function, function

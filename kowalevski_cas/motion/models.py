@@ -10,11 +10,11 @@ r"""Three models of one motion, from the largest to the smallest.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.compile import Function
 from kowalevski_cas.motion.jacobi import Quadruple

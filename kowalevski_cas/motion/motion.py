@@ -6,10 +6,10 @@ several, is the motion; :func:`~kowalevski_cas.motion.point.through` finds them 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import Parameters
 from kowalevski_cas.motion.regimes import Regime, regime_of

@@ -21,12 +21,12 @@ Where roots coincide the functions become elementary:
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
 from flint import acb, arb
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.motion.parameters import Parameters
 from kowalevski_cas.motion.regimes import FIELD_1, FIELD_2, PHI, Arc, compare, coordinates
 

@@ -7,14 +7,13 @@ when the energy is given, the square root of a rational number; so these signs a
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import isqrt
 from typing import Any
 
 from flint import arb, ctx, fmpq
-
-from kowalevski_cas.dataclass import dataclass
 
 Real = int | float | str | Fraction
 """What may be given as a number; a string is read as the decimal or quotient that it prints."""

@@ -21,11 +21,11 @@ A < −a, and meet in pairs, two being left, elsewhere.)
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.motion.parameters import Inadmissible, Parameters
 
 FIELD_1, FIELD_2, PHI = ("-a", "a"), ("-b", "b"), ("C", "A")

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import precision

@@ -12,11 +12,11 @@ is homogeneous in it, so that :math:`s_1=\infty`, where Δ = 0, is a point like 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from flint import arb
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import Parameters, ball

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields
 
-from kowalevski_cas.dataclass import dataclass, field, fields
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula, Name, Negative, Sum
 from kowalevski_cas.notation.layout import split_display

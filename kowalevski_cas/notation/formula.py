@@ -9,8 +9,7 @@ and of a scene.
 from __future__ import annotations
 
 from collections.abc import Iterator
-
-from kowalevski_cas.dataclass import dataclass, fields
+from dataclasses import dataclass, fields
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.dataclass import dataclass, field
+from dataclasses import dataclass, field
+
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.lexer import Token, scan
 

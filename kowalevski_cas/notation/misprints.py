@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation.errors import closeness, letter_and_index
 from kowalevski_cas.notation.formula import (
     Conjugate,

@@ -8,8 +8,8 @@ r"""LaTeX to formula: what the author typed, as a tree.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 
-from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.notation.formula import Name
 
 SCALAR, VECTOR, MATRIX = 0, 1, 2

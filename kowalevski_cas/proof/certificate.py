@@ -9,13 +9,13 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Sequence
 from copy import deepcopy
+from dataclasses import dataclass
 from fractions import Fraction
 from hashlib import sha256
 from typing import Any
 
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof import checker

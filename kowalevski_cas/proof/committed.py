@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from kowalevski_cas.dataclass import dataclass, field, replace
 from kowalevski_cas.proof import checker
 
 FOLDER = "certificates"

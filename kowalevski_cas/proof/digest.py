@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
+from dataclasses import fields
 from hashlib import sha256
 
 from kowalevski_cas.claims import Claim
-from kowalevski_cas.dataclass import fields
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.scene import Change, Locus, Scene
 from kowalevski_cas.texts import Printed, Texts

@@ -7,11 +7,10 @@ run; evidence for a statement that has changed is not looked at.
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
-
-from kowalevski_cas.dataclass import dataclass, field
 
 FILE = "evidence.json"
 VERSION = 1

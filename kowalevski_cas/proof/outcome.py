@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from enum import StrEnum
-
-from kowalevski_cas.dataclass import dataclass, field
 
 
 class Verdict(StrEnum):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Outcome, Run, Verdict
 
 FILE = "record.json"

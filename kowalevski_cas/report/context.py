@@ -7,10 +7,10 @@ plain, with mathematics between dollars; formulas are TeX as they came from the 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Final
 
 from kowalevski_cas import __version__
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Condition, Outcome, Run, Verdict
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.graph import Picture, picture

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Outcome, Verdict
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.names import program

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Final
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Verdict
 
 

@@ -7,11 +7,11 @@ import re
 import shutil
 import subprocess
 import tempfile
+from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Final, Literal
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Run
 from kowalevski_cas.report.latex import (
     TEMPLATES,

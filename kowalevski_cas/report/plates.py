@@ -11,10 +11,9 @@ from __future__ import annotations
 
 import json
 import shutil
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
-
-from kowalevski_cas.dataclass import dataclass
 
 LIST: Final = "plates.json"
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Outcome, Run, Verdict
 from kowalevski_cas.report.evidence import Evidence, evidence
 from kowalevski_cas.report.names import display_of

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
-from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.proof.outcome import Outcome
 
 FOLDER: Final = "witnesses"

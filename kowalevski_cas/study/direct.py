@@ -8,6 +8,7 @@ program for Singular or PARI/GP, and timed.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
 from fractions import Fraction
 from operator import add, mul, neg, sub
 from time import perf_counter
@@ -15,7 +16,6 @@ from typing import Any
 
 from kowalevski_cas.arithmetic.flint import Arithmetic as Flint
 from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
-from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.study.growing import growth
 
 

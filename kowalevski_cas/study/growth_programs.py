@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from kowalevski_cas.arithmetic.polynomials import Terms
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.study.direct import FORGET, Recording, Trace
 
 

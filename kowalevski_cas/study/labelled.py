@@ -10,13 +10,13 @@ from __future__ import annotations
 import random
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, zip_longest
 
 from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.claims import Claim, FirstIntegral, Identity
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.library import available, find, load
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof.evidence import load_evidence

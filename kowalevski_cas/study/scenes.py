@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from statistics import median
@@ -28,7 +29,6 @@ from kowalevski_cas.claims import (
     LastMultiplier,
 )
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.proof.verify import DECIDED
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage.programs import ProgramStage, programs

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
-
-from kowalevski_cas.dataclass import dataclass
 
 DISAGREEMENT = "disagreement"
 """The verdict where exact arithmetics contradict each other: a bug, whatever else is measured."""

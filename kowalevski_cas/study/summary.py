@@ -6,9 +6,9 @@ import csv
 import io
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
 from statistics import median, quantiles
 
-from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.study.methods.method import ACCEPTED, NONE, REJECTED
 from kowalevski_cas.study.step import Row
 

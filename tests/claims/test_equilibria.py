@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -9,7 +10,6 @@ import pytest
 from derivations.kharlamov2002 import derivation
 from kowalevski_cas.claims import Equilibria, Finding
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.proof.cases import Terms
 from kowalevski_cas.proof.outcome import Counterexample, Verdict
 from kowalevski_cas.proof.roots import Roots

@@ -1,8 +1,9 @@
 """Digests: whatever changes a statement changes its digest, and nothing else does."""
 
+from dataclasses import replace
+
 import pytest
 
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.notation import edits
 from kowalevski_cas.proof.digest import Digester, combined
 

@@ -1,8 +1,9 @@
 """The record: any difference is seen, in either direction; what cannot be read is said."""
 
+from dataclasses import replace
+
 import pytest
 
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.proof.record import RecordError, differences, dump_record, load_record
 

@@ -1,12 +1,12 @@
 """The run: verdicts, disagreements, limits of time, errors that are outcomes."""
 
 import time
+from dataclasses import dataclass
 
 import pytest
 
 from kowalevski_cas.claims import Claim, Finding, Identity
 from kowalevski_cas.claims.claim import green
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.limits import time_limit
 from kowalevski_cas.proof.outcome import Verdict
 from tests.claims.small import Oscillator, decide, verdicts

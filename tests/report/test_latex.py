@@ -3,10 +3,10 @@
 import re
 import subprocess
 import sys
+from dataclasses import replace
 
 import pytest
 
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.proof.outcome import (
     Condition,
     Correction,

@@ -54,7 +54,7 @@ class TestPrograms:
 
 
 def test_an_arithmetic_confirms_only_its_own_verdict():
-    from kowalevski_cas.dataclass import replace
+    from dataclasses import replace
 
     one = replace(claim("a", "1", "x=x", "", P), verdicts={"flint": P, "sympy": R})
     assert [(w.name, w.claims) for w in arithmetics([one])] == [

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Run
 from kowalevski_cas.proof.record import Difference
 

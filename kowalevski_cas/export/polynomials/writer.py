@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from fractions import Fraction
 
-from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.export.polynomials.language import Language
 from kowalevski_cas.proof import checker
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from fractions import Fraction
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof import checker
 from kowalevski_cas.proof.trees import Tree
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.pictures import FAINT, INK
 
 if TYPE_CHECKING:

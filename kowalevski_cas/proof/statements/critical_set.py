@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import combinations, combinations_with_replacement, islice
 
 from kowalevski_cas.arithmetic.derivation import gradient
@@ -10,7 +11,6 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims import CriticalSet
 from kowalevski_cas.claims.critical_equations import CriticalEquations
 from kowalevski_cas.claims.points import AtPoint
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.proof.parts import TRIES, Equation, Parts
 from kowalevski_cas.proof.spaces import SpaceWriter
 from kowalevski_cas.proof.splits import Prover, Row

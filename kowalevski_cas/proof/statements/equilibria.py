@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise, product
 
@@ -14,7 +15,6 @@ from kowalevski_cas.claims import Equilibria
 from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.claims.real_roots import form_of
 from kowalevski_cas.claims.rest import Rest
-from kowalevski_cas.dataclass import dataclass, replace
 from kowalevski_cas.notation import Formula, Name, Number, Power
 from kowalevski_cas.proof.parts import Equation, Parts
 from kowalevski_cas.proof.roots import Roots

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Final
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.proof.outcome import Outcome, Verdict
 from kowalevski_cas.report.graph.dependencies import dependencies
 from kowalevski_cas.report.graph.layout import WIDTH, layout

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Final
 
-from kowalevski_cas.dataclass import dataclass, field
 from kowalevski_cas.report.graph.dependencies import upwards
 
 WIDTH: Final = 155.0

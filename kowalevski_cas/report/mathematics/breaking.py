@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
-from kowalevski_cas.dataclass import dataclass
 from kowalevski_cas.report.mathematics.nodes import Node, joined, measured, spaced, trimmed
 
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-
-from kowalevski_cas.dataclass import dataclass
+from dataclasses import dataclass
 
 
 @dataclass(frozen=True)

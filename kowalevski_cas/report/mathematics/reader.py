@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import lru_cache
 from typing import Final
 
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.report.mathematics.nodes import (
     Node,
     bracketed,

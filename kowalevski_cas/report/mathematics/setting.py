@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.report.mathematics.breaking import Line, broken
 from kowalevski_cas.report.mathematics.nodes import Node, joined, measured, split, trimmed
 from kowalevski_cas.report.mathematics.reader import read

@@ -8,6 +8,7 @@ its rounded phase belongs.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from pathlib import Path
@@ -15,7 +16,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.motion import Motion, load
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.phases import as_fraction

@@ -12,6 +12,7 @@ are degenerate.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from time import perf_counter
@@ -27,7 +28,6 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.dimension import Dimension
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.claims.points import AtPoint
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.stage import Stage, StageError
 from kowalevski_cas.stage.programs import ProgramStage
 from kowalevski_cas.stage.programs import programs as programs_of

@@ -9,13 +9,13 @@ exact value) against the exact left side.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from time import perf_counter
 from typing import Any
 
 from kowalevski_cas.arithmetic.programs import Program
-from kowalevski_cas.dataclass import replace
 from kowalevski_cas.notation import Relation
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage, scalar
