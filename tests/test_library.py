@@ -17,7 +17,7 @@ def test_a_path_is_as_good_as_a_name():
 
 def test_what_is_loaded_twice_is_loaded_anew(tmp_path):
     initial = tmp_path / "__init__.py"
-    source = "from kowalevski_cas.derivation import Derivation\nderivation = Derivation({!r}, '', '', '', ())\n"
+    source = "from kowalevski_cas.paper.derivation import Derivation\nderivation = Derivation({!r}, '', '', '', ())\n"
     initial.write_text(source.format("first"))
     assert load(str(tmp_path)).name == "first"
     initial.write_text(source.format("the second"))

@@ -3,7 +3,7 @@
 import pytest
 
 from kowalevski_cas.notation import NotationError, Vocabulary, edits, to_latex
-from kowalevski_cas.texts import Display, Texts
+from kowalevski_cas.paper.texts import Display, Texts
 
 WORDS = Vocabulary(scalars=frozenset({"x", "y"}))
 ROWS = Display("rows", r"x=y,\quad y=2x", "1")

@@ -1,6 +1,6 @@
 """M. P. Kharlamov (2002): a new class of motions of the Kowalevski top in two constant fields."""
 
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 
 from . import section1, section2, section3
 

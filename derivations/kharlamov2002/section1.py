@@ -8,7 +8,7 @@ from kowalevski_cas.claims import (
     InvariantRelations,
     Scaling,
 )
-from kowalevski_cas.derivation import Scene, Section
+from kowalevski_cas.paper.derivation import Scene, Section
 
 section = Section("1", "Main equations")
 

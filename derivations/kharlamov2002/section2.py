@@ -17,7 +17,7 @@ from kowalevski_cas.claims import (
     SolvedExponents,
     Unit,
 )
-from kowalevski_cas.derivation import Change, Locus, Scene, Section
+from kowalevski_cas.paper.derivation import Change, Locus, Scene, Section
 
 from .section1 import ALPHA, BETA, FRAME, KOWALEVSKI, OMEGA, eq2, eq3, eq4, kowalevski
 

@@ -11,7 +11,7 @@ from kowalevski_cas.claims import (
     InvariantRelations,
     Limit,
 )
-from kowalevski_cas.derivation import Locus, Scene, Section
+from kowalevski_cas.paper.derivation import Locus, Scene, Section
 
 from .section1 import ALPHA, FRAME, KOWALEVSKI, OMEGA, eq2, eq3, eq4
 from .section2 import CHANGE, F1, F2, N4, c, eq11, eq13, eq16, eq17, tau, unit, xi

@@ -1,6 +1,6 @@
 """M. P. Kharlamov, A. Yu. Savushkin (2004): the motions on N^4, separated and solved."""
 
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 
 from . import (
     across,

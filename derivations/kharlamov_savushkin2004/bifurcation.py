@@ -1,7 +1,7 @@
 r"""7. Where regimes meet: the separating curves as coincidences of roots."""
 
 from kowalevski_cas.claims import Identity, Implication
-from kowalevski_cas.derivation import Scene, Section
+from kowalevski_cas.paper.derivation import Scene, Section
 
 from .elliptic import roots_of_phi
 from .phase_point import p_without_c

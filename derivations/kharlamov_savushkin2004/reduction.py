@@ -1,7 +1,7 @@
 r"""4. Any c: the fields and the body turned so that c is zero."""
 
 from kowalevski_cas.claims import Identity
-from kowalevski_cas.derivation import Scene, Section
+from kowalevski_cas.paper.derivation import Scene, Section
 
 from .separation import equations
 from .setting import PAIRS, X, c, complex_integrals, root_of_c

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from math import lcm
 
 from kowalevski_cas.arithmetic.polynomials import Terms
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.notation import (
     Formula,
+    Name,
     Negative,
     Number,
     Power,
@@ -23,14 +24,41 @@ from kowalevski_cas.notation import (
 
 
 def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
-    """The formula of an element, numerator over denominator, in the names of its ring.
+    """The formula of an element in the names of its ring as they are read, to be shown.
 
-    Divisors that divide the numerator are cancelled, a root above the line
-    with its square below it goes below, and coefficients become integers.
+    A root above the line with its square below it goes below.
     """
-    ring = element.ring
-    width = len(ring.polynomials.generators)
+    ring, terms, below, divisors = _cancelled(element)
     names = [name_formula(name, vocabulary) for name in ring.names]
+    width = len(ring.polynomials.generators)
+    shown = []
+    for bit, radicand in enumerate(ring.radicands if below else ()):
+        inner = _generators_of(radicand, divisors)
+        if inner is None or any(not below.get(index) for index in inner):
+            continue
+        if terms and all(exponents[width + bit] for exponents in terms):
+            terms = {_lowered(exponents, width + bit): v for exponents, v in terms.items()}
+            for index in inner:
+                below[index] -= 1
+            shown.append(names[width + bit])
+    return _fraction(terms, below, divisors, names, shown)
+
+
+def formula_in(element: Element) -> Formula:
+    """The formula of an element in which the generators and roots of its ring are names."""
+    ring, terms, below, divisors = _cancelled(element)
+    plain: list[Formula] = [Name(name) for name in ring.polynomials.generators]
+    names = list(plain)
+    for root, under in zip(ring.roots, ring.below, strict=True):
+        # The generator is the root times what it is over.
+        over = None if under is None else polynomial_formula(under.terms()[0], plain)
+        names.append(Name(root) if over is None else Product((over, Name(root))))
+    return _fraction(terms, below, divisors, names)
+
+
+def _cancelled(element: Element) -> tuple[Ring, Terms, dict[int, int], dict[int, Terms]]:
+    """The numerator, the divisors that are left below it, and all divisors, in neutral form."""
+    ring = element.ring
     terms: Terms = {}
     for mask, part in element.terms().items():
         extra = tuple(mask >> bit & 1 for bit in range(len(ring.roots)))
@@ -48,16 +76,17 @@ def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
                 below[index] = below.get(index, 0) + 1
             else:
                 terms = quotient
-    shown = []
-    for bit, radicand in enumerate(ring.radicands if below else ()):
-        inner = _generators_of(radicand, divisors)
-        if inner is None or any(not below.get(index) for index in inner):
-            continue
-        if terms and all(exponents[width + bit] for exponents in terms):
-            terms = {_lowered(exponents, width + bit): v for exponents, v in terms.items()}
-            for index in inner:
-                below[index] -= 1
-            shown.append(names[width + bit])
+    return ring, terms, below, divisors
+
+
+def _fraction(
+    terms: Terms,
+    below: Mapping[int, int],
+    divisors: Mapping[int, Terms],
+    names: Sequence[Formula],
+    roots: Sequence[Formula] = (),
+) -> Formula:
+    """A polynomial with integer coefficients over a number, divisors and roots."""
     factor = lcm(*(value.denominator for value in terms.values()))
     top = polynomial_formula({e: v * factor for e, v in terms.items()}, names)
     bottom: list[Formula] = [Number(factor)] if factor > 1 else []
@@ -66,7 +95,7 @@ def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
         for index, exponent in below.items()
         if exponent
     ]
-    return _over(top, [*bottom, *shown])
+    return _over(top, [*bottom, *roots])
 
 
 def divided(terms: Terms, divisor: Terms) -> Terms | None:

@@ -35,6 +35,8 @@ class Ring:
         self._product = polynomials.product
         self.roots: list[str] = []
         self.radicands: list[Element] = []
+        self.below: list[Element | None] = []
+        """What each root is over, as an element: the generator is this times the root."""
         self.divisors: list[Polynomial] = []
         self.products = 0
         self._divisor_index: dict[frozenset[Any], int] = {}
@@ -77,6 +79,7 @@ class Ring:
             radicand = Element(self, radicand.parts, {}) * factor
         self.roots.append(name)
         self.radicands.append(radicand)
+        self.below.append(None if divisor is None else factor)
         root = self.generator(name)
         return root if divisor is None else root * factor.inverse()
 

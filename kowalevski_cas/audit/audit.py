@@ -19,7 +19,7 @@ from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import words
 from kowalevski_cas.proof.outcome import Outcome
-from kowalevski_cas.texts import Display
+from kowalevski_cas.paper.texts import Display
 
 MOST = 20_000
 """Formulas in one source."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Verdict
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 GIVEN = "given"
 SUSPECT = "suspect"

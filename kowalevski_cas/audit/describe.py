@@ -23,7 +23,7 @@ from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.notation import NotationError, split_display
 from kowalevski_cas.proof.outcome import Outcome
-from kowalevski_cas.texts import Display, Printed, Texts
+from kowalevski_cas.paper.texts import Display, Printed, Texts
 
 
 class Describer:

@@ -11,9 +11,9 @@ from kowalevski_cas.audit.roles import places_of
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.formulas import components
 from kowalevski_cas.notation import Constant, Formula, NotationError, Relation
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage, StageError, evaluate
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 
 def equivalence(memory: Memory, printed: Printed, old: Formula, new: Formula) -> str:

@@ -8,7 +8,7 @@ from kowalevski_cas.audit.audit import typed_formulas
 from kowalevski_cas.audit.places import find_places
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.audit.tokens import likeness
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 
 FITS = 0.2
 """The share of a derivation's displays that must be found in a source."""

@@ -13,7 +13,7 @@ from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.notation import Formula, NotationError, Statement, Vocabulary, read_display
 from kowalevski_cas.notation.lexer import Token, scan
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 PATIENCE = 100
 """How many changes are tried for each mutant that is wanted."""

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.tokens import likeness, words
-from kowalevski_cas.derivation import Derivation
-from kowalevski_cas.texts import Display
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.texts import Display
 
 LIKE = 0.6
 """How much alike an inline formula and what the derivation has for it must be."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from kowalevski_cas.audit.roles import parts_of
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.proof.dependencies import Dependencies, names
-from kowalevski_cas.scene import Change, Scene
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.scene import Change, Scene
+from kowalevski_cas.paper.texts import Printed
 
 
 class Reach(Dependencies):

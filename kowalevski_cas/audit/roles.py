@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
 
 from kowalevski_cas.claims import Claim
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.notation import Formula, Name, Relation
-from kowalevski_cas.scene import Change, Scene
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.scene import Change, Scene
+from kowalevski_cas.paper.texts import Printed
 
 ORDER = ("unit", "vector field", "definition", "claim", "condition")
 

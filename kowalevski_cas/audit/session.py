@@ -21,7 +21,7 @@ from kowalevski_cas.proof.evidence import Evidence
 from kowalevski_cas.proof.limits import time_limit
 from kowalevski_cas.proof.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.proof.verify import Session
-from kowalevski_cas.texts import Display, Printed, Texts
+from kowalevski_cas.paper.texts import Display, Printed, Texts
 
 AS_BEFORE = "as the derivation has it"
 """The words for a correction that restores what the author has changed."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kowalevski_cas.audit.source import Source
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 
 
 def synthetic(derivation: Derivation) -> Source:

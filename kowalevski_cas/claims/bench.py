@@ -8,9 +8,9 @@ from typing import Any, TypeVar
 
 from kowalevski_cas.arithmetic import POINTS, Arithmetic, load
 from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 
 Found = TypeVar("Found")
 Key = str | int | Printed | tuple["Key", ...]

@@ -13,10 +13,10 @@ from kowalevski_cas.claims.identity import Identity, Pair
 from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof.outcome import Step, Verdict
-from kowalevski_cas.scene import Change, Scene
+from kowalevski_cas.paper.scene import Change, Scene
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.change import Carrier
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,9 +11,9 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Step, Verdict
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.notation import Formula, to_latex
 from kowalevski_cas.proof.outcome import Condition
-from kowalevski_cas.scene import Locus
+from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.stage import Stage, scalar
 
 Shape = frozenset[object]

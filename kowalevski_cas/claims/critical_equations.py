@@ -14,7 +14,7 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.cases import System
 from kowalevski_cas.notation import Relation, to_latex
 from kowalevski_cas.stage import Stage, StageError, scalar
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 
 PYTHAGOREAN = Fraction(3, 5)
 Weights = tuple[int, ...] | None

@@ -21,7 +21,7 @@ from kowalevski_cas.notation import edits, to_latex
 from kowalevski_cas.proof.cases import Case
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, scalar
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 
 MOVING = "a derivative of the function along the surface at this point of the set, and zero"
 CRITICAL = (

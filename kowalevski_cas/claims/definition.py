@@ -12,9 +12,9 @@ from kowalevski_cas.claims.claim import ask
 from kowalevski_cas.claims.identity import Identity, Pair
 from kowalevski_cas.notation import Formula, to_latex
 from kowalevski_cas.proof.outcome import Step
-from kowalevski_cas.scene import head
+from kowalevski_cas.paper.scene import head
 from kowalevski_cas.stage import Stage
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,7 +14,7 @@ from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.stage import Stage
-from kowalevski_cas.texts import Texts
+from kowalevski_cas.paper.texts import Texts
 
 
 @dataclass(frozen=True, eq=False)

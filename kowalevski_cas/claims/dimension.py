@@ -18,9 +18,9 @@ from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
-from kowalevski_cas.scene import Locus
+from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.stage import Stage, scalar
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 
 TRIES = 3
 """At how many points the rank is taken at most; one with full rank is enough."""

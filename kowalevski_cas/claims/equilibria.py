@@ -22,7 +22,7 @@ from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.proof.roots import Roots, Sign
 from kowalevski_cas.stage import Stage, scalar
-from kowalevski_cas.texts import Texts
+from kowalevski_cas.paper.texts import Texts
 
 
 @dataclass(frozen=True, eq=False)

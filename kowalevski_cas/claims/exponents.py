@@ -14,7 +14,7 @@ from kowalevski_cas.notation import Name
 from kowalevski_cas.proof.outcome import Counterexample, Point, Step
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.change import solve
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 LARGEST = 4
 """The largest whole power of the base that may stand between the two terms."""

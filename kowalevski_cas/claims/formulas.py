@@ -9,7 +9,7 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.notation import Constant, Formula, Relation, to_latex
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.evaluate import Triple, Value
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 
 def members(relation: Relation) -> list[Formula]:

@@ -15,7 +15,7 @@ from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.notation import Constant, Derivative, Formula, Relation, to_latex
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, evaluate
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 Pair = tuple[Element, Element]
 

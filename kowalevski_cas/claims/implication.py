@@ -17,7 +17,7 @@ from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.proof.outcome import Condition, Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, scalar
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 
 @dataclass(frozen=True, eq=False)

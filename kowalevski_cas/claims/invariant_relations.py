@@ -16,7 +16,7 @@ from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 Matrix = list[list[Element]]
 

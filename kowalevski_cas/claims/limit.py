@@ -17,10 +17,10 @@ from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.notation import edits
 from kowalevski_cas.proof.outcome import Step, Verdict
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage
 from kowalevski_cas.stage.field import time_scale
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 
 Matrix = list[list[Element]]
 

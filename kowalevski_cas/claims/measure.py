@@ -15,9 +15,9 @@ from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.proof.outcome import Step, Verdict
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage, scalar
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 
 
 @dataclass(frozen=True, eq=False)

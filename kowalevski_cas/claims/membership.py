@@ -11,7 +11,7 @@ from kowalevski_cas.claims.bench import Bench, Key
 from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.proof.outcome import Step
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage
 
 TRIES = 20

@@ -9,7 +9,7 @@ from kowalevski_cas.arithmetic.points import ExactPoint
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.bench import Bench, Key
 from kowalevski_cas.proof.outcome import Counterexample, Point
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage, scalar
 
 

@@ -12,7 +12,7 @@ from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.proof.outcome import Verdict
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.stage.field import printed_field
 

@@ -16,7 +16,7 @@ from kowalevski_cas.claims.rest import Rest
 from kowalevski_cas.notation import Formula, Relation, Vocabulary, to_latex
 from kowalevski_cas.proof.outcome import Counterexample, Point
 from kowalevski_cas.stage import Stage, scalar
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 
 Values = tuple[Fraction, ...]
 

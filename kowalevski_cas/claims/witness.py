@@ -11,7 +11,7 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench, Key
 from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.proof.outcome import Counterexample
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage
 
 Elements = Callable[[Stage], Sequence[Element]]

@@ -29,7 +29,7 @@ from kowalevski_cas.cli.exits import (
     USAGE,
     CommandError,
 )
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import available
 from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.proof.outcome import Verdict

@@ -12,7 +12,7 @@ from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
 from kowalevski_cas.cli.parallel import each
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.proof.outcome import Run
 from kowalevski_cas.proof.record import RecordError, load_record
 

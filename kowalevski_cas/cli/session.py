@@ -10,7 +10,7 @@ from pathlib import Path
 
 from kowalevski_cas.cli import parallel
 from kowalevski_cas.cli.exits import NOTHING, CommandError
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import LibraryError, available, find, load
 from kowalevski_cas.proof.evidence import Evidence, load_evidence
 from kowalevski_cas.proof.outcome import Run

@@ -11,13 +11,13 @@ from functools import cache
 
 from kowalevski_cas.arithmetic import load as load_arithmetic
 from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import load as load_derivation
 from kowalevski_cas.motion.compile import Function, function
 from kowalevski_cas.notation import Formula, Name, replace
-from kowalevski_cas.scene import Scene, vocabulary
+from kowalevski_cas.paper.scene import Scene, vocabulary
 from kowalevski_cas.stage import Stage, scalar
-from kowalevski_cas.texts import Texts
+from kowalevski_cas.paper.texts import Texts
 
 OMEGA = (r"\omega_1", r"\omega_2", r"\omega_3")
 ALPHA = (r"\alpha_1", r"\alpha_2", r"\alpha_3")

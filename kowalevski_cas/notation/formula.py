@@ -97,6 +97,14 @@ class Derivative(Formula):
 
 
 @dataclass(frozen=True)
+class Partial(Formula):
+    """The partial derivative by a variable, all other variables and constants staying."""
+
+    name: str
+    argument: Formula
+
+
+@dataclass(frozen=True)
 class Conjugate(Formula):
     """The complex conjugate, printed with a bar."""
 

@@ -16,7 +16,7 @@ from typing import Any
 
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof import checker
 from kowalevski_cas.proof.evidence import Evidence

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.notation import Application, Formula, Name, PoissonBracket, Root, to_latex
-from kowalevski_cas.scene import BRACKET, Change, Scene, head
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.scene import BRACKET, Change, Scene, head
+from kowalevski_cas.paper.texts import Printed, Texts
 
 
 class Dependencies:

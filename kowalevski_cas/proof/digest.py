@@ -9,8 +9,8 @@ from hashlib import sha256
 
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.notation import to_latex
-from kowalevski_cas.scene import Change, Locus, Scene
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.scene import Change, Locus, Scene
+from kowalevski_cas.paper.texts import Printed, Texts
 
 
 class Digester:

@@ -11,7 +11,7 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.proof.spaces import SpaceWriter
 from kowalevski_cas.proof.trees import CertificateError, Tree
-from kowalevski_cas.scene import Change, Scene
+from kowalevski_cas.paper.scene import Change, Scene
 from kowalevski_cas.stage import Stage
 
 Equation = list[Tree]

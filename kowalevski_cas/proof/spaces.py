@@ -32,10 +32,10 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.proof.trees import CertificateError, Tree, decode, encode, names_of, uses
 from kowalevski_cas.proof.values import number_tree
-from kowalevski_cas.scene import Change
+from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.evaluate import Triple, evaluate, linear_exponent
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 
 class SpaceWriter:

@@ -8,7 +8,7 @@ from time import perf_counter
 from kowalevski_cas.arithmetic import POINTS, load_points
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.notation import NotationError, is_small_change, to_latex
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.digest import Digester, combined
@@ -17,7 +17,7 @@ from kowalevski_cas.proof.limits import time_limit
 from kowalevski_cas.proof.outcome import Correction, Outcome, Run, Verdict
 from kowalevski_cas.search.corrections import correction
 from kowalevski_cas.stage import Stage, StageError
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 
 Progress = Callable[[str, int, int], None]
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from kowalevski_cas.arithmetic.derivation import gradient
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.notation import Name
-from kowalevski_cas.scene import Change
+from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.stage.evaluate import StageError, scalar
 from kowalevski_cas.stage.field import printed_field, time_scale
 

@@ -15,7 +15,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.stage.evaluate import StageError, Triple, evaluate, scalar
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 if TYPE_CHECKING:
     from kowalevski_cas.stage.stage import Stage

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, substitute
-from kowalevski_cas.scene import BRACKET, EPSILON, head
+from kowalevski_cas.paper.scene import BRACKET, EPSILON, head
 from kowalevski_cas.stage.evaluate import StageError, scalar
 
 if TYPE_CHECKING:

@@ -21,12 +21,12 @@ from kowalevski_cas.notation import (
     substitute,
     to_latex,
 )
-from kowalevski_cas.scene import Change, Scene, head
+from kowalevski_cas.paper.scene import Change, Scene, head
 from kowalevski_cas.stage.change import Carrier
 from kowalevski_cas.stage.evaluate import StageError, Triple, Value, evaluate, scalar, vector
 from kowalevski_cas.stage.field import printed_field, time_scale
 from kowalevski_cas.stage.poisson import Structure, printed_structure
-from kowalevski_cas.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts
 
 
 class Stage:

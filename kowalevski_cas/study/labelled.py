@@ -23,7 +23,7 @@ from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.proof.verify import Session
 from kowalevski_cas.stage import StageError
 from kowalevski_cas.study.near_misses import near_misses
-from kowalevski_cas.texts import Texts
+from kowalevski_cas.paper.texts import Texts
 
 
 class Disagreement(Exception):

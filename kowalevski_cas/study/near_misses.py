@@ -26,8 +26,8 @@ from kowalevski_cas.notation import (
     replace,
 )
 from kowalevski_cas.notation.reader import Path
-from kowalevski_cas.scene import Scene
-from kowalevski_cas.texts import Texts
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Texts
 
 MODULUS = 2**61 - 1
 """A prime, the largest below 2^61: the modulus that a program is likely to take."""

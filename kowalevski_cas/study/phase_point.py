@@ -16,7 +16,7 @@ from time import perf_counter
 
 from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import find, load
 from kowalevski_cas.proof.committed import FOLDER
 from kowalevski_cas.study.methods.by_hand import CALLS, MEBIBYTES, TARGET

@@ -30,7 +30,7 @@ from kowalevski_cas.claims import (
 )
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.proof.verify import DECIDED
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage.programs import ProgramStage, programs
 from kowalevski_cas.study.stability.material import bench, claim, paper
 from kowalevski_cas.study.step import Measured, Row, Task

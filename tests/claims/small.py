@@ -1,6 +1,6 @@
 """Small scenes: a harmonic oscillator and Euler's top, and derivations of a few claims on them."""
 
-from kowalevski_cas.derivation import Change, Derivation, Scene, Section
+from kowalevski_cas.paper.derivation import Change, Derivation, Scene, Section
 from kowalevski_cas.proof.verify import verify
 
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from kowalevski_cas.claims import Claim
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import find, load
 from kowalevski_cas.proof.record import differences, load_record
 from kowalevski_cas.proof.verify import verify

@@ -20,7 +20,7 @@ from kowalevski_cas.claims import (
     Reality,
     Unit,
 )
-from kowalevski_cas.derivation import Change, Scene, Section
+from kowalevski_cas.paper.derivation import Change, Scene, Section
 from tests.claims.plain import value
 from tests.claims.small import MOMENTUM, TWICE_ENERGY, Oscillator, Top, decide, verdicts
 

@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[2]
 
 HEAD = r"""
 from kowalevski_cas.claims import *
-from kowalevski_cas.derivation import Derivation, Scene, Section
+from kowalevski_cas.paper.derivation import Derivation, Scene, Section
 s = Section("1", "The oscillator")
 f = s.display("f", r"\dot x = v,\quad \dot v = -x")
 osc = Scene("oscillator", "", variables=("x", "v"), field=(f[1], f[2]))

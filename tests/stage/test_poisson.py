@@ -3,7 +3,7 @@
 import pytest
 
 from kowalevski_cas.claims import Identity
-from kowalevski_cas.derivation import Scene, Section
+from kowalevski_cas.paper.derivation import Scene, Section
 from tests.claims.small import decide
 
 AXES = ("M_1", "M_2", "M_3")

@@ -32,7 +32,7 @@ from kowalevski_cas.proof.statements.kinds import (
 )
 from kowalevski_cas.proof.trees import CertificateError, Tree
 from kowalevski_cas.stage import Stage
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 Found = TypeVar("Found")
 

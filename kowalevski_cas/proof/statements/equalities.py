@@ -28,7 +28,7 @@ from kowalevski_cas.proof.statements.kinds import (
     state,
 )
 from kowalevski_cas.proof.trees import CertificateError, Tree
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 
 @state.register

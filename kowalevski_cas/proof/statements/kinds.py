@@ -12,7 +12,7 @@ from kowalevski_cas.claims import (
 from kowalevski_cas.proof.parts import Parts
 from kowalevski_cas.proof.spaces import SpaceWriter
 from kowalevski_cas.proof.trees import CertificateError, Tree
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 Matrix = list[list[Element]]
 

@@ -13,7 +13,7 @@ from kowalevski_cas.proof.statements.kinds import (
     sides_of,
     state,
 )
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 
 @state.register

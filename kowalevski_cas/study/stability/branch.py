@@ -20,7 +20,7 @@ from time import perf_counter
 from kowalevski_cas.arithmetic import load_points
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.programs import Program
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import StageError, scalar
 from kowalevski_cas.study.stability.material import bench, claim, paper
 from kowalevski_cas.study.step import Measured, Row, Task

@@ -11,13 +11,13 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.points import AtPoint
-from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import find, load
 from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.proof.verify import Session
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage
-from kowalevski_cas.texts import Texts
+from kowalevski_cas.paper.texts import Texts
 
 PAPER = "kharlamov2002"
 

@@ -17,7 +17,7 @@ from typing import Any
 
 from kowalevski_cas.arithmetic.programs import Program
 from kowalevski_cas.notation import Relation
-from kowalevski_cas.scene import Scene
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.study.stability.material import (
     Gaussian,
@@ -30,7 +30,7 @@ from kowalevski_cas.study.stability.material import (
     stages,
 )
 from kowalevski_cas.study.step import Measured, Row, Task
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 TITLE = "digits lost as θ → 0"
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from dataclasses import field as default
 
 from kowalevski_cas.notation import Vocabulary
-from kowalevski_cas.texts import Printed
+from kowalevski_cas.paper.texts import Printed
 
 
 @dataclass(frozen=True, eq=False)

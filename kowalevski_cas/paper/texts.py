@@ -15,7 +15,10 @@ from functools import cache
 from kowalevski_cas.notation import (
     Edit,
     Formula,
+    Name,
     NotationError,
+    Product,
+    Relation,
     Statement,
     Vocabulary,
     read,
@@ -102,6 +105,23 @@ class Texts:
         """The formula at a place; raises ``NotationError`` if it cannot be read."""
         edit = self.edits.get(printed)
         return self.statement(printed).formula if edit is None else edit.formula
+
+    def relation(self, printed: Printed) -> Relation:
+        """The chain of equalities at a place; raises ``NotationError`` if there is none."""
+        formula = self.formula(printed)
+        if not isinstance(formula, Relation):
+            source = self.source(printed.display)
+            raise NotationError(f"an equation is expected at {printed.place}", source, 0)
+        return formula
+
+    def time_scale(self, printed: Printed) -> Formula:
+        r"""The factor :math:`\kappa` of a printed change of time, :math:`\tau=\kappa t`."""
+        right = self.relation(printed).members[1]
+        if not isinstance(right, Product) or right.factors[-1] != Name("t"):
+            source = self.source(printed.display)
+            raise NotationError(f"a multiple of t is expected at {printed.place}", source, 0)
+        rest = right.factors[:-1]
+        return rest[0] if len(rest) == 1 else Product(rest)
 
     def statement(self, printed: Printed) -> Statement:
         """The statement at a place, as it stands before edits."""

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from kowalevski_cas.claims.claim import Claim
-from kowalevski_cas.scene import Change, Locus, Scene, vocabulary
-from kowalevski_cas.texts import Display, Texts
+from kowalevski_cas.paper.scene import Change, Locus, Scene, vocabulary
+from kowalevski_cas.paper.texts import Display, Texts
 
 
 @dataclass(eq=False)

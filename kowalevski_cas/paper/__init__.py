@@ -1,0 +1,1 @@
+"""Papers as their authors printed them: displays, scenes, claims; elaborated into statements."""

@@ -1,0 +1,115 @@
+r"""Poisson brackets of functions, by printed brackets of coordinates.
+
+They are printed with indices: in :math:`\{M_i,\alpha_j\}=-\varepsilon_{ijk}\alpha_k` the
+indices i, j are free and k is summed over. Brackets that no place prints vanish.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product
+from typing import TYPE_CHECKING
+
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Partial,
+    Product,
+    Quotient,
+    Sum,
+    Vector,
+    substitute,
+)
+from kowalevski_cas.paper.scene import BRACKET, EPSILON, head
+from kowalevski_cas.problem.evaluate import Meaningless
+
+if TYPE_CHECKING:
+    from kowalevski_cas.paper.elaborate import Elaboration
+
+DIGITS = "123"
+Parts = tuple[bool, tuple[Formula, ...]]
+"""Whether something is a vector, and its components."""
+
+
+class Brackets:
+    """The bracket of a scene; calling it gives the bracket of two functions.
+
+    ``structure`` holds the bracket of each pair of variables, in one order. Raises
+    :class:`Meaningless` if the printed brackets are not antisymmetric, or if there is none.
+    """
+
+    def __init__(self, setting: Elaboration) -> None:
+        self.setting = setting
+        finder = setting.finder
+        self.structure: dict[tuple[str, str], Formula] = {}
+        declared = [n for n in setting.scene.definitions if head(n)[0] == BRACKET]
+        if not declared:
+            raise Meaningless(f"no Poisson bracket is declared on “{setting.scene.name}”")
+        for name in declared:
+            setting.places[name] = (setting.scene.definitions[name],)
+            for (x, y), formula in self._instances(name):
+                value = finder.scalar(formula)
+                known = self.structure.get((y, x))
+                opposite = -value if x == y else finder.scalar(known) if known else None
+                if opposite is None:
+                    self.structure[x, y] = formula
+                elif not (opposite + value).is_zero:
+                    raise Meaningless(f"the bracket of {x} and {y} is not antisymmetric")
+        self.structure = {p: f for p, f in self.structure.items() if not finder.scalar(f).is_zero}
+
+    def __call__(self, left: Parts, right: Parts) -> Formula:
+        """The bracket of two functions, or of a vector and a function, component by component."""
+        if left[0] and right[0]:
+            raise Meaningless("the Poisson bracket of two vectors is no vector")
+        rows = [self._bracket(f, g) for f, g in product(left[1], right[1])]
+        return Vector(tuple(rows)) if left[0] or right[0] else rows[0]
+
+    def _bracket(self, f: Formula, g: Formula) -> Formula:
+        terms = []
+        for (x, y), value in self.structure.items():
+            first = Product((Partial(x, f), Partial(y, g)))
+            second = Product((Partial(y, f), Partial(x, g)))
+            terms.append(Product((value, Sum((first, Negative(second))))))
+        return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
+
+    def _instances(self, name: str) -> Iterator[tuple[tuple[str, str], Formula]]:
+        """A printed bracket with all values of its indices, as brackets of variables."""
+        setting = self.setting
+        formula, arguments = setting.definition(name), head(name)[1]
+        stems = sorted({argument[:-1] for argument in arguments})
+        for i, j in product(DIGITS, DIGITS):
+            terms = [self._indexed(formula, stems, i + j + k) for k in DIGITS]
+            total: Formula = Sum(tuple(terms))
+            pair = []
+            for argument, digit in zip(arguments, (i, j), strict=True):
+                variable, factor = self._variable(argument[:-1] + digit)
+                total = total if factor == Number(1) else Quotient(total, factor)
+                pair.append(variable)
+            yield (pair[0], pair[1]), total
+
+    def _indexed(self, formula: Formula, stems: list[str], indices: str) -> Formula:
+        values: dict[str, Formula] = {
+            f"{stem}{letter}": Name(f"{stem}{digit}")
+            for stem in stems
+            for letter, digit in zip("ijk", indices, strict=True)
+        }
+        return self.setting.plain(substitute(formula, {**values, EPSILON: _sign(indices)}))
+
+    def _variable(self, coordinate: str) -> tuple[str, Formula]:
+        """The variable of which a coordinate is a multiple, and the factor."""
+        value = self.setting.finder.scalar(Name(coordinate))
+        terms = value.terms().get(0, {})
+        if len(terms) == 1 and value.parts.keys() == {0} and not value.denominator:
+            ((exponents, factor),) = terms.items()
+            if sum(exponents) == 1 and factor.denominator == 1 and factor > 0:
+                return self.setting.finder.names[exponents.index(1)], Number(factor.numerator)
+        raise Meaningless(f"{coordinate} is no multiple of a variable", coordinate)
+
+
+def _sign(indices: str) -> Formula:
+    """The sign of a permutation of three indices, or 0."""
+    if indices in "12312":
+        return Number(1)
+    return Negative(Number(1)) if indices in "32132" else Number(0)

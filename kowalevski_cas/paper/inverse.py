@@ -1,0 +1,70 @@
+"""The inverse of a linear change of variables, solved for with FLINT."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from kowalevski_cas.arithmetic.linear import Singular, solve
+from kowalevski_cas.arithmetic.present import polynomial_formula
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.notation import Formula, Name, Number, Sum
+from kowalevski_cas.problem.evaluate import Meaningless
+
+if TYPE_CHECKING:
+    from kowalevski_cas.paper.elaborate import Elaboration
+
+
+def inverse(old: Elaboration, formulas: Sequence[tuple[str, Formula]]) -> dict[str, Formula]:
+    """The variables of ``old`` through new ones, which these formulas give.
+
+    Raises :class:`Meaningless` if the formulas are not linear, or cannot be inverted.
+    """
+    at = old.finder
+    rows = []
+    for name, formula in formulas:
+        value = at.scalar(formula)
+        row = [at.partial(value, variable) for variable in old.variables]
+        if not all(_is_number(entry) for entry in row):
+            raise Meaningless(f"the change of variables is not linear for {name}", name)
+        rest = value
+        for entry, variable in zip(row, old.variables, strict=True):
+            rest = rest - entry * at.ring.generator(variable)
+        if not rest.is_zero:
+            raise Meaningless(f"the change of variables is not linear for {name}", name)
+        rows.append(row)
+    if len(rows) != len(old.variables):
+        raise Meaningless("the change of variables is not one to one")
+    zero, one, size = at.ring.zero, at.ring.one, len(rows)
+    try:
+        columns = [
+            solve(rows, [one if k == j else zero for k in range(size)]) for j in range(size)
+        ]
+    except Singular:
+        raise Meaningless("the change of variables is not invertible") from None
+    return {
+        variable: _combination([column[k] for column in columns], [n for n, _ in formulas])
+        for k, variable in enumerate(old.variables)
+    }
+
+
+def _is_number(element: Element) -> bool:
+    return not element.denominator and not any(
+        any(exponents) for part in element.terms().values() for exponents in part
+    )
+
+
+def _combination(factors: Sequence[Element], names: Sequence[str]) -> Formula:
+    """A sum of numbers, which may contain roots, times names."""
+    terms: list[Formula] = []
+    for factor, name in zip(factors, names, strict=True):
+        roots = [Name(root) for root in factor.ring.roots]
+        for mask, part in factor.terms().items():
+            (value,) = part.values()
+            bits = tuple(mask >> bit & 1 for bit in range(len(roots)))
+            terms.append(polynomial_formula({(1, *bits): value}, [Name(name), *roots]))
+    if not terms:
+        return Number(0)
+    return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
+
+

@@ -1,0 +1,129 @@
+"""Evidence: what a search found for a goal. It is never trusted; :mod:`accept` checks it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Formula
+
+Row = tuple[Formula, ...]
+
+
+@dataclass(frozen=True)
+class Point:
+    """A real point: the value of each variable, constant, root and power.
+
+    Values are made of rationals, i, and square roots of whole numbers.
+    """
+
+    values: Mapping[str, Formula]
+
+
+@dataclass(frozen=True)
+class Proof:
+    """Why goals vanish where known expressions do.
+
+    ``rows`` combine each goal from what is known; no rows at all: the goals vanish
+    identically. Or some ``product`` of groups is combined by the one row, and in the case of
+    each group, which is known to vanish there, the goals are proved once more. A group of
+    several expressions stands for the sum of their squares.
+    """
+
+    rows: tuple[Row, ...] = ()
+    product: tuple[Row, ...] = ()
+    cases: tuple[Proof, ...] = ()
+
+
+@dataclass(frozen=True)
+class Shown:
+    """That something follows: a proof, and a point at which the hypotheses hold."""
+
+    proof: Proof = Proof()
+    point: Point | None = None
+
+
+@dataclass(frozen=True)
+class At:
+    """A point at which something fails, or differentials are independent."""
+
+    point: Point
+
+
+@dataclass(frozen=True)
+class Minors:
+    """That differentials are dependent: each maximal minor as a combination of what is given."""
+
+    rows: tuple[Row, ...]
+
+
+@dataclass(frozen=True)
+class Found:
+    """Formulas for bound names, and the evidence for each goal in which they stand."""
+
+    values: Mapping[str, Formula]
+    evidence: tuple[Evidence, ...]
+
+
+@dataclass(frozen=True)
+class Regardless:
+    """A point at which one goal fails whatever the bound names are."""
+
+    goal: int
+    point: Point
+
+
+@dataclass(frozen=True)
+class Squares:
+    """A positive formula as a sum of squares, and why it does not vanish."""
+
+    squares: tuple[tuple[Formula, Formula], ...]
+    row: Row
+    point: Point
+    zero: Proof | None = None
+
+
+@dataclass(frozen=True)
+class Factor:
+    """A factor of minors as a sum of squares, perhaps modulo the equations."""
+
+    factor: Formula
+    squares: tuple[tuple[Formula, Formula], ...] = ()
+    row: Row = ()
+
+
+@dataclass(frozen=True)
+class Roots:
+    """All solutions of equations, by the real roots of an eliminant of a form of the unknowns.
+
+    ``solved`` gives each unknown by numerator and denominator, ``rows`` show this from the
+    equations, ``quotients`` the converse; ``minors`` are Hermite's as products of ``factors``.
+    """
+
+    root: str
+    form: Formula
+    eliminant: Row
+    solved: tuple[tuple[str, Formula, Formula], ...]
+    rows: tuple[Row, ...]
+    quotients: Row
+    factors: tuple[Factor, ...]
+    minors: tuple[tuple[Formula, tuple[int, ...]], ...]
+    point: Point
+
+
+@dataclass(frozen=True)
+class Solutions:
+    """More real solutions than there should be."""
+
+    points: tuple[Point, ...]
+
+
+Evidence = Shown | At | Minors | Found | Regardless | Squares | Roots | Solutions
+
+
+@dataclass(frozen=True)
+class Denial:
+    """Evidence that a goal of a problem is false."""
+
+    goal: int
+    evidence: Evidence

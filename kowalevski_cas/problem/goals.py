@@ -1,0 +1,126 @@
+"""Goals: one theorem over a space each. A problem is what a claim states, without evidence."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.problem.space import Equation, Setting
+
+Main = tuple[tuple[str, ...], ...]
+"""Sets of variables in which a division is tried: a hint to the search, no part of a statement."""
+
+
+@dataclass(frozen=True, eq=False)
+class Follows:
+    """Wherever the ``given`` equations hold, all equations of one of the ``conclusions`` do.
+
+    One conclusion is the ordinary case, and an identity if nothing is given; no conclusion
+    says that the given equations have no common real point.
+    """
+
+    space: Setting
+    conclusions: tuple[tuple[Equation, ...], ...]
+    given: tuple[Equation, ...] = ()
+    main: Main = ()
+
+    def formulas(self) -> Iterator[Formula]:
+        """Every formula of the statement."""
+        for equations in (*self.conclusions, self.given):
+            for sides in equations:
+                yield from sides
+
+
+@dataclass(frozen=True, eq=False)
+class Fails(Follows):
+    """At a real point where the given equations hold some equation of each conclusion fails."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rank:
+    """At a real point of the ``given`` equations ``rank`` differentials are independent.
+
+    They are those of the functions and of the given equations, and so many in number.
+    """
+
+    space: Setting
+    functions: tuple[Formula, ...]
+    given: tuple[Equation, ...]
+    rank: int
+
+    def formulas(self) -> Iterator[Formula]:
+        """Every formula of the statement."""
+        yield from self.functions
+        for sides in self.given:
+            yield from sides
+
+
+@dataclass(frozen=True, eq=False)
+class Positive:
+    """The formula is positive wherever the given equations hold."""
+
+    space: Setting
+    formula: Formula
+    given: tuple[Equation, ...] = ()
+
+    def formulas(self) -> Iterator[Formula]:
+        """Every formula of the statement."""
+        yield self.formula
+        for sides in self.given:
+            yield from sides
+
+
+@dataclass(frozen=True, eq=False)
+class Count:
+    """For all constants for which there is a solution there are exactly ``number`` real ones.
+
+    The equations are for the variables in ``names``; no other variable stands in them.
+    """
+
+    space: Setting
+    equations: tuple[Equation, ...]
+    names: tuple[str, ...]
+    number: int
+
+    def formulas(self) -> Iterator[Formula]:
+        """Every formula of the statement."""
+        for sides in self.equations:
+            yield from sides
+
+
+Simple = Follows | Rank | Positive | Count
+
+
+@dataclass(frozen=True, eq=False)
+class Exists:
+    """There are rational ``numbers``, and ``expressions``, for which all goals hold."""
+
+    goals: tuple[Simple, ...]
+    expressions: tuple[str, ...] = ()
+    numbers: tuple[str, ...] = ()
+
+    @property
+    def bound(self) -> tuple[str, ...]:
+        """The names that are bound."""
+        return (*self.numbers, *self.expressions)
+
+
+Goal = Simple | Exists
+
+
+def simple(goal: Goal) -> tuple[Simple, ...]:
+    """The goals without a bound name that a goal consists of: itself, or those below it."""
+    return goal.goals if isinstance(goal, Exists) else (goal,)
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """What a claim states."""
+
+    goals: tuple[Goal, ...]
+
+
+def identity(space: Setting, *equations: Equation) -> Follows:
+    """The goal that equations hold identically."""
+    return Follows(space, (equations,))

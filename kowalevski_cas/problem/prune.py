@@ -1,0 +1,200 @@
+"""Problems with nothing in their spaces but what the goals lead to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from kowalevski_cas.notation import Conjugate, Derivative, Formula, Name, Root
+from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.goals import Count, Exists, Goal, Problem, Rank, Simple, simple
+from kowalevski_cas.problem.space import (
+    Adjoined,
+    Change,
+    Raised,
+    Setting,
+    Space,
+    Step,
+    formulas_of,
+)
+
+
+class Reach:
+    """What is reached of a setting, from formulas, through definitions of definitions."""
+
+    def __init__(self, setting: Setting, bound: Iterable[str] = ()) -> None:
+        self.setting = setting
+        self.bound = {*bound}
+        self.names: set[str] = set()
+        self.steps: list[Step] = []
+        self.moving = False
+
+    def formula(self, formula: Formula) -> None:
+        """Reach what a formula uses."""
+        match formula:
+            case Name(name):
+                self.name(name)
+            case Derivative():
+                self.move()
+            case Root():
+                self._root(formula)
+        for child in formula.children():
+            self.formula(child)
+
+    def name(self, name: str) -> None:
+        """Reach a name, and what defines it."""
+        if name in self.names or name in self.bound:
+            return
+        self.names.add(name)
+        step = self.setting.step(name)
+        if step is None:
+            return
+        for formula in formulas_of(step):
+            self.formula(formula)
+        if isinstance(step, Raised):
+            self.name(step.exponent)
+        self.steps.append(step)
+
+    def _root(self, root: Root) -> None:
+        """The declared roots: which of them is meant is a question of values."""
+        for name in self.setting.roots:
+            step = self.setting.step(name)
+            if isinstance(step, Adjoined) and step.square == root.argument:
+                self.name(name)
+                return
+        for name in self.setting.roots:
+            if name.startswith(r"\sqrt"):
+                self.name(name)
+
+    def move(self) -> None:
+        """Reach the whole vector field."""
+        if self.moving:
+            return
+        self.moving = True
+        self.whole()
+        for row in self.setting.field:
+            self.formula(row.factor)
+            self.formula(row.force)
+            for name in row.names:
+                self.name(name)
+        if (change := self.setting.change) is not None:
+            for name, _ in change.formulas:
+                self.name(name)
+            old = change.old
+            for name in (*old.variables, *old.constants):
+                self.name(name)
+            if "i" in old.roots:
+                self.name("i")
+
+    def whole(self) -> None:
+        """Reach all variables."""
+        for name in self.setting.variables:
+            self.name(name)
+
+    def close(self) -> None:
+        """Reach the partners of conjugates, and what is taken for granted."""
+        before = -1
+        while before != len(self.names):
+            before = len(self.names)
+            for pair in self.setting.conjugates:
+                if self.names & {*pair}:
+                    for name in pair:
+                        self.name(name)
+        for formula in self.setting.nonzero:
+            if self._reached(formula):
+                self.formula(formula)
+
+    def _reached(self, formula: Formula) -> bool:
+        """Whether a formula speaks of names that are reached only."""
+        trial = Reach(self.setting)
+        trial.formula(formula)
+        return trial.names <= self.names
+
+
+def pruned(goals: Iterable[Goal]) -> Problem:
+    """The problem of some goals, over spaces that hold what the goals lead to and no more."""
+    goals = tuple(goals)
+    reaches: dict[Setting, Reach] = {}
+
+    def reach(setting: Setting) -> Reach:
+        if setting not in reaches:
+            reaches[setting] = Reach(setting)
+            if setting.change is not None:
+                reach(setting.change.old)
+        return reaches[setting]
+
+    for goal in goals:
+        bound = goal.bound if isinstance(goal, Exists) else ()
+        for one in simple(goal):
+            found = reach(one.space)
+            found.bound |= {*bound}
+            for formula in one.formulas():
+                found.formula(formula)
+            if isinstance(one, Rank):
+                found.whole()
+            if isinstance(one, Count):
+                for name in one.names:
+                    found.name(name)
+    made: dict[Setting, Space] = {}
+    for setting in reversed([*reaches]):
+        _reach_source(setting, reaches)
+    for found in reaches.values():
+        found.close()
+    for setting in _sources_first(reaches):
+        made[setting] = _space(reaches[setting], made)
+    return Problem(tuple(_over(goal, made) for goal in goals))
+
+
+def _reach_source(setting: Setting, reaches: dict[Setting, Reach]) -> None:
+    """The formulas of a change, and the motion behind it, where the new field is needed."""
+    change = setting.change
+    if change is None or not reaches[setting].moving:
+        return
+    source = reaches[change.old]
+    source.move()
+    for _, formula in change.formulas:
+        source.formula(formula)
+    source.formula(change.time)
+    for name in source.names:
+        if name in change.old.constants or name in change.old.roots:
+            reaches[setting].name(name)
+    _reach_source(change.old, reaches)
+
+
+def _sources_first(reaches: dict[Setting, Reach]) -> list[Setting]:
+    order: list[Setting] = []
+
+    def place(setting: Setting) -> None:
+        if setting in order:
+            return
+        if reaches[setting].moving and setting.change is not None:
+            place(setting.change.old)
+        order.append(setting)
+
+    for setting in reaches:
+        if reaches[setting].names:
+            place(setting)
+    return order
+
+
+def _space(reach: Reach, made: dict[Setting, Space]) -> Space:
+    setting, known = reach.setting, reach.names
+    change = setting.change if reach.moving else None
+    return Space(
+        variables=tuple(n for n in setting.variables if n in known),
+        constants=tuple(n for n in setting.constants if n in known),
+        nonzero=tuple(f for f in setting.nonzero if reach._reached(f)),
+        steps=tuple(reach.steps),
+        field=setting.field if reach.moving else (),
+        change=None if change is None else Change(made[change.old], change.formulas, change.time),
+        conjugates=tuple(pair for pair in setting.conjugates if {*pair} <= known),
+    )
+
+
+def _over(goal: Goal, made: dict[Setting, Space]) -> Goal:
+    if isinstance(goal, Exists):
+        inner: list[Simple] = [replace(one, space=made[one.space]) for one in goal.goals]
+        return replace(goal, goals=tuple(inner))
+    if goal.space not in made:
+        raise Meaningless("a goal without a name says nothing")
+    return replace(goal, space=made[goal.space])

@@ -1,0 +1,155 @@
+r"""Spaces: what a setting means, as plain data in formulas.
+
+A formula of a space is made of numbers, names, ``+ - * /``, whole powers, declared roots,
+derivatives along the vector field, partial derivatives, conjugates, vectors and their
+products. Whatever else a paper prints (real parts, dots and primes, applied functions,
+brackets) has been written out in these when the scene was elaborated.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from kowalevski_cas.notation import Formula
+
+Equation = tuple[Formula, Formula]
+"""The two sides."""
+
+
+@dataclass(frozen=True)
+class Let:
+    """A name that stands for a formula."""
+
+    name: str
+    formula: Formula
+
+
+@dataclass(frozen=True)
+class Adjoined:
+    """A name whose square is a formula; ``printed`` is the equation that says so in the paper."""
+
+    name: str
+    square: Formula
+    printed: Equation | None = None
+
+
+@dataclass(frozen=True)
+class Raised:
+    """A name for ``base`` to the power of a constant: θ > 0, and dP = m P dθ/θ."""
+
+    name: str
+    base: Formula
+    exponent: str
+
+
+Step = Let | Adjoined | Raised
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A row of a vector field: ``factor`` times the rates of the names is ``force``."""
+
+    names: tuple[str, ...]
+    factor: Formula
+    force: Formula
+
+
+@dataclass(frozen=True, eq=False)
+class Change:
+    """The field is that of the space ``old``, carried over by formulas for the new variables.
+
+    ``time`` is the factor of the old time in the new rates: :math:`dx/d\\tau = time\\,dx/dt`.
+    """
+
+    old: Setting
+    formulas: tuple[tuple[str, Formula], ...]
+    time: Formula
+
+
+class Setting(ABC):
+    """What a space and a scene that is being elaborated have in common.
+
+    ``variables`` move, ``constants`` do not, ``roots`` and ``powers`` lists the names of
+    generators that steps define; ``nonzero`` is taken for granted not to vanish.
+    """
+
+    variables: tuple[str, ...]
+    constants: tuple[str, ...]
+    nonzero: tuple[Formula, ...]
+    roots: tuple[str, ...]
+    powers: tuple[str, ...]
+    conjugates: tuple[tuple[str, str], ...]
+
+    @abstractmethod
+    def step(self, name: str) -> Step | None:
+        """What defines a name; ``None`` for a variable or a constant.
+
+        Raises :class:`~kowalevski_cas.problem.evaluate.Meaningless` if nothing does.
+        """
+
+    @property
+    @abstractmethod
+    def field(self) -> tuple[Motion, ...]:
+        """The rows of the vector field; none if there is none or a change gives it."""
+
+    @property
+    @abstractmethod
+    def change(self) -> Change | None:
+        """The change of variables that gives the field."""
+
+
+@dataclass(frozen=True, eq=False)
+class Space(Setting):
+    """A setting as it stands in a certificate."""
+
+    variables: tuple[str, ...]
+    constants: tuple[str, ...] = ()
+    nonzero: tuple[Formula, ...] = ()
+    steps: tuple[Step, ...] = ()
+    field: tuple[Motion, ...] = ()
+    change: Change | None = None
+    conjugates: tuple[tuple[str, str], ...] = ()
+
+    @cached_property
+    def _by_name(self) -> dict[str, Step]:
+        return {step.name: step for step in self.steps}
+
+    @property
+    def roots(self) -> tuple[str, ...]:  # type: ignore[override]
+        """The names of roots."""
+        return tuple(step.name for step in self.steps if isinstance(step, Adjoined))
+
+    @property
+    def powers(self) -> tuple[str, ...]:  # type: ignore[override]
+        """The names of powers."""
+        return tuple(step.name for step in self.steps if isinstance(step, Raised))
+
+    def step(self, name: str) -> Step | None:
+        from kowalevski_cas.problem.evaluate import Meaningless
+
+        if name in self.variables or name in self.constants:
+            return None
+        if name not in self._by_name:
+            raise Meaningless(f"{name} has no meaning here", name)
+        return self._by_name[name]
+
+
+def formulas_of(step: Step) -> Iterator[Formula]:
+    """The formulas in a step."""
+    match step:
+        case Let(_, formula):
+            yield formula
+        case Adjoined(_, square, printed):
+            yield square
+            yield from printed or ()
+        case Raised(_, base, _):
+            yield base
+
+
+def generators(setting: Setting) -> tuple[str, ...]:
+    """The names that a point gives values to: variables, constants, powers."""
+    names: Sequence[str] = (*setting.variables, *setting.constants, *setting.powers)
+    return tuple(names)

@@ -1,0 +1,112 @@
+"""Formulas as trees of JSON, and back: ``["*", 2, ["D", "x_1"]]``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from kowalevski_cas.notation import (
+    Conjugate,
+    CrossProduct,
+    Derivative,
+    Diagonal,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Partial,
+    Power,
+    Product,
+    Quotient,
+    Root,
+    ScalarProduct,
+    Sum,
+    Vector,
+)
+
+Tree = Any
+"""A name, an integer, or a list of an operation and trees."""
+
+MARK = "dot"
+"""How a derivative along the field is marked in formulas of a space."""
+
+
+class FormatError(ValueError):
+    """Something that has no place in a certificate, or a file that is none."""
+
+
+def encode(formula: Formula) -> Tree:
+    """The tree of a formula of a space.
+
+    >>> encode(Sum((Name("x_1"), Negative(Power(Name("x_2"), Number(2))))))
+    ['+', 'x_1', ['-', ['^', 'x_2', 2]]]
+    """
+    match formula:
+        case Number(value):
+            return value
+        case Name(name):
+            return name
+        case Power(base, Number(exponent)):
+            return ["^", encode(base), exponent]
+        case Power(base, Negative(Number(exponent))):
+            return ["/", 1, ["^", encode(base), exponent]]
+        case Partial(name, argument):
+            return ["d", name, encode(argument)]
+    op = _OPS.get(type(formula))
+    if op is None:
+        raise FormatError(f"a {type(formula).__name__} has no place in a certificate")
+    return [op, *map(encode, formula.children())]
+
+
+def decode(tree: Tree) -> Formula:
+    """The formula of a tree; raises :class:`FormatError` if it is none.
+
+    >>> decode(["D", "x_1"]) == Derivative(Name("x_1"), MARK)
+    True
+    """
+    match tree:
+        case bool():
+            pass
+        case str():
+            return Name(tree)
+        case int():
+            return Number(tree) if tree >= 0 else Negative(Number(-tree))
+        case ["^", base, int(exponent)]:
+            return Power(decode(base), Number(exponent))
+        case ["d", str(name), argument]:
+            return Partial(name, decode(argument))
+        case ["D", argument]:
+            return Derivative(decode(argument), MARK)
+        case ["/", above, *divisors] if divisors:
+            result = decode(above)
+            for divisor in divisors:
+                result = Quotient(result, decode(divisor))
+            return result
+        case [str(op), *parts] if op in _KINDS and parts:
+            return _made(op, tuple(map(decode, parts)))
+    raise FormatError("a formula is expected")
+
+
+def _made(op: str, parts: tuple[Formula, ...]) -> Formula:
+    kind = _KINDS[op]
+    try:
+        return kind(parts) if kind in _LISTS else kind(*parts)
+    except TypeError:
+        raise FormatError(f"“{op}” has {len(parts)} operands") from None
+
+
+_KINDS: dict[str, Callable[..., Formula]] = {
+    "+": Sum,
+    "-": Negative,
+    "*": Product,
+    "/": Quotient,
+    "sqrt": Root,
+    "D": Derivative,
+    "conj": Conjugate,
+    "vector": Vector,
+    "diag": Diagonal,
+    "dot": ScalarProduct,
+    "cross": CrossProduct,
+}
+_OPS = {kind: op for op, kind in _KINDS.items()}
+_LISTS = {Sum, Product, Vector, Diagonal}
