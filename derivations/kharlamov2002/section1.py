@@ -1,6 +1,6 @@
 r"""1. Main equations: the rigid body in two constant fields, and the Kowalevski case."""
 
-from kowalevski_cas.claims import (
+from kowalevski_cas.paper.claims import (
     Dimension,
     FirstIntegral,
     Identity,

@@ -1,6 +1,6 @@
 r"""2. New solution with two invariant relations: the complex variables, F1 and F2, and N^4."""
 
-from kowalevski_cas.claims import (
+from kowalevski_cas.paper.claims import (
     ChangedEquation,
     Coefficient,
     Degree,

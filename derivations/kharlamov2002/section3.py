@@ -1,6 +1,6 @@
 r"""3. The classical analogue: one field, and the 2nd and 3rd classes of Appelrot."""
 
-from kowalevski_cas.claims import (
+from kowalevski_cas.paper.claims import (
     ConstantRoot,
     CriticalSet,
     Dimension,

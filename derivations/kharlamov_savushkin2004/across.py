@@ -1,6 +1,6 @@
 r"""8. Across N^4: what the cofactor matrix of (15) is along a motion on N^4."""
 
-from kowalevski_cas.claims import Identity
+from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Scene, Section
 
 from .separation import on_N4, s

@@ -1,6 +1,6 @@
 r"""7. Where regimes meet: the separating curves as coincidences of roots."""
 
-from kowalevski_cas.claims import Identity, Implication
+from kowalevski_cas.paper.claims import Identity, Implication
 from kowalevski_cas.paper.derivation import Scene, Section
 
 from .elliptic import roots_of_phi

@@ -1,6 +1,6 @@
 r"""6. The separated equations solved in Jacobi's elliptic functions, in every regime."""
 
-from kowalevski_cas.claims import Definition, Identity
+from kowalevski_cas.paper.claims import Definition, Identity
 from kowalevski_cas.paper.derivation import Scene, Section
 
 from .separation import phi, separated

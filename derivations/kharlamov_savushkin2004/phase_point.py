@@ -1,6 +1,6 @@
 r"""5. The whole phase point by s_1, s_2, for c = 0."""
 
-from kowalevski_cas.claims import Definition, Identity
+from kowalevski_cas.paper.claims import Definition, Identity
 from kowalevski_cas.paper.derivation import Scene, Section
 
 from .separation import any_c, m_conjugate, omega3, on_N4, phi, relations, s, separated

@@ -1,6 +1,6 @@
 r"""4. Any c: the fields and the body turned so that c is zero."""
 
-from kowalevski_cas.claims import Identity
+from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Scene, Section
 
 from .separation import equations

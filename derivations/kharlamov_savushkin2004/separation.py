@@ -1,6 +1,6 @@
 r"""3. N^4 separated: the constants m and \ell, the variables s_1 and s_2, any c."""
 
-from kowalevski_cas.claims import Definition, FirstIntegral, Identity, Implication
+from kowalevski_cas.paper.claims import Definition, FirstIntegral, Identity, Implication
 from kowalevski_cas.paper.derivation import Scene, Section
 
 from .setting import (

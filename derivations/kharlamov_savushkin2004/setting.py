@@ -1,6 +1,6 @@
 r"""1. The problem: two constant fields in the Kowalevski case, and N^4 (Kharlamov 2002)."""
 
-from kowalevski_cas.claims import Identity
+from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Change, Scene, Section
 
 section = Section("1", "The problem")

@@ -1,6 +1,6 @@
 r"""2. The third integral G, and what it says about N^4."""
 
-from kowalevski_cas.claims import DoubleZero, FirstIntegral, Identity
+from kowalevski_cas.paper.claims import DoubleZero, FirstIntegral, Identity
 from kowalevski_cas.paper.derivation import Scene, Section
 
 from .setting import (

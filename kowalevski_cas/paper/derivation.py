@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from kowalevski_cas.claims.claim import Claim
+from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.scene import Change, Locus, Scene, vocabulary
 from kowalevski_cas.paper.texts import Display, Texts
 

@@ -21,6 +21,7 @@ from kowalevski_cas.notation import (
     Constant,
     CrossProduct,
     Derivative,
+    Diagonal,
     Formula,
     ImaginaryPart,
     Name,
@@ -35,6 +36,7 @@ from kowalevski_cas.notation import (
     Root,
     Sum,
     Vector,
+    rank,
     replace,
     substitute,
     to_latex,
@@ -121,6 +123,8 @@ class Elaboration(Setting):
 
     def step(self, name: str) -> Step | None:
         """What defines a name; raises :class:`Meaningless` if nothing does."""
+        if name in self.roots and "finder" not in self.__dict__:
+            _ = self.finder  # it solves for all roots, in their order
         if name not in self._steps:
             if name in self._open:
                 raise Meaningless(f"{name} is defined by itself", name)
@@ -152,10 +156,28 @@ class Elaboration(Setting):
             vector, index = place
             component = _component(Name(vector), index, self)
             return self._let(name, component, scene.definitions[vector])
-        if self.source is not None and name in self._inverse:
+        if self.source is not None and name in self.inverse:
             assert isinstance(scene.field, ChangeOfScene)
-            return self._let(name, self._inverse[name], *scene.field.formulas)
+            return self._let(name, self.inverse[name], *scene.field.formulas)
         raise Meaningless(f"{name} has no meaning on the scene “{scene.name}”", name)
+
+    def raised(self, name: str) -> Raised:
+        """The step of a power."""
+        step = self.step(name)
+        assert isinstance(step, Raised)
+        return step
+
+    def components(self, row: Motion) -> Iterator[tuple[str, Formula, Formula]]:
+        """An equation of motion by components: name, factor of its rate, right side."""
+        if len(row.names) == 1:
+            yield row.names[0], row.factor, row.force
+            return
+        for index, name in enumerate(row.names):
+            yield name, _component(row.factor, index, self), _component(row.force, index, self)
+
+    def is_vector(self, formula: Formula) -> bool:
+        """Whether a formula stands for a vector or a matrix."""
+        return rank(formula, self.texts.vocabulary) > 0
 
     def _let(self, name: str, formula: Formula, *places: Printed) -> Let:
         self.places[name] = places
@@ -181,7 +203,7 @@ class Elaboration(Setting):
         return Adjoined(name, self.plain(root.argument))
 
     @cached_property
-    def _inverse(self) -> dict[str, Formula]:
+    def inverse(self) -> dict[str, Formula]:
         """The old variables of a change through the new ones."""
         assert self.source is not None
         change = self.change
@@ -487,6 +509,11 @@ def _component(vector: Formula, index: int, setting: Elaboration) -> Formula:
             return Negative(of(argument, index))
         case Sum(terms):
             return Sum(tuple(of(term, index) for term in terms))
+        case Diagonal(entries):
+            return entries[index]
+        case Product(factors):
+            vectors = (f if not setting.is_vector(f) else of(f, index) for f in factors)
+            return Product(tuple(vectors))
         case CrossProduct(left, right):
             j, k = (index + 1) % 3, (index + 2) % 3
             first = Product((of(left, j), of(right, k)))

@@ -76,7 +76,6 @@ class Evaluation:
         self._moving = False
         self.roots: list[tuple[Element, Element]] = []
         """Radicands, and their roots."""
-        self._pairs = dict(setting.conjugates) | {b: a for a, b in setting.conjugates}
         given = {n: self.ring.generator(n) for n in self.names} if own else dict(values or {})
         for name, value in given.items():
             self._values[name, False] = value
@@ -119,8 +118,9 @@ class Evaluation:
 
     def _conjugate(self, name: str) -> Element:
         """The conjugate of a generator or a root: its partner, or itself if it is real."""
-        if name in self._pairs:
-            return self.scalar(Name(self._pairs[name]))
+        for pair in self.setting.conjugates:
+            if name in pair:
+                return self.scalar(Name(pair[pair[0] == name]))
         own = self.scalar(Name(name))
         step = self.setting.step(name)
         if isinstance(step, Adjoined):

@@ -81,7 +81,7 @@ class Reach:
             for name, _ in change.formulas:
                 self.name(name)
             old = change.old
-            for name in (*old.variables, *old.constants):
+            for name in old.variables:
                 self.name(name)
             if "i" in old.roots:
                 self.name("i")

@@ -1,0 +1,49 @@
+"""The kinds of claims, one file each: the attributes of a statement, and its goals."""
+
+from kowalevski_cas.paper.claims.change import ChangedEquation, InvertibleChange, Unit
+from kowalevski_cas.paper.claims.claim import Claim, Neighbour
+from kowalevski_cas.paper.claims.coefficient import Coefficient
+from kowalevski_cas.paper.claims.constant_root import ConstantRoot
+from kowalevski_cas.paper.claims.critical_set import CriticalSet
+from kowalevski_cas.paper.claims.definition import Definition
+from kowalevski_cas.paper.claims.degree import Degree
+from kowalevski_cas.paper.claims.dimension import Dimension, Independence
+from kowalevski_cas.paper.claims.double_zero import DoubleZero
+from kowalevski_cas.paper.claims.equilibria import Equilibria
+from kowalevski_cas.paper.claims.equivalence import Equivalence
+from kowalevski_cas.paper.claims.exponents import SolvedExponents
+from kowalevski_cas.paper.claims.first_integral import FirstIntegral
+from kowalevski_cas.paper.claims.identity import Identity
+from kowalevski_cas.paper.claims.implication import Implication
+from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
+from kowalevski_cas.paper.claims.limit import Limit
+from kowalevski_cas.paper.claims.measure import LastMultiplier
+from kowalevski_cas.paper.claims.reality import Reality
+from kowalevski_cas.paper.claims.scaling import Scaling
+
+__all__ = [
+    "ChangedEquation",
+    "Claim",
+    "Coefficient",
+    "ConstantRoot",
+    "CriticalSet",
+    "Definition",
+    "Degree",
+    "Dimension",
+    "DoubleZero",
+    "Equilibria",
+    "Equivalence",
+    "FirstIntegral",
+    "Identity",
+    "Implication",
+    "Independence",
+    "InvariantRelations",
+    "InvertibleChange",
+    "LastMultiplier",
+    "Limit",
+    "Neighbour",
+    "Reality",
+    "Scaling",
+    "SolvedExponents",
+    "Unit",
+]

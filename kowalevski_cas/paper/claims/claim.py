@@ -1,0 +1,85 @@
+"""What every kind of claim has in common."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from dataclasses import dataclass, fields, replace
+
+from kowalevski_cas.notation import Edit, edits
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.problem.goals import Goal
+
+
+@dataclass(frozen=True)
+class Neighbour:
+    """A statement that differs a little: a mutant, or a candidate for a correction."""
+
+    words: str
+    claim: Claim
+    texts: Texts
+    printed: Printed | None = None
+    edit: Edit | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Claim(ABC):
+    """One statement of the paper, on its scene.
+
+    ``printed`` is the place of the formula, if the claim is one formula;
+    ``words`` says what is claimed. Whatever else a claim is about, its places, scenes and
+    neighbours, follows from the types of its attributes.
+    """
+
+    id: str
+    scene: Scene
+    printed: Printed | None
+    words: str
+
+    @abstractmethod
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        """What is stated, in the settings that the scenes mean."""
+
+    def places(self) -> Iterator[Printed]:
+        """The places of the paper that the claim names, its own first; not those of its scenes."""
+        for value in self._attributes():
+            if isinstance(value, Printed):
+                yield value
+
+    def scenes(self) -> Iterator[Scene]:
+        """The scenes on which the claim stands."""
+        for value in self._attributes():
+            if isinstance(value, Scene):
+                yield value
+
+    def _attributes(self) -> Iterator[object]:
+        """The attributes, those in tuples and in claims that are attributes included."""
+        waiting: list[object] = [getattr(self, field.name) for field in fields(self)]
+        while waiting:
+            value = waiting.pop(0)
+            if isinstance(value, tuple):
+                waiting = [*value, *waiting]
+            elif isinstance(value, Claim):
+                waiting = [*value._attributes(), *waiting]
+            else:
+                yield value
+
+    def establishes(self) -> Iterator[Printed]:
+        """The places that are right if the claim is."""
+        if self.printed is not None:
+            yield self.printed
+
+    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+        """Statements one edit away, the most plausible corrections first."""
+        names = frozenset(self.scene.names()) - {*self.scene.undefined}
+        for printed in self.establishes():
+            for edit in edits(texts.statement(printed), texts.vocabulary, names):
+                yield Neighbour(edit.words, self, texts.edited(printed, edit), printed, edit)
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if type(value) is int:
+                for number in dict.fromkeys((value - 1, value + 1, 2 * value)):
+                    words = f"{field.name} {number} instead of {value}"
+                    yield Neighbour(words, replace(self, **{field.name: number}), texts)

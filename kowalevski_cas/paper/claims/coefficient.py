@@ -1,0 +1,48 @@
+"""Coefficients: what multiplies a variable in an expression that is linear in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Formula, Partial, Relation, Sum, Unwritten
+from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.forms import expression, members, rate, total, vanishes
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.goals import Goal, identity
+
+
+@dataclass(frozen=True, eq=False)
+class Coefficient(Claim):
+    """The coefficient of ``variable``.
+
+    Either the printed equation holds up to unwritten terms that are free of the
+    variable; or, with ``derivative_of``, the derivative of the expression printed
+    there is linear in the variable, with the printed coefficient.
+    """
+
+    variable: str
+    derivative_of: Printed | None = None
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        assert self.printed is not None
+        space = on(self.scene)
+        formula = space.texts.formula(self.printed)
+        chain = members(formula) if isinstance(formula, Relation) else [formula]
+        sides = [space.plain(_written(member)) for member in chain]
+        if self.derivative_of is None:
+            if any(_written(member) is not member for member in chain):
+                sides = [Partial(self.variable, side) for side in sides]
+            yield identity(space, (sides[0], sides[1]))
+            return
+        generated = Partial(self.variable, rate(expression(self.derivative_of, space)))
+        linear = vanishes(Partial(self.variable, generated))
+        yield identity(space, *((generated, side) for side in sides), linear)
+
+
+def _written(formula: Formula) -> Formula:
+    """A sum without the terms that the author does not print."""
+    if isinstance(formula, Sum) and any(isinstance(term, Unwritten) for term in formula.terms):
+        return total(term for term in formula.terms if not isinstance(term, Unwritten))
+    return formula

@@ -1,0 +1,35 @@
+"""Constant roots: a root of an equation that is a combination of constants of the motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Name, substitute
+from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.forms import times, total
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.problem.goals import Exists, Goal, identity
+
+
+@dataclass(frozen=True, eq=False)
+class ConstantRoot(Claim):
+    """The printed equation for ``unknown`` has a root that is constant on the scene.
+
+    It is a combination with rational coefficients of ``basis``, expressions that are
+    constants of the motion.
+    """
+
+    unknown: str
+    basis: tuple[str, ...]
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        assert self.printed is not None
+        space = on(self.scene)
+        numbers = tuple(f"q_{{{k}}}" for k in range(1, len(self.basis) + 1))
+        basis = map(space.formula, self.basis)
+        root = total(times(Name(q), b) for q, b in zip(numbers, basis, strict=True))
+        left, right = space.equation(self.printed)
+        values = {self.unknown: root}
+        sides = (substitute(left, values), substitute(right, values))
+        yield Exists((identity(space, sides),), numbers=numbers)

@@ -1,0 +1,75 @@
+r"""Critical sets: where all derivatives of a function along a level surface vanish."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+from kowalevski_cas.notation import Formula, Negative, Partial, Product, Sum, edits
+from kowalevski_cas.paper.claims.claim import Claim, Neighbour
+from kowalevski_cas.paper.claims.forms import equations, expression, vanishes
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.problem.goals import Follows, Goal
+from kowalevski_cas.problem.prune import Reach
+from kowalevski_cas.problem.space import Equation
+
+
+@dataclass(frozen=True, eq=False)
+class CriticalSet(Claim):
+    r"""``equations`` define exactly the critical points of the printed function on a surface.
+
+    ``level`` is the printed equation g = v of the surface; the gradient of g does not vanish
+    on it. So the critical points of f are those where :math:`\partial_i f=0` for each
+    variable of which g is free, and :math:`\partial_i g\,\partial_j f=\partial_j g\,\partial_i f`
+    for each pair of the others. With ``zero_level`` only those are meant at which f vanishes.
+    """
+
+    equations: tuple[Printed, ...]
+    level: Printed
+    main: tuple[tuple[str, ...], ...] = ()
+    zero_level: bool = False
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        assert self.printed is not None
+        space = on(self.scene)
+        level, goals = space.equation(self.level), equations(self.equations, space)
+        value = expression(self.printed, space)
+        critical = self._critical(space, value, level[0])
+        yield Follows(space, (critical,), (*goals, level), self.main)
+        yield Follows(space, (goals,), (*critical, level))
+        slopes = (vanishes(Partial(name, level[0])) for name in _moving(space, level[0]))
+        yield Follows(space, (), (level, *slopes))
+
+    def _critical(
+        self, space: Elaboration, function: Formula, surface: Formula
+    ) -> tuple[Equation, ...]:
+        on = _moving(space, surface)
+        rates: list[Formula] = [Partial(n, function) for n in space.variables if n not in on]
+        for a, b in combinations(on, 2):
+            one = Product((Partial(a, surface), Partial(b, function)))
+            other = Product((Partial(b, surface), Partial(a, function)))
+            rates.append(Sum((one, Negative(other))))
+        return tuple(map(vanishes, [*rates, *([function] if self.zero_level else [])]))
+
+    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+        if not self.zero_level:
+            words = "only the critical points where the function vanishes"
+            yield Neighbour(words, replace(self, zero_level=True), texts)
+        assert self.printed is not None
+        for edit in edits(texts.statement(self.printed), texts.vocabulary):
+            edited = texts.edited(self.printed, edit)
+            yield Neighbour(edit.words, self, edited, self.printed, edit)
+
+    def establishes(self) -> Iterator[Printed]:
+        """Nothing: the function is what it is, whatever its critical points are."""
+        yield from ()
+
+
+def _moving(space: Elaboration, formula: Formula) -> list[str]:
+    """The variables that stand in a formula, and in what it is defined by."""
+    reach = Reach(space)
+    reach.formula(formula)
+    return [name for name in space.variables if name in reach.names]

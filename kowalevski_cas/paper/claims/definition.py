@@ -1,0 +1,32 @@
+"""Definitions: what a printed formula defines makes an equation true."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.forms import chain
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import head
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.goals import Goal, identity
+
+
+@dataclass(frozen=True, eq=False)
+class Definition(Claim):
+    """With the printed definition, on which the scene rests, ``equation`` holds.
+
+    So a closed form solves a differential equation, or new variables separate one.
+    """
+
+    equation: Printed
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        assert self.printed is not None
+        space = on(self.scene)
+        found = chain(self.equation, space)
+        names = (n for n, place in self.scene.definitions.items() if place == self.printed)
+        if not any(head(name)[1] for name in names):  # a function has values for arguments only
+            found += chain(self.printed, space)
+        yield identity(space, *found)

@@ -1,0 +1,27 @@
+"""Double zeros: an expression vanishes with its gradient wherever given equations hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Partial
+from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.forms import equations, expression, vanishes
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.goals import Follows, Goal
+
+
+@dataclass(frozen=True, eq=False)
+class DoubleZero(Claim):
+    """The printed expression vanishes with all its partial derivatives where ``given`` hold."""
+
+    given: tuple[Printed, ...]
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        assert self.printed is not None
+        space = on(self.scene)
+        value = expression(self.printed, space)
+        gradient = (vanishes(Partial(name, value)) for name in space.variables)
+        yield Follows(space, ((vanishes(value), *gradient),), equations(self.given, space))

@@ -1,0 +1,25 @@
+"""Equivalent equations: each holds wherever the other one does."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.goals import Follows, Goal
+
+
+@dataclass(frozen=True, eq=False)
+class Equivalence(Claim):
+    """The printed equation says the same as the equation ``to``."""
+
+    to: Printed
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        assert self.printed is not None
+        space = on(self.scene)
+        own, other = space.equation(self.printed), space.equation(self.to)
+        yield Follows(space, ((own,),), (other,))
+        yield Follows(space, ((other,),), (own,))

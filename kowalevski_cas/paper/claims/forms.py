@@ -1,0 +1,113 @@
+"""What kinds of claims state alike, in formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+
+from kowalevski_cas.notation import (
+    Constant,
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Product,
+    Relation,
+    Sum,
+    to_latex,
+)
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.space import Equation
+from kowalevski_cas.problem.trees import MARK
+
+ZERO, ONE = Number(0), Number(1)
+
+
+def rate(formula: Formula) -> Formula:
+    """The derivative along the field."""
+    return Derivative(formula, MARK)
+
+
+def vanishes(formula: Formula) -> Equation:
+    """The equation that a formula is zero."""
+    return formula, ZERO
+
+
+def minus(equation: Equation) -> Formula:
+    """The left minus the right side."""
+    left, right = equation
+    return left if right == ZERO else Sum((left, Negative(right)))
+
+
+def total(terms: Iterable[Formula]) -> Formula:
+    """The sum of any number of terms."""
+    found = tuple(terms)
+    return Sum(found) if len(found) > 1 else found[0] if found else ZERO
+
+
+def times(*factors: Formula) -> Formula:
+    """The product of some factors."""
+    kept = tuple(factor for factor in factors if factor != ONE)
+    return Product(kept) if len(kept) > 1 else kept[0] if kept else ONE
+
+
+def members(relation: Relation) -> list[Formula]:
+    """The members of a chain of equalities that are formulas, not the word ``const``."""
+    return [member for member in relation.members if not isinstance(member, Constant)]
+
+
+def chain(printed: Printed, space: Elaboration) -> list[Equation]:
+    """The equations of a printed chain; ``= const`` says that the first member does not move."""
+    relation = space.texts.relation(printed)
+    if r"\ne" in relation.signs:
+        raise Meaningless(f"an equality is expected instead of {to_latex(relation)}")
+    found = [space.plain(member) for member in members(relation)]
+    equations = list(pairwise(found))
+    if isinstance(relation.members[-1], Constant):
+        equations.append(vanishes(rate(found[0])))
+    return equations
+
+
+def equations(places: Sequence[Printed], space: Elaboration) -> tuple[Equation, ...]:
+    """The sides of printed equations."""
+    return tuple(space.equation(printed) for printed in places)
+
+
+def expression(printed: Printed, space: Elaboration) -> Formula:
+    """A printed formula that is no equation."""
+    formula = space.texts.formula(printed)
+    if isinstance(formula, Relation):
+        raise Meaningless(f"an expression is expected at {printed.place}")
+    return space.plain(formula)
+
+
+def first_member(printed: Printed, space: Elaboration) -> Formula:
+    """The first member of a printed chain."""
+    return space.plain(members(space.texts.relation(printed))[0])
+
+
+Matrix = list[list[Formula]]
+
+
+def matrix(letter: str, rows: int, columns: int) -> Matrix:
+    """A matrix of names: ``M_{11}``, ``M_{12}``, …"""
+    return [[Name(f"{letter}_{{{i}{j}}}") for j in range(1, columns + 1)] for i in range(1, rows + 1)]
+
+
+def names_in(rows: Matrix) -> tuple[str, ...]:
+    """The names of a matrix of names."""
+    return tuple(entry.name for row in rows for entry in row if isinstance(entry, Name))
+
+
+def applied(rows: Matrix, column: Sequence[Formula]) -> list[Formula]:
+    """A matrix times a column."""
+    return [total(times(a, b) for a, b in zip(row, column, strict=True)) for row in rows]
+
+
+def product(left: Matrix, right: Matrix) -> Matrix:
+    """The product of two matrices."""
+    columns = [applied(left, [row[j] for row in right]) for j in range(len(right[0]))]
+    return [[column[i] for column in columns] for i in range(len(left))]

@@ -1,0 +1,57 @@
+"""Implications: an equation holds wherever given equations hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Formula, Negative, Relation, replace
+from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.forms import equations, expression, vanishes
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.goals import Follows, Goal
+
+
+@dataclass(frozen=True, eq=False)
+class Implication(Claim):
+    """The printed equation (or expression, equal to zero) follows from the ``given`` ones.
+
+    With a ``root``, it follows for one of the two values of this root, and for
+    the same one as the equations in ``together``.
+    """
+
+    given: tuple[Printed, ...]
+    root: str | None = None
+    together: tuple[Printed, ...] = ()
+    main: tuple[tuple[str, ...], ...] = ()
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        assert self.printed is not None
+        space = on(self.scene)
+        is_equation = isinstance(space.texts.formula(self.printed), Relation)
+        own = (
+            space.equation(self.printed)
+            if is_equation
+            else vanishes(expression(self.printed, space))
+        )
+        stated = (*equations(self.together, space), own)
+        conclusions = [stated]
+        if self.root is not None:
+            root = space.formula(self.root)
+            other = ((_flipped(a, root), _flipped(b, root)) for a, b in stated)
+            conclusions.append(tuple(other))
+        given = equations(self.given, space)
+        yield Follows(space, tuple(conclusions), given, self.main)
+
+
+def _flipped(formula: Formula, root: Formula) -> Formula:
+    """The formula with the other value of a root."""
+    if formula == root:
+        return Negative(root)
+    for place, child in enumerate(formula.children()):
+        if (new := _flipped(child, root)) is not child:
+            formula = replace(formula, (place,), new)
+    return formula
+
+

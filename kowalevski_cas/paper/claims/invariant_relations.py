@@ -1,0 +1,58 @@
+"""Invariant relations: the derivatives of some functions are combinations of these functions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.forms import (
+    Matrix,
+    applied,
+    equations,
+    matrix,
+    minus,
+    names_in,
+    rate,
+)
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.goals import Exists, Fails, Follows, Goal
+
+
+@dataclass(frozen=True, eq=False)
+class InvariantRelations(Claim):
+    """The printed equations define an invariant set: (F)' = M F with a matrix M that is found.
+
+    They have a common real point.
+    """
+
+    relations: tuple[Printed, ...]
+    names: tuple[str, ...]
+    main: tuple[tuple[str, ...], ...] = ()
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        cofactors = matrix("M", len(self.relations), len(self.relations))
+        goals = (self.moves_by(cofactors, on), self.inhabited(on))
+        yield Exists(goals, names_in(cofactors))
+
+    def functions(self, on: Elaborations) -> list[Formula]:
+        """The left minus the right sides of the equations."""
+        return [minus(sides) for sides in equations(self.relations, on(self.scene))]
+
+    def moves_by(self, cofactors: Matrix, on: Elaborations) -> Follows:
+        """The goal that the functions move by this matrix."""
+        functions = self.functions(on)
+        right = applied(cofactors, functions)
+        rows = ((rate(f), side) for f, side in zip(functions, right, strict=True))
+        return Follows(on(self.scene), (tuple(rows),), (), self.main)
+
+    def inhabited(self, on: Elaborations) -> Fails:
+        """The goal that the set has a real point."""
+        return Fails(on(self.scene), (), equations(self.relations, on(self.scene)))
+
+    def establishes(self) -> Iterator[Printed]:
+        yield from self.relations
+
+

@@ -1,0 +1,85 @@
+"""Limits: a specialisation commutes with the derivation of a cofactor matrix."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Negative, edits
+from kowalevski_cas.paper.claims.claim import Claim, Neighbour
+from kowalevski_cas.paper.claims.forms import (
+    ONE,
+    ZERO,
+    Matrix,
+    applied,
+    equations,
+    matrix,
+    minus,
+    names_in,
+    product,
+    rate,
+    times,
+    total,
+    vanishes,
+)
+from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.problem.goals import Exists, Follows, Goal, identity
+
+
+@dataclass(frozen=True, eq=False)
+class Limit(Claim):
+    r"""The cofactor matrix of ``general`` goes over into the one of ``special``.
+
+    On the scene of the limit let F be the general functions and e those of the
+    special system. There is an invertible T with F = T e, and where e vanishes
+    :math:`\dot T + T N = \kappa M T`, M being the matrix of the general system, N that of the
+    special one, and :math:`\kappa` the ratio of the times.
+    """
+
+    general: InvariantRelations
+    special: InvariantRelations
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        size = len(self.special.relations)
+        m, n, t, s = (matrix(letter, size, size) for letter in "MNTS")
+        space = on(self.scene)
+        special = equations(self.special.relations, space)
+        general = [minus(sides) for sides in equations(self.general.relations, space)]
+        through = applied(t, [minus(sides) for sides in special])
+        inverse = [
+            (entry, ONE if i == j else ZERO)
+            for i, row in enumerate(product(t, s))
+            for j, entry in enumerate(row)
+        ]
+        same = tuple(vanishes(entry) for row in self._rest(on, m, n, t) for entry in row)
+        goals = (
+            self.general.moves_by(m, on),
+            self.special.moves_by(n, on),
+            identity(space, *zip(general, through, strict=True)),
+            identity(space, *inverse),
+            Follows(space, (same,), special),
+        )
+        yield Exists(goals, tuple(name for one in (m, n, t, s) for name in names_in(one)))
+
+    def _rest(self, on: Elaborations, m: Matrix, n: Matrix, t: Matrix) -> Matrix:
+        space = on(self.scene)
+        assert self.scene.clock is not None
+        scale = space.plain(on.texts.time_scale(self.scene.clock))
+        left, right = product(t, n), product(m, t)
+        return [
+            [
+                total((rate(a), b, Negative(times(scale, c))))
+                for a, b, c in zip(*rows, strict=True)
+            ]
+            for rows in zip(t, left, right, strict=True)
+        ]
+
+    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+        for printed in self.special.relations:
+            for edit in edits(texts.statement(printed), texts.vocabulary):
+                if edit.kind == "sign":
+                    yield Neighbour(edit.words, self, texts.edited(printed, edit), printed, edit)
+
+

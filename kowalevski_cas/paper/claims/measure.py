@@ -1,0 +1,52 @@
+"""Last multipliers: densities of measures that the flow preserves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from kowalevski_cas.notation import Name, Partial
+from kowalevski_cas.paper.claims.claim import Claim, Neighbour
+from kowalevski_cas.paper.claims.forms import (
+    equations,
+    matrix,
+    names_in,
+    rate,
+    times,
+    total,
+    vanishes,
+)
+from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.problem.goals import Exists, Follows, Goal, identity
+
+
+@dataclass(frozen=True, eq=False)
+class LastMultiplier(Claim):
+    r"""``density`` is a last multiplier, on the whole space and on an invariant set.
+
+    On the whole space: :math:`\mu' + \mu\,\mathrm{div}X = 0`, and :math:`\mu` vanishes nowhere.
+    On the set F = 0 with F' = M F the form :math:`\mu\,dV/dF` (Gelfand, Leray) is preserved
+    exactly if moreover :math:`\mathrm{tr}M=0` there. Geometric integrals among the functions
+    add nothing to the trace.
+    """
+
+    relations: InvariantRelations
+    density: str = "1"
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space, density = on(self.scene), on(self.scene).formula(self.density)
+        divergence = total(Partial(name, rate(Name(name))) for name in space.variables)
+        yield identity(space, vanishes(total((rate(density), times(density, divergence)))))
+        yield Follows(space, (), (vanishes(density),))
+        size = len(self.relations.relations)
+        cofactors = matrix("M", size, size)
+        trace = vanishes(total(cofactors[k][k] for k in range(size)))
+        there = on(self.relations.scene)
+        on_set = Follows(there, ((trace,),), equations(self.relations.relations, there))
+        yield Exists((self.relations.moves_by(cofactors, on), on_set), names_in(cofactors))
+
+    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+        variable = self.scene.variables[0]
+        yield Neighbour(f"the density {variable}", replace(self, density=variable), texts)

@@ -1,0 +1,68 @@
+"""Scalings: units in which the equations have no parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Formula, Name, Quotient, replace
+from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.forms import expression, rate, times
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.problem.goals import Goal, identity
+from kowalevski_cas.problem.space import Let
+
+Measure = tuple[tuple[str, ...], int, str]
+"""Variables, the power of the unit of time in their unit, and the rest of that unit."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scaling(Claim):
+    """In units built on the printed unit of time the equations become those of ``simple``.
+
+    Each variable is divided by its unit, and each time by its; the equations of motion of the
+    simple scene have to hold for these quotients.
+    """
+
+    simple: Scene
+    measures: tuple[Measure, ...]
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        assert self.printed is not None
+        space, simple = on(self.scene), on(self.simple)
+        time = expression(self.printed, space)
+        measured = {
+            name: Quotient(Name(name), self._unit(time, power, space.formula(rest)))
+            for names, power, rest in self.measures
+            for name in names
+        }
+        equations = []
+        for row in simple.field:
+            for name, factor, force in simple.components(row):
+                force = _measured(force, measured, simple)
+                factor = _measured(factor, measured, simple)
+                equations.append((times(factor, time, rate(measured[name])), force))
+        yield identity(space, *equations)
+
+    @staticmethod
+    def _unit(time: Formula, power: int, rest: Formula) -> Formula:
+        if power < 0:
+            return Quotient(rest, times(*[time] * -power))
+        return times(rest, *[time] * power)
+
+
+def _measured(formula: Formula, values: dict[str, Formula], simple: Elaboration) -> Formula:
+    """A formula of the simple scene, its variables measured, its definitions written out."""
+    if isinstance(formula, Name):
+        if formula.name in values:
+            return values[formula.name]
+        step = simple.step(formula.name)
+        return _measured(step.formula, values, simple) if isinstance(step, Let) else formula
+    for place, child in enumerate(formula.children()):
+        if (new := _measured(child, values, simple)) is not child:
+            formula = replace(formula, (place,), new)
+    return formula
+
+
