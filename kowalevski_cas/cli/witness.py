@@ -14,6 +14,7 @@ from kowalevski_cas.cli.exits import AS_RECORDED, REJECTED, CommandError
 from kowalevski_cas.cli.export import translated
 from kowalevski_cas.export import FORMATS, load
 from kowalevski_cas.export.witness import MissingProgram, command, testify
+from kowalevski_cas.files import write
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -44,7 +45,7 @@ def run(arguments: argparse.Namespace) -> int:
             with session.progress_bar() as progress:
                 testimony = testify(name, format, export, digests, progress)
             target = arguments.output / derivation.name / f"{name}.json"
-            session.write_whole({target: testimony.text()})
+            write(target, testimony.text())
             for claim, reason in testimony.failed.items():
                 print(f"{claim}: not confirmed: {reason}", file=sys.stderr)
                 code = REJECTED
