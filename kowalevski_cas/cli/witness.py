@@ -13,8 +13,9 @@ from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, REJECTED, CommandError
 from kowalevski_cas.cli.export import translated
 from kowalevski_cas.export import FORMATS, load
-from kowalevski_cas.export.witness import MissingProgram, command, testify
+from kowalevski_cas.export.witness import testify
 from kowalevski_cas.files import write
+from kowalevski_cas.systems import MissingSystem
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -38,7 +39,7 @@ def run(arguments: argparse.Namespace) -> int:
     format = load(name)
     code = AS_RECORDED
     try:
-        command(format)
+        format.system.call()
         for folder, derivation in session.derivations(arguments.derivations):
             certificates, export = translated(name, folder, derivation)
             digests = {claim: str(one["digest"]) for claim, one in certificates.items()}
@@ -51,6 +52,6 @@ def run(arguments: argparse.Namespace) -> int:
                 code = REJECTED
             number, total = len(testimony.confirmed), len(derivation.claims)
             print(f"{derivation.name}: {number} of {total} claims confirmed by {testimony.version}")
-    except MissingProgram as error:
+    except MissingSystem as error:
         raise CommandError(str(error)) from None
     return code

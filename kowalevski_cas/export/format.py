@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
+from kowalevski_cas.systems import System
+
 Json = dict[str, Any]
 """A certificate as it was read (docs/certificate.md), accepted by the checker."""
 
@@ -40,17 +42,11 @@ class Export:
 class Format(ABC):
     """A program that can confirm certificates, and how to speak with it."""
 
-    commands: ClassVar[tuple[tuple[str, ...], ...]]
-    """How it may be called, for instance ``("coqc",)``: the first that is installed is taken."""
-
-    package: ClassVar[str]
-    """What has to be installed on Debian for it."""
+    system: ClassVar[System]
+    """The program itself: its name, and how it is called."""
 
     suffix: ClassVar[str]
     """The end of the names of its files."""
-
-    version: ClassVar[tuple[str, ...]] = ("--version",)
-    """The arguments with which the program tells its version, on the first line."""
 
     def shared(self) -> dict[str, str]:
         """Files on which the others rest; none, unless a format says so."""

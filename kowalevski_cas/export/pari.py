@@ -7,6 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from kowalevski_cas.export.polynomials import Language
+from kowalevski_cas.systems import SYSTEMS
 
 _BEGIN = """\
 roots = [];
@@ -40,10 +41,8 @@ holds(words, p, divisors) =
 class Program(Language):
     """Roots are reduced from the last to the first, for a square may contain earlier ones."""
 
-    commands = (("gp",),)
-    package = "pari-gp"
+    system = SYSTEMS["pari"]
     suffix = ".gp"
-    version = ("--version-short",)
 
     def arguments(self, file: Path) -> list[str]:
         return ["--quiet", "--fast", "--default", "parisize=1G", file.name]

@@ -7,6 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from kowalevski_cas.export.polynomials import Language
+from kowalevski_cas.systems import SYSTEMS
 
 _BEGIN = """\
 ideal relations;
@@ -40,8 +41,7 @@ proc holds(string words, poly p, list divisors)
 class Program(Language):
     """Roots lead in a lexicographic order, so that their relations reduce as they stand."""
 
-    commands = (("Singular",),)
-    package = "singular-ui"
+    system = SYSTEMS["singular"]
     suffix = ".sing"
 
     def arguments(self, file: Path) -> list[str]:

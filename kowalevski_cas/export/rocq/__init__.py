@@ -15,6 +15,7 @@ from kowalevski_cas.export.format import Format, Inexpressible, Json, identifier
 from kowalevski_cas.export.rocq.space import Space
 from kowalevski_cas.export.rocq.theorems import Theorems
 from kowalevski_cas.proof import checker
+from kowalevski_cas.systems import SYSTEMS
 
 HEAD = """\
 (** {title}: the formulas as they are printed, and what holds of them.
@@ -61,8 +62,7 @@ class Program(Format):
     squares that add up to zero vanish for real numbers only.
     """
 
-    commands: ClassVar = (("coqc",), ("rocq", "compile"))
-    package: ClassVar = "coq"
+    system: ClassVar = SYSTEMS["rocq"]
     suffix: ClassVar = ".v"
 
     def shared(self) -> dict[str, str]:
