@@ -43,8 +43,9 @@ def measure(quick: bool) -> Iterable[Task]:
             yield Task(method, case, partial(_own, method, CASES[case], seconds, most))
         for program in PROGRAMS:
             with suppress(MissingSystem):
-                words = (program, SYSTEMS[program].call(), CASES[case])
-                yield Task(program, case, partial(_program, *words, seconds, most))
+                call = SYSTEMS[program].call()
+                work = partial(_program, program, call, CASES[case], seconds, most)
+                yield Task(program, case, work)
 
 
 def _own(method: str, claim: str, seconds: float, most: int) -> Measured:
@@ -57,7 +58,7 @@ def _own(method: str, claim: str, seconds: float, most: int) -> Measured:
     return race(command, Path.cwd(), limit, MEBIBYTES, {"PYTHONPATH": path})
 
 
-def _program(call: Sequence[str], program: str, claim: str, seconds: float, most: int) -> Measured:
+def _program(program: str, call: Sequence[str], claim: str, seconds: float, most: int) -> Measured:
     from kowalevski_cas.study.direct import recorded
     from kowalevski_cas.study.growth_programs import WORDS, growth_program
 

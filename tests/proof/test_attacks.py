@@ -29,7 +29,7 @@ def at(**values):
 
 
 def rejected(spaces, parts, message, **more):
-    with pytest.raises(Exception, match=message):
+    with pytest.raises(checker.Rejected, match=message):
         checker.check(seal(certificate(spaces, parts, **more)))
 
 

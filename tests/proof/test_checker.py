@@ -33,7 +33,7 @@ def certificate(claim):
 
 
 def rejected(data, message=None):
-    with pytest.raises(Exception, match=message):
+    with pytest.raises(checker.Rejected, match=message):
         checker.check(seal(data))
 
 
