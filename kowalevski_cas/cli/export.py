@@ -34,7 +34,8 @@ def run(arguments: argparse.Namespace) -> int:
     for folder, derivation in session.derivations(arguments.derivations):
         _, export = translated(arguments.format, folder, derivation)
         target = arguments.output / derivation.name
-        write_all({target / name: text for name, text in export.files.items()})
+        files = export.files | load(arguments.format).project(export.files)
+        write_all({target / name: text for name, text in files.items()})
         total = len(derivation.claims)
         print(f"{derivation.name}: {len(export.texts)} of {total} claims, in {target}")
     return AS_RECORDED

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
@@ -35,7 +35,7 @@ class Export:
 
     @property
     def files(self) -> dict[str, str]:
-        """All files: texts by name."""
+        """All files that the program has to read: texts by name."""
         return self.shared | {self.names[claim]: text for claim, text in self.texts.items()}
 
 
@@ -50,6 +50,10 @@ class Format(ABC):
 
     def shared(self) -> dict[str, str]:
         """Files on which the others rest; none, unless a format says so."""
+        return {}
+
+    def project(self, names: Iterable[str]) -> dict[str, str]:
+        """What tells the program's own tools how to build files; nothing, unless a format says."""
         return {}
 
     @abstractmethod

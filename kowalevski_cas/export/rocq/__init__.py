@@ -7,6 +7,7 @@ theorem about numbers that Rocq computes. What is proved may rest on no axiom.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from importlib.resources import files
 from pathlib import Path
 from typing import ClassVar
@@ -68,6 +69,10 @@ class Program(Format):
     def shared(self) -> dict[str, str]:
         names = [f"{name}.v" for name in SHARED]
         return {name: (files(__name__) / name).read_text(encoding="utf-8") for name in names}
+
+    def project(self, names: Iterable[str]) -> dict[str, str]:
+        options = ['-Q . ""', "-arg -w", "-arg none"]
+        return {"_CoqProject": "\n".join([*options, *names, ""])}
 
     def translate(self, certificate: Json) -> str:
         checker.Space.left = 10 * checker.WORK
