@@ -34,7 +34,7 @@ def objection(language, certificate, folder):
     file.write_text(text, encoding="utf-8")
     done = subprocess.run(
         [*language.system.call(), *language.arguments(file)],
-        cwd=folder, capture_output=True, text=True, timeout=60, stdin=subprocess.DEVNULL,
+        cwd=folder, capture_output=True, text=True, stdin=subprocess.DEVNULL,
     )  # fmt: skip
     return language.objection(text, done.stdout + done.stderr)
 
