@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 
-from kowalevski_cas.export.polynomials import Language
+from kowalevski_cas.export.polynomials import Polynomials
 from kowalevski_cas.systems import SYSTEMS
 
 _BEGIN = """\
@@ -31,7 +31,7 @@ holds(words, p, divisors) := block([q : red(p)],
 """
 
 
-class Program(Language):
+class Program(Polynomials):
     """Roots are reduced from the last to the first, for a square may contain earlier ones."""
 
     system = SYSTEMS["maxima"]

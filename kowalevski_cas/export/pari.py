@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 
-from kowalevski_cas.export.polynomials import Language
+from kowalevski_cas.export.polynomials import Polynomials
 from kowalevski_cas.systems import SYSTEMS
 
 _BEGIN = """\
@@ -38,7 +38,7 @@ holds(words, p, divisors) =
 """
 
 
-class Program(Language):
+class Program(Polynomials):
     """Roots are reduced from the last to the first, for a square may contain earlier ones."""
 
     system = SYSTEMS["pari"]
