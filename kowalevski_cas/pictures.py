@@ -10,8 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from kowalevski_cas.files import write_all
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -153,10 +156,11 @@ def save(
 
     The bytes depend on the figure and on the version of Matplotlib, on nothing else.
     """
-    folder.mkdir(parents=True, exist_ok=True)
-    paths = tuple(folder / f"{name}.{suffix}" for suffix in formats)
+    drawn: dict[Path, str | bytes] = {}
     with style():
-        for path in paths:
-            suffix = path.suffix[1:]
-            figure.savefig(path, format=suffix, metadata=_METADATA.get(suffix))
-    return paths
+        for suffix in formats:
+            stream = BytesIO()
+            figure.savefig(stream, format=suffix, metadata=_METADATA.get(suffix))
+            drawn[folder / f"{name}.{suffix}"] = stream.getvalue()
+    write_all(drawn)
+    return tuple(drawn)

@@ -1,12 +1,34 @@
-"""Proving loads no library that the chosen arithmetic does not need."""
+"""Imports go one way, and proving loads no library that the chosen arithmetic does not need."""
 
+import ast
 import subprocess
 import sys
+from importlib.util import resolve_name
 from pathlib import Path
 
 import pytest
 
 from kowalevski_cas.arithmetic import EXACT, POINTS
+
+ROOT = Path(__file__).parents[1]
+LIBRARY = "kowalevski_cas"
+
+ROOMS = (
+    LIBRARY, "files", "systems", "notation", "texts", "scene", "arithmetic", "stage", "search",
+    "claims", "derivation", "derivations", "library", "proof", "audit", "export", "report",
+    "pictures", "motion", "study", "cli", "__main__", "benchmarks",
+)  # fmt: skip
+"""The rooms from the bottom to the top: each imports those before it."""
+
+UPWARD = {"search -> claims", "search -> proof", "claims -> proof"}
+"""Imports that run up; to be empty."""
+
+CYCLES = {
+    "arithmetic: bounds modular points programs residue_points valuation",
+    "stage: change evaluate field poisson stage",
+    "study: direct growing",
+}
+"""Files of a room that import each other; to be empty."""
 
 LIBRARIES = {"flint", "symengine", "sympy", "numpy", "scipy", "matplotlib"}
 
@@ -36,10 +58,9 @@ print(*sys.modules)
 
 def modules(script, *arguments):
     """The top names of the modules that a script has loaded in a process of its own."""
-    root = Path(__file__).parents[1]
     done = subprocess.run(
         [sys.executable, "-c", script, *arguments],
-        capture_output=True, text=True, cwd=root, check=True,
+        capture_output=True, text=True, cwd=ROOT, check=True,
     )  # fmt: skip
     return {name.split(".")[0] for name in done.stdout.split()}
 
@@ -55,3 +76,100 @@ def test_importing_loads_no_library():
 @pytest.mark.parametrize("name", [*EXACT, *POINTS])
 def test_proving_loads_what_its_arithmetic_needs_and_nothing_else(name):
     assert modules(PROVE, name, *ONLY) & LIBRARIES == NEEDED[name]
+
+
+# -- one way -----------------------------------------------------------------------
+
+
+def graph(root):
+    """What each module below a folder imports, wherever in its file: the modules by name."""
+    files = {}
+    for path in (path for room in ROOMS for path in (root / room).rglob("*.py")):
+        names = path.relative_to(root).with_suffix("").parts
+        files[".".join(names[:-1] if names[-1] == "__init__" else names)] = path
+    return {name: imported(name, path, files) for name, path in files.items()}
+
+
+def imported(name, path, known):
+    """The known modules that a file imports, other than itself."""
+    package = name if path.name == "__init__.py" else name.rpartition(".")[0]
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            source = resolve_name("." * node.level + (node.module or ""), package)
+            inside = (f"{source}.{alias.name}" for alias in node.names)
+            found |= {module if module in known else source for module in inside}
+    return found & known.keys() - {name}
+
+
+def room(module):
+    """The room of a module: the first name in the library, or another package beside it."""
+    package, _, rest = module.partition(".")
+    return rest.partition(".")[0] or package if package == LIBRARY else package
+
+
+def upward(imports):
+    """The rooms that import one which is not before them."""
+    pairs = {(room(a), room(b)) for a, found in imports.items() for b in found}
+    return {f"{a} -> {b}" for a, b in pairs if a != b and ROOMS.index(a) < ROOMS.index(b)}
+
+
+def cycles(imports):
+    """The files of a room that import each other, perhaps through others of this room."""
+
+    def reached(start):
+        found, waiting = set(), [start]
+        while waiting:
+            new = {b for b in imports[waiting.pop()] if room(b) == room(start)} - found
+            found |= new
+            waiting += new
+        return found
+
+    below = {name: reached(name) for name in imports}
+    rings = {
+        tuple(sorted(b for b in found if a in below[b])) for a, found in below.items() if a in found
+    }
+    return {f"{room(r[0])}: {' '.join(m.rpartition('.')[2] for m in r)}" for r in rings}
+
+
+@pytest.fixture(scope="module")
+def imports():
+    return graph(ROOT)
+
+
+def test_every_room_has_its_place(imports):
+    assert {room(module) for module in imports} == set(ROOMS)
+
+
+def test_imports_go_down(imports):
+    assert upward(imports) == UPWARD
+
+
+def test_no_files_of_a_room_import_each_other(imports):
+    assert cycles(imports) == CYCLES
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "import kowalevski_cas.proof.record",
+        "from kowalevski_cas.proof import record",
+        "from kowalevski_cas.proof.record import dump",
+        "from ..proof import record",
+        "from ..proof.record import dump",
+        "if TYPE_CHECKING:\n    from ..proof import record",
+        "def function():\n    from kowalevski_cas.proof import record",
+    ],
+)
+def test_an_import_is_seen_wherever_it_stands(tmp_path, text):
+    for place, content in {
+        "notation/__init__.py": "", "notation/reader.py": text, "proof/__init__.py": "",
+        "proof/record.py": "from . import digest", "proof/digest.py": "import kowalevski_cas.proof.record",
+    }.items():  # fmt: skip
+        path = tmp_path / LIBRARY / place
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(content)
+    assert upward(graph(tmp_path)) == {"notation -> proof"}
+    assert cycles(graph(tmp_path)) == {"proof: digest record"}

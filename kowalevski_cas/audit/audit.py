@@ -15,7 +15,7 @@ from kowalevski_cas.audit.limits import excess
 from kowalevski_cas.audit.macros import Expanded, expand
 from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.places import Place, find_places
-from kowalevski_cas.audit.session import AuditSession
+from kowalevski_cas.audit.session import AuditSession, base_of
 from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import words
 from kowalevski_cas.proof.outcome import Outcome
@@ -74,7 +74,7 @@ def audit(source: Source, memory: Memory) -> Audit:
     refused = {display: reason for display, reason in excessive.items() if reason}
     for display in refused:
         del sources[display]
-    session = AuditSession(memory, memory.base, sources)
+    session = AuditSession(memory, base_of(memory), sources)
     given = session.texts
     outcomes = {outcome.claim: outcome for outcome in session.run().outcomes}
     notes = [(source.line(offset), reason) for offset, reason in expanded.notes]
@@ -86,5 +86,5 @@ def audit(source: Source, memory: Memory) -> Audit:
 
 def _excess(display: Display, tex: str, memory: Memory) -> str:
     """Why a display is not evaluated; empty if it is."""
-    read = formulas(memory.base.own.with_source(display, tex), display)
+    read = formulas(base_of(memory).own.with_source(display, tex), display)
     return next((reason for formula in read if (reason := excess(formula))), "")

@@ -19,7 +19,7 @@ from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.macros import Expanded
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.roles import Role, Roles, undefined
-from kowalevski_cas.audit.session import AuditSession
+from kowalevski_cas.audit.session import AuditSession, base_of
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.notation import NotationError, split_display
 from kowalevski_cas.proof.outcome import Outcome
@@ -152,7 +152,8 @@ class Describer:
         if printed not in self.session.changed:
             return
         lost = undefined(role, self.texts.formula(printed))
-        idle = unused(self.session.memory, self.texts, printed)
+        memory = self.session.memory
+        idle = unused(memory.derivation, base_of(memory).own, self.texts, printed)
         if lost:
             audited.message = f"it does not define {', '.join(lost)}"
         elif idle:

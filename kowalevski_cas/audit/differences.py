@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from kowalevski_cas.audit.memory import Memory
+from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import Formula, NotationError, to_latex
 from kowalevski_cas.proof.dependencies import names
 from kowalevski_cas.proof.evidence import Evidence
@@ -52,15 +53,15 @@ def formulas(texts: Texts, display: Display) -> tuple[Formula, ...]:
         return tuple(found)
 
 
-def unused(memory: Memory, texts: Texts, printed: Printed) -> list[str]:
+def unused(derivation: Derivation, own: Texts, texts: Texts, printed: Printed) -> list[str]:
     """The constants of scenes that nothing depends on, now that a place has lost them."""
-    before = set(names(memory.base.own.formula(printed)))
+    before = set(names(own.formula(printed)))
     gone = before - set(names(texts.formula(printed)))
     found: dict[str, None] = {}
-    for scene in memory.derivation.scenes():
+    for scene in derivation.scenes():
         places = set(scene.places())
         if printed in places:
-            places.update(*(c.places() for c in memory.derivation.claims if scene in c.scenes()))
+            places.update(*(c.places() for c in derivation.claims if scene in c.scenes()))
             left = {name for place in places for name in names(texts.formula(place))}
             found.update(dict.fromkeys(sorted(gone & set(scene.constants) - left)))
     return list(found)

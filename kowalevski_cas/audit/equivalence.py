@@ -8,6 +8,7 @@ from fractions import Fraction
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.roles import places_of
+from kowalevski_cas.audit.session import base_of
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.formulas import components
 from kowalevski_cas.notation import Constant, Formula, NotationError, Relation
@@ -18,7 +19,7 @@ from kowalevski_cas.paper.texts import Printed
 
 def equivalence(memory: Memory, printed: Printed, old: Formula, new: Formula) -> str:
     """Why the formulas are equivalent wherever the place is used; empty if that is not shown."""
-    bench = Bench(memory.arithmetics[0], memory.base.texts, stages=memory.stages, refute=False)
+    bench = Bench(memory.arithmetics[0], base_of(memory).texts, stages=memory.stages, refute=False)
     reasons: dict[str, None] = {}
     for scene in _scenes(memory, printed):
         try:

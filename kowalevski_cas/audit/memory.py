@@ -29,7 +29,8 @@ class Memory:
     """Seconds that a correction is sought for."""
     stages: dict[object, Stage] = field(default_factory=dict)
     outcomes: dict[Key, Decided] = field(default_factory=dict)
-    kept: Base | None = None
+    base: Base | None = None
+    """What :func:`~kowalevski_cas.audit.session.base_of` decides, once."""
     rests: dict[Claim, frozenset[Printed]] = field(default_factory=dict)
 
     def places(self, claim: Claim) -> frozenset[Printed]:
@@ -48,18 +49,6 @@ class Memory:
             for table, size in sizes:
                 while len(table) > size:
                     table.popitem()
-
-    @property
-    def base(self) -> Base:
-        """The derivation as it stands, decided once."""
-        if self.kept is None:
-            from kowalevski_cas.audit.session import AuditSession
-
-            session = AuditSession(self)
-            own = session.texts
-            outcomes = {outcome.claim: outcome for outcome in session.run().outcomes}
-            self.kept = Base(own, session.texts, outcomes)
-        return self.kept
 
 
 @dataclass(frozen=True)

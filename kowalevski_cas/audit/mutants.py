@@ -142,26 +142,35 @@ def _changes(tokens: list[Token], at: int, tex: str, letters: list[str]) -> Iter
     if token.kind == "sign":
         yield "sign", token.start, token.end, "-" if token.text == "+" else "+"
     elif token.kind == "number":
-        kind = _number(tokens, at)
-        value = int(token.text) if len(token.text) < 9 else 0
-        for other in sorted({value - 1, value + 1, 2 * value, 1, 2, 3} - {value, -1}):
-            if (other or kind == "coefficient") and (kind != "index" or other <= 3):
-                yield kind, token.start, token.end, str(other)
-        if kind == "coefficient" and at + 1 < len(tokens):
-            yield kind, token.start, token.end, ""
+        yield from _numbers(tokens, at)
     elif token.kind == "letter":
-        found = list(_LETTER.finditer(tex, token.start, token.end))
-        if found:
-            start, end = found[-1].span()
-            for letter in letters:
-                if letter != found[-1][0]:
-                    gap = " " if letter[0] == "\\" and tex[end : end + 1].isalpha() else ""
-                    yield "letter", start, end, letter + gap
+        yield from _letters(token, tex, letters)
     elif token.kind == "operator" and token.text in ("Re", "Im"):
         yield "letter", token.start, token.end, "Im" if token.text == "Re" else "Re"
 
 
-def _number(tokens: list[Token], at: int) -> str:
+def _numbers(tokens: list[Token], at: int) -> Iterator[Change]:
+    """Numbers near by, or none in the place of a coefficient."""
+    token, kind = tokens[at], _role(tokens, at)
+    value = int(token.text) if len(token.text) < 9 else 0
+    for other in sorted({value - 1, value + 1, 2 * value, 1, 2, 3} - {value, -1}):
+        if (other or kind == "coefficient") and (kind != "index" or other <= 3):
+            yield kind, token.start, token.end, str(other)
+    if kind == "coefficient" and at + 1 < len(tokens):
+        yield kind, token.start, token.end, ""
+
+
+def _letters(token: Token, tex: str, letters: list[str]) -> Iterator[Change]:
+    """Every other letter in the place of the last one of a token."""
+    for found in list(_LETTER.finditer(tex, token.start, token.end))[-1:]:
+        start, end = found.span()
+        for letter in letters:
+            if letter != found[0]:
+                gap = " " if letter[0] == "\\" and tex[end : end + 1].isalpha() else ""
+                yield "letter", start, end, letter + gap
+
+
+def _role(tokens: list[Token], at: int) -> str:
     """Whether a number is an index, an exponent or a coefficient."""
     depth = 0
     for token in reversed(tokens[:at]):

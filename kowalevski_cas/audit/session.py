@@ -199,3 +199,13 @@ class AuditSession(Session):
         if green:
             return finding.verdict.green
         return (finding.verdict, finding.message) == (expected.verdict, expected.message)
+
+
+def base_of(memory: Memory) -> Base:
+    """The derivation as it stands, decided once."""
+    if memory.base is None:
+        session = AuditSession(memory)
+        own = session.texts
+        outcomes = {outcome.claim: outcome for outcome in session.run().outcomes}
+        memory.base = Base(own, session.texts, outcomes)
+    return memory.base

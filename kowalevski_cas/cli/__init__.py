@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -31,28 +30,22 @@ COMMANDS = {
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command and return its exit code."""
-    arguments = list(sys.argv[1:] if argv is None else argv)
-    gc.set_threshold(100_000)  # formulas and elements hardly make cycles: look for them seldom
+    words = list(sys.argv[1:] if argv is None else argv)
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(encoding="utf-8", errors="backslashreplace")
-    if not arguments or arguments[0] not in COMMANDS:
-        return _overview(arguments)
     sys.unraisablehook = _unraisable
+    program = " ".join(["kowalevski-cas", *words[:1]])
     try:
-        module = import_module(f"{__name__}.{arguments[0]}")
-        parser = argparse.ArgumentParser(
-            prog=f"kowalevski-cas {arguments[0]}",
-            description=module.__doc__,
-            epilog=EXIT_CODES,
-            formatter_class=_Help,
-        )
-        module.add_arguments(parser)
-        code: int = module.run(parser.parse_args(arguments[1:]))
+        parser = _parser(words)
+        if not words:
+            parser.print_help()
+            return USAGE
+        arguments = parser.parse_args(words)
+        code: int = arguments.run(arguments)
         sys.stdout.flush()
-        gc.freeze()  # the process ends: nobody need look for cycles in what is left
     except CommandError as error:
-        print(f"kowalevski-cas {arguments[0]}: {error}", file=sys.stderr)
+        print(f"{program}: {error}", file=sys.stderr)
         return error.code
     except KeyboardInterrupt:
         print("\ninterrupted: files written earlier are as they were", file=sys.stderr)
@@ -64,9 +57,31 @@ def main(argv: Sequence[str] | None = None) -> int:
         if error.filename is None:
             _silence()
         place = error.filename or "the output"
-        print(f"kowalevski-cas {arguments[0]}: {place}: {error.strerror}", file=sys.stderr)
+        print(f"{program}: {place}: {error.strerror}", file=sys.stderr)
         return USAGE
     return code
+
+
+def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
+    """The parser of all commands; only the one that is asked for is imported."""
+    parser = argparse.ArgumentParser(
+        prog="kowalevski-cas",
+        description="Printed derivations of mathematical mechanics, proved or refuted.",
+        epilog=EXIT_CODES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--version", action="version", version=f"kowalevski-cas {__version__}")
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    for name, summary in COMMANDS.items():
+        command = commands.add_parser(
+            name, help=summary, epilog=EXIT_CODES, formatter_class=parser.formatter_class
+        )
+        if name in words[:1]:
+            module = import_module(f"{__name__}.{name}")
+            command.description = module.__doc__
+            module.add_arguments(command)
+            command.set_defaults(run=module.run)
+    return parser
 
 
 def _silence() -> None:
@@ -85,33 +100,3 @@ def _unraisable(unraisable: sys.UnraisableHookArgs) -> None:
     again = Timer(0.02, pthread_kill, (get_ident(), SIGINT))
     again.daemon = True
     again.start()
-
-
-class _Help(argparse.RawDescriptionHelpFormatter):
-    """Help as wide as the terminal; argparse itself loads archive formats to ask how wide it is."""
-
-    def __init__(self, prog: str) -> None:
-        try:
-            columns = int(os.environ.get("COLUMNS") or os.get_terminal_size().columns)
-        except (OSError, ValueError):
-            columns = 80
-        super().__init__(prog, width=columns - 2)
-
-
-def _overview(arguments: list[str]) -> int:
-    parser = argparse.ArgumentParser(
-        prog="kowalevski-cas",
-        description="Printed derivations of mathematical mechanics, proved or refuted.",
-        epilog="commands:\n"
-        + "\n".join(f"  {name:14}{words}" for name, words in COMMANDS.items())
-        + "\n\n`kowalevski-cas COMMAND --help` says more.\n\n"
-        + EXIT_CODES,
-        formatter_class=_Help,
-    )
-    parser.add_argument("--version", action="version", version=f"kowalevski-cas {__version__}")
-    parser.add_argument("command", choices=list(COMMANDS), metavar="COMMAND", help="see below")
-    if not arguments:
-        parser.print_help()
-        return USAGE
-    parser.parse_args(arguments[:1])
-    return USAGE

@@ -8,13 +8,13 @@ A motion is given as for `kowalevski-cas motion`; if none is given, an example i
 from __future__ import annotations
 
 import argparse
-import os
-import tempfile
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
 from kowalevski_cas.cli.motion import add_motion
 from kowalevski_cas.cli.pictures import chosen
+from kowalevski_cas.files import write
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -32,18 +32,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    from kowalevski_cas.motion.pictures.animation import write
+    from kowalevski_cas.motion.pictures.animation import write as animate
 
     path, motion = arguments.output, chosen(arguments)
     if path.is_dir() or path.suffix.lower() != ".gif":
         raise CommandError(f"--output {path} is no file that ends with .gif")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=path.parent) as unfinished:
-            whole = Path(unfinished) / "body.gif"
-            write(motion, whole)
-            os.replace(whole, path)
-    except OSError as error:
-        raise CommandError(f"{path} cannot be written: {error.strerror}") from None
+    with TemporaryDirectory() as folder:
+        drawn = Path(folder) / "body.gif"
+        animate(motion, drawn)
+        write(path, drawn.read_bytes())
     print(path)
     return AS_RECORDED

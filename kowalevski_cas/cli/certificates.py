@@ -13,6 +13,7 @@ from pathlib import Path
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
+from kowalevski_cas.files import write_all
 from kowalevski_cas.proof.certificate import Written, certificates
 from kowalevski_cas.proof.committed import FOLDER, certificate_files
 from kowalevski_cas.proof.evidence import load_evidence
@@ -36,10 +37,10 @@ def run(arguments: argparse.Namespace) -> int:
         texts = {f"{one.claim}.json": one.text for one in written if one.text}
         if not texts:
             raise CommandError(f"no claim of {derivation.name} has a certificate", NOTHING)
-        files = {target / name: text for name, text in texts.items()}
+        files: dict[Path, str | bytes] = {target / name: text for name, text in texts.items()}
         if arguments.output is None:
             files |= _recorded(folder, written)
-        session.write_whole(files)
+        write_all(files)
         if arguments.output is None:
             for path in certificate_files(folder):
                 if path.name not in texts:

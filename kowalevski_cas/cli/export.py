@@ -14,6 +14,7 @@ from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.export import FORMATS, Export, Json, load
+from kowalevski_cas.files import write_all
 from kowalevski_cas.proof.committed import certificate_files, check_committed, check_files
 from kowalevski_cas.proof.record import RecordError, load_record
 
@@ -33,7 +34,8 @@ def run(arguments: argparse.Namespace) -> int:
     for folder, derivation in session.derivations(arguments.derivations):
         _, export = translated(arguments.format, folder, derivation)
         target = arguments.output / derivation.name
-        session.write_whole({target / name: text for name, text in export.files.items()})
+        files = export.files | load(arguments.format).project(export.files)
+        write_all({target / name: text for name, text in files.items()})
         total = len(derivation.claims)
         print(f"{derivation.name}: {len(export.texts)} of {total} claims, in {target}")
     return AS_RECORDED

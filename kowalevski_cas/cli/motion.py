@@ -10,16 +10,15 @@ by a state. By constants alone, s1 and s2 start at the first root of their arcs 
 from __future__ import annotations
 
 import argparse
-import os
 import re
 import sys
-import tempfile
 from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli.exits import AS_RECORDED, UNDECIDED, USAGE, CommandError
 from kowalevski_cas.cli.motion_formats import FORMATS, load_format
+from kowalevski_cas.files import write
 from kowalevski_cas.motion.methods import METHODS
 
 if TYPE_CHECKING:
@@ -72,7 +71,9 @@ def run(arguments: argparse.Namespace) -> int:
         raise CommandError("npz is not for a terminal; give --output DIR, or send it to a file")
     contents = load_format(arguments.format)(_followed(arguments))
     if arguments.output is not None:
-        print(_written(arguments.output / f"motion.{arguments.format}", contents))
+        path = arguments.output / f"motion.{arguments.format}"
+        write(path, contents)
+        print(path)
     elif binary:
         sys.stdout.buffer.write(contents)
     else:
@@ -142,16 +143,3 @@ def _waiting(words: str) -> AbstractContextManager[object]:
     from rich.console import Console
 
     return Console(stderr=True).status(words)
-
-
-def _written(path: Path, contents: bytes) -> Path:
-    """Write a file whole: under another name first, then in its place."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile(dir=path.parent, delete=False) as file:
-            file.write(contents)
-        os.chmod(file.name, 0o644)
-        os.replace(file.name, path)
-    except OSError as error:
-        raise CommandError(f"{path} cannot be written: {error.strerror}") from None
-    return path

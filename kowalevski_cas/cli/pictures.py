@@ -10,14 +10,13 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
 from kowalevski_cas.cli.motion import add_motion, motion_of
+from kowalevski_cas.files import write
 from kowalevski_cas.motion.pictures import PICTURES, load
 from kowalevski_cas.report.plates import LIST
 
@@ -60,11 +59,11 @@ def run(arguments: argparse.Namespace) -> int:
     with session.progress_bar() as progress:
         for done, name in enumerate(names):
             progress(name, done, len(names))
-            _write(name, motion, arguments.output)
+            _draw(name, motion, arguments.output)
     plates = [{"name": name, "caption": load(name).caption} for name in PICTURES]
     content = {"derivation": DERIVATION, "plates": plates}
     text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
-    session.write_whole({arguments.output / LIST: text})
+    write(arguments.output / LIST, text)
     print(f"{arguments.output}: {', '.join(names)}")
     return AS_RECORDED
 
@@ -78,14 +77,9 @@ def chosen(arguments: argparse.Namespace) -> Motion:
     return Motion(Parameters.of(*EXAMPLE))
 
 
-def _write(name: str, motion: Motion, folder: Path) -> None:
-    """Draw a picture; its files appear whole or not at all."""
+def _draw(name: str, motion: Motion, folder: Path) -> None:
+    """Draw a picture, in each format."""
     from kowalevski_cas.pictures import save, style
 
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=folder) as unfinished, style():
-            for file in save(load(name).draw(motion), Path(unfinished), name):
-                os.replace(file, folder / file.name)
-    except OSError as error:
-        raise CommandError(f"{folder} cannot be written to: {error.strerror}") from None
+    with style():
+        save(load(name).draw(motion), folder, name)

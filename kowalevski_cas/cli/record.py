@@ -10,6 +10,7 @@ import argparse
 from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, DISAGREEMENT, UNDECIDED, USAGE, CommandError
+from kowalevski_cas.files import write_all
 from kowalevski_cas.proof import evidence as kept
 from kowalevski_cas.proof import record
 from kowalevski_cas.proof.outcome import Verdict
@@ -39,7 +40,7 @@ def run(arguments: argparse.Namespace) -> int:
             old = None
         for change in record.differences(found, old) if old is not None else ():
             print(f"{change.claim}: {change.recorded} -> {change.found}")
-        session.write_whole(
+        write_all(
             {
                 folder / record.FILE: record.dump_record(found, old),
                 folder / kept.FILE: kept.dump_evidence(evidence),

@@ -53,7 +53,7 @@ def write(run: Run, folder: Path, derivation: Path) -> Checked:
     checked = _checked(derivation)
     try:
         written = write_report(run, folder, _certified(run, checked))
-    except (ReportError, OSError) as error:
+    except ReportError as error:
         raise CommandError(f"the report: {error}") from None
     for note in written.notes:
         print(note, file=sys.stderr)

@@ -1,11 +1,10 @@
-"""What the commands share: derivations by name, a run with its evidence, files written whole."""
+"""What the commands share: derivations by name, a run with its evidence, a bar of progress."""
 
 from __future__ import annotations
 
 import argparse
-import os
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from kowalevski_cas.cli import parallel
@@ -94,41 +93,6 @@ class progress_bar:
     def __exit__(self, *_: object) -> None:
         """Take the bar away."""
         self._stop()
-
-
-def write_whole(files: Mapping[Path, str]) -> None:
-    """Write files so that all of them appear, whole, or none does."""
-    before = {path: path.read_text(encoding="utf-8") for path in files if path.is_file()}
-    try:
-        for path, text in files.items():
-            _write(path, text)
-    except BaseException:
-        for path in filter(Path.is_file, files):
-            if path not in before:
-                path.unlink()
-            elif path.read_text(encoding="utf-8") != before[path]:
-                _write(path, before[path])
-        raise
-
-
-def _write(path: Path, text: str) -> None:
-    """Write one file under another name and move it into place."""
-    import tempfile
-
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.NamedTemporaryFile("w", dir=path.parent, encoding="utf-8", delete=False) as f:
-            temporary = Path(f.name)
-            try:
-                f.write(text)
-                f.close()
-                os.chmod(temporary, 0o644)
-                os.replace(temporary, path)
-            except BaseException:
-                temporary.unlink(missing_ok=True)
-                raise
-    except OSError as error:
-        raise CommandError(f"{path} cannot be written: {error.strerror}") from None
 
 
 def versions() -> dict[str, str]:

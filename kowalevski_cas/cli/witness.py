@@ -13,7 +13,9 @@ from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, REJECTED, CommandError
 from kowalevski_cas.cli.export import translated
 from kowalevski_cas.export import FORMATS, load
-from kowalevski_cas.export.witness import MissingProgram, command, testify
+from kowalevski_cas.export.witness import testify
+from kowalevski_cas.files import write
+from kowalevski_cas.systems import MissingSystem
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -37,19 +39,19 @@ def run(arguments: argparse.Namespace) -> int:
     format = load(name)
     code = AS_RECORDED
     try:
-        command(format)
+        format.system.call()
         for folder, derivation in session.derivations(arguments.derivations):
             certificates, export = translated(name, folder, derivation)
             digests = {claim: str(one["digest"]) for claim, one in certificates.items()}
             with session.progress_bar() as progress:
                 testimony = testify(name, format, export, digests, progress)
             target = arguments.output / derivation.name / f"{name}.json"
-            session.write_whole({target: testimony.text()})
+            write(target, testimony.text())
             for claim, reason in testimony.failed.items():
                 print(f"{claim}: not confirmed: {reason}", file=sys.stderr)
                 code = REJECTED
             number, total = len(testimony.confirmed), len(derivation.claims)
             print(f"{derivation.name}: {number} of {total} claims confirmed by {testimony.version}")
-    except MissingProgram as error:
+    except MissingSystem as error:
         raise CommandError(str(error)) from None
     return code

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
+
+from kowalevski_cas.systems import System
 
 Json = dict[str, Any]
 """A certificate as it was read (docs/certificate.md), accepted by the checker."""
@@ -33,27 +35,25 @@ class Export:
 
     @property
     def files(self) -> dict[str, str]:
-        """All files: texts by name."""
+        """All files that the program has to read: texts by name."""
         return self.shared | {self.names[claim]: text for claim, text in self.texts.items()}
 
 
 class Format(ABC):
     """A program that can confirm certificates, and how to speak with it."""
 
-    commands: ClassVar[tuple[tuple[str, ...], ...]]
-    """How it may be called, for instance ``("coqc",)``: the first that is installed is taken."""
-
-    package: ClassVar[str]
-    """What has to be installed on Debian for it."""
+    system: ClassVar[System]
+    """The program itself: its name, and how it is called."""
 
     suffix: ClassVar[str]
     """The end of the names of its files."""
 
-    version: ClassVar[tuple[str, ...]] = ("--version",)
-    """The arguments with which the program tells its version, on the first line."""
-
     def shared(self) -> dict[str, str]:
         """Files on which the others rest; none, unless a format says so."""
+        return {}
+
+    def project(self, names: Iterable[str]) -> dict[str, str]:
+        """What tells the program's own tools how to build files; nothing, unless a format says."""
         return {}
 
     @abstractmethod

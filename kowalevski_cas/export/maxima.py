@@ -6,7 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 
-from kowalevski_cas.export.polynomials import Language
+from kowalevski_cas.export.polynomials import Polynomials
+from kowalevski_cas.systems import SYSTEMS
 
 _BEGIN = """\
 linel : 100000$
@@ -30,11 +31,10 @@ holds(words, p, divisors) := block([q : red(p)],
 """
 
 
-class Program(Language):
+class Program(Polynomials):
     """Roots are reduced from the last to the first, for a square may contain earlier ones."""
 
-    commands = (("maxima",),)
-    package = "maxima"
+    system = SYSTEMS["maxima"]
     suffix = ".mac"
     omits = "No claim is left out for its kind; what rests on words as well is confirmed without."
 

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 
-from kowalevski_cas.export.polynomials import Language
+from kowalevski_cas.export.polynomials import Polynomials
+from kowalevski_cas.systems import SYSTEMS
 
 _BEGIN = """\
 roots = [];
@@ -37,13 +38,11 @@ holds(words, p, divisors) =
 """
 
 
-class Program(Language):
+class Program(Polynomials):
     """Roots are reduced from the last to the first, for a square may contain earlier ones."""
 
-    commands = (("gp",),)
-    package = "pari-gp"
+    system = SYSTEMS["pari"]
     suffix = ".gp"
-    version = ("--version-short",)
 
     def arguments(self, file: Path) -> list[str]:
         return ["--quiet", "--fast", "--default", "parisize=1G", file.name]

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 
-from kowalevski_cas.export.polynomials import Language
+from kowalevski_cas.export.polynomials import Polynomials
+from kowalevski_cas.systems import SYSTEMS
 
 _BEGIN = """\
 ideal relations;
@@ -37,11 +38,10 @@ proc holds(string words, poly p, list divisors)
 """
 
 
-class Program(Language):
+class Program(Polynomials):
     """Roots lead in a lexicographic order, so that their relations reduce as they stand."""
 
-    commands = (("Singular",),)
-    package = "singular-ui"
+    system = SYSTEMS["singular"]
     suffix = ".sing"
 
     def arguments(self, file: Path) -> list[str]:

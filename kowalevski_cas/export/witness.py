@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import shutil
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -12,16 +11,13 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from kowalevski_cas.export.format import Export, Format
+from kowalevski_cas.systems import MissingSystem, System
 
 JOBS = 2
 SECONDS = 300
 """A program that has not answered after so long does not confirm."""
 
 Progress = Callable[[str, int, int], None]
-
-
-class MissingProgram(Exception):
-    """The program is not installed, or does not run; the message says what to do."""
 
 
 @dataclass(frozen=True)
@@ -42,22 +38,16 @@ class Testimony:
         return json.dumps(asdict(self), indent=1, ensure_ascii=False) + "\n"
 
 
-def command(format: Format) -> tuple[str, ...]:
-    """How the program of a format is called on this machine."""
-    for call in format.commands:
-        if shutil.which(call[0]):
-            return call
-    names = " or ".join(call[0] for call in format.commands)
-    raise MissingProgram(
-        f"{names} is not installed; on Debian or Ubuntu: apt-get install {format.package}"
-    )
+def version(system: System) -> str:
+    """What a system calls itself, with its version.
 
-
-def version(format: Format, call: Sequence[str]) -> str:
-    """What the program calls itself, with its version."""
-    code, output = _run([*call, *format.version], Path.cwd())
+    Raises:
+        MissingSystem: it is not installed, or does not tell.
+    """
+    call = system.call()
+    code, output = _run([*call, *system.version], Path.cwd())
     if code or not output.strip():
-        raise MissingProgram(f"{' '.join(call)} does not tell its version: {_last(output)}")
+        raise MissingSystem(f"{' '.join(call)} does not tell its version: {_last(output)}")
     return output.strip().splitlines()[0]
 
 
@@ -73,10 +63,10 @@ def testify(
     ``digests`` has the digest of each claim's certificate.
 
     Raises:
-        MissingProgram: the program is not installed, or does not run.
+        MissingSystem: the program is not installed, or does not run.
     """
-    call = command(format)
-    testimony = Testimony(name, version(format, call), {}, {})
+    call = format.system.call()
+    testimony = Testimony(name, version(format.system), {}, {})
     with TemporaryDirectory() as place:
         folder = Path(place)
         for file, text in export.files.items():

@@ -170,10 +170,11 @@ LARGEST_CHANGE = 4
 
 
 def is_small_change(before: Formula, after: Formula) -> bool:
-    """Whether two formulas differ in one subtree only, and there by a few nodes.
+    """Whether formulas differ in one subtree, which has about as many nodes in both.
 
     >>> words = Vocabulary(frozenset({"x", "y"}))
-    >>> formulas = [read_display(tex, words)[0].formula for tex in ("x+y=1", "x-y=1", "x+y=x+y")]
+    >>> texts = ("x+y=1", "x-y=1", "x+y=x^2+y^2")
+    >>> formulas = [read_display(tex, words)[0].formula for tex in texts]
     >>> [is_small_change(formulas[0], other) for other in formulas]
     [False, True, False]
     """

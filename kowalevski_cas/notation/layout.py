@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from kowalevski_cas.notation.errors import NotationError
@@ -47,45 +48,40 @@ def statements(tokens: list[Token], tex: str) -> list[list[Token]]:
 
 def _runs(tokens: list[Token], tex: str) -> list[_Run]:
     """What stands between the breaks outside all brackets; empty cells vanish."""
-    runs: list[_Run] = []
-    run = _Run("comma")
-    depth = matrices = 0
+    runs = [_Run("comma")]
     broken = ""  # the last break inside brackets, where a sign may stand on both sides
-    for token in tokens:
-        kind = token.kind
-        if kind in _BREAKS and not matrices:
-            if depth:
-                if kind == "comma":
-                    run.tokens.append(token)
-                else:
-                    broken = _stronger(broken, kind)
-                continue
+    for token, depth, matrix in _nested(tokens, tex):
+        run, kind = runs[-1], token.kind
+        if kind in _BREAKS and not depth:
             if run.tokens:
-                runs.append(run)
-                run = _Run(kind)
+                runs.append(_Run(kind))
             else:
                 run.before = _stronger(run.before, kind)
-            continue
-        if kind in _OPENING:
-            depth += 1
-            matrices += kind == "begin"
-        elif kind in _CLOSING:
-            depth -= 1
-            matrices -= kind == "end"
-            if depth < 0:
-                raise NotationError("this bracket closes nothing", tex, token.start)
-        elif kind == "relation" and not depth:
-            run.relation = True
-        if broken:
+        elif kind in _BREAKS and kind != "comma" and not matrix:
+            broken = _stronger(broken, kind)
+        else:
+            run.relation |= kind == "relation" and not depth
             _append(run.tokens, [token], broken)
             broken = ""
-        else:
-            run.tokens.append(token)
-    runs.append(run)
     for run in runs:
         while run.tokens and run.tokens[-1].kind == "stop":
             run.tokens.pop()
     return [run for run in runs if run.tokens]
+
+
+def _nested(tokens: list[Token], tex: str) -> Iterator[tuple[Token, int, bool]]:
+    """Each token, the number of brackets around it, and whether one of them is a matrix."""
+    depth = matrices = 0
+    for token in tokens:
+        if token.kind in _CLOSING:
+            depth -= 1
+            matrices -= token.kind == "end"
+            if depth < 0:
+                raise NotationError("this bracket closes nothing", tex, token.start)
+        yield token, depth, matrices > 0
+        if token.kind in _OPENING:
+            depth += 1
+            matrices += token.kind == "begin"
 
 
 def _stronger(one: str, other: str) -> str:
@@ -94,9 +90,10 @@ def _stronger(one: str, other: str) -> str:
 
 def _append(tokens: list[Token], more: list[Token], before: str) -> None:
     """Join two runs; a sign that is repeated at the break of a row is one sign."""
-    last, first = tokens[-1], more[0]
-    if before in ("row", "cell") and last.kind in _BINARY and last.text == first.text:
-        tokens.pop()
+    if before in ("row", "cell"):
+        last, first = tokens[-1], more[0]
+        if last.kind in _BINARY and last.text == first.text:
+            tokens.pop()
     tokens += more
 
 

@@ -64,17 +64,22 @@ class Symbols(Cursor, ABC):
             else:
                 power = self.exponent()
         name = token.text + index
-        if name in self.vocabulary.functions:
-            opened = self.tokens[self.at].kind == "open"
-            if opened or (name not in self.names and name[0] == "\\" and name not in GREEK):
-                if primes or accents:
-                    raise self.error(f"the derivative of the function {name} is ambiguous", token)
-                return self.application(name, token.start, power)
+        if self.applied(name):
+            if primes or accents:
+                raise self.error(f"the derivative of the function {name} is ambiguous", token)
+            return self.application(name, token.start, power)
         piece: Piece = (self.declared(token.text, index, token), token.start, name_end, ())
         if accents:
             piece = _accented(piece, accents, start, max(name_end, accents_end))
         piece = _primed(piece, primes, primes_end)
         return piece if power is None else self.powered(piece, power)
+
+    def applied(self, name: str) -> bool:
+        """Whether a name is a function here, with an argument to follow."""
+        if name not in self.vocabulary.functions:
+            return False
+        upright = name not in self.names and name[0] == "\\" and name not in GREEK
+        return upright or self.tokens[self.at].kind == "open"
 
     def application(self, name: str, start: int, power: Piece | None) -> Piece:
         """A function's argument, which is a bracket or, after an upright name, one factor."""

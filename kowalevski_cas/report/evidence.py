@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Outcome, Verdict
 from kowalevski_cas.report.alike import alike
-from kowalevski_cas.report.names import program
+from kowalevski_cas.systems import title
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ def evidence(rows: Sequence[Outcome]) -> Iterator[Evidence]:
         if row.message:
             yield Evidence(ids, message=row.message)
         if len(set(row.verdicts.values())) > 1:
-            named = tuple((program(name), verdict) for name, verdict in row.verdicts.items())
+            named = tuple((title(name), verdict) for name, verdict in row.verdicts.items())
             yield Evidence(ids, disagreement=named)
 
 

@@ -1,11 +1,8 @@
-"""Names in a report: of claims, of the displays they are rows of, and of programs."""
+"""Names in a report: of claims, and of the displays they are rows of."""
 
 from __future__ import annotations
 
 import re
-from typing import Final
-
-_PROGRAMS: Final = {"flint": "FLINT", "symengine": "SymEngine", "sympy": "SymPy"}
 
 
 def display_of(claim: str) -> str:
@@ -17,8 +14,3 @@ def display_of(claim: str) -> str:
 def anchor(text: str) -> str:
     """A name that both LaTeX and Typst take for a label."""
     return re.sub(r"[^A-Za-z0-9.-]", "-", text)
-
-
-def program(arithmetic: str) -> str:
-    """What the authors of an arithmetic call it."""
-    return _PROGRAMS.get(arithmetic, arithmetic)

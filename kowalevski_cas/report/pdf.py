@@ -12,6 +12,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Final, Literal
 
+from kowalevski_cas.files import write
 from kowalevski_cas.proof.outcome import Run
 from kowalevski_cas.report.latex import (
     TEMPLATES,
@@ -54,13 +55,14 @@ def write_report(
 
     Raises:
         ReportError: if no PDF can be made; the ``.tex`` is written by then.
+        OSError: if a file cannot be written.
     """
     tex = folder / f"{run.derivation}.tex"
     shown = plates(folder, run.derivation)
     certified = certified or Certified()
     told = programs(folder, run.derivation, certified)
     source = render_latex(run, shown, certified, told)
-    _replace(tex, source.encode())
+    write(tex, source)
     notes: list[str] = []
     if engine == "latex" or (engine == "auto" and latex_command()):
         try:
@@ -78,25 +80,8 @@ def _written(
     tex: Path, content: bytes, engine: Literal["latex", "typst"], notes: list[str]
 ) -> Written:
     pdf = tex.with_suffix(".pdf")
-    _replace(pdf, content)
+    write(pdf, content)
     return Written(tex, pdf, engine, tuple(notes))
-
-
-def _replace(path: Path, content: bytes) -> None:
-    """Write a file under another name, then put it in its place."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    except OSError as error:
-        raise ReportError(f"{path.parent} cannot be written to: {error.strerror}.") from None
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        os.chmod(name, 0o644)
-        os.replace(name, path)
-    except BaseException:
-        Path(name).unlink(missing_ok=True)
-        raise
 
 
 # ------------------------------------------------------------------------ LaTeX

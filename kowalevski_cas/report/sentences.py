@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kowalevski_cas.proof.outcome import Run, Verdict
-from kowalevski_cas.report.names import program
 from kowalevski_cas.report.sections import count
+from kowalevski_cas.systems import title
 
 
 def listed(items: Sequence[str], last: str = "and") -> str:
@@ -63,7 +63,7 @@ def _found(run: Run) -> str:
 def _how(run: Run) -> str:
     refuted = [o for o in run.outcomes if o.verdict is Verdict.REFUTED]
     mended = sum(o.correction is not None and o.correction.verdict.green for o in refuted)
-    names = listed([program(a) for a in run.arithmetics])
+    names = listed([title(a) for a in run.arithmetics])
     decided = [o for o in run.outcomes if o.verdicts]
     agreed = [o for o in decided if len(set(o.verdicts.values())) == 1]
     if len(decided) > len(agreed):

@@ -15,18 +15,9 @@ from pathlib import Path
 from typing import Any, Final
 
 from kowalevski_cas.proof.outcome import Outcome
+from kowalevski_cas.systems import SYSTEMS, title
 
 FOLDER: Final = "witnesses"
-
-_NAMES: Final = {
-    "flint": "FLINT",
-    "symengine": "SymEngine",
-    "sympy": "SymPy",
-    "rocq": "Rocq",
-    "singular": "Singular",
-    "pari": "PARI",
-    "maxima": "Maxima",
-}
 
 
 @dataclass(frozen=True)
@@ -51,7 +42,7 @@ def arithmetics(outcomes: Sequence[Outcome]) -> tuple[Witness, ...]:
     names = dict.fromkeys(name for outcome in outcomes for name in outcome.verdicts)
     return tuple(
         Witness(
-            _NAMES.get(name, name),
+            title(name),
             "",
             frozenset(o.claim for o in outcomes if o.verdicts.get(name) is o.verdict),
         )
@@ -75,6 +66,6 @@ def programs(folder: Path, derivation: str, certified: Certified) -> tuple[Witne
         except (OSError, ValueError, KeyError, TypeError):
             continue
         if claims:
-            found[name] = Witness(_NAMES.get(name, name), version, claims)
-    order = [*(name for name in _NAMES if name in found), *(n for n in found if n not in _NAMES)]
+            found[name] = Witness(title(name), version, claims)
+    order = [*(name for name in SYSTEMS if name in found), *(n for n in found if n not in SYSTEMS)]
     return tuple(found[name] for name in order)

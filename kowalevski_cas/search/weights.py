@@ -13,6 +13,7 @@ from kowalevski_cas.arithmetic.polynomials import Terms
 def weights(polynomials: Sequence[Terms]) -> tuple[int, ...] | None:
     """The smallest positive integers that do it, if they are unique up to a factor.
 
+    >>> from fractions import Fraction
     >>> one = Fraction(1)
     >>> weights([{(2, 0): one, (0, 1): one}])
     (1, 2)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import os
-import shutil
 import sys
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -13,6 +13,7 @@ from tempfile import TemporaryDirectory
 from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.study.race import race
 from kowalevski_cas.study.step import Measured, Row, Task
+from kowalevski_cas.systems import SYSTEMS, MissingSystem
 
 TITLE = "how cost grows"
 
@@ -41,8 +42,10 @@ def measure(quick: bool) -> Iterable[Task]:
         for method in OWN:
             yield Task(method, case, partial(_own, method, CASES[case], seconds, most))
         for program in PROGRAMS:
-            if shutil.which(_command(program)[0]):
-                yield Task(program, case, partial(_program, program, CASES[case], seconds, most))
+            with suppress(MissingSystem):
+                call = SYSTEMS[program].call()
+                work = partial(_program, program, call, CASES[case], seconds, most)
+                yield Task(program, case, work)
 
 
 def _own(method: str, claim: str, seconds: float, most: int) -> Measured:
@@ -55,13 +58,7 @@ def _own(method: str, claim: str, seconds: float, most: int) -> Measured:
     return race(command, Path.cwd(), limit, MEBIBYTES, {"PYTHONPATH": path})
 
 
-def _command(program: str) -> tuple[str, ...]:
-    from kowalevski_cas.study.growth_programs import WORDS
-
-    return WORDS[program].command
-
-
-def _program(program: str, claim: str, seconds: float, most: int) -> Measured:
+def _program(program: str, call: Sequence[str], claim: str, seconds: float, most: int) -> Measured:
     from kowalevski_cas.study.direct import recorded
     from kowalevski_cas.study.growth_programs import WORDS, growth_program
 
@@ -70,7 +67,7 @@ def _program(program: str, claim: str, seconds: float, most: int) -> Measured:
         file = Path(folder) / f"growth{words.suffix}"
         steps = recorded(claim, most, min(PREPARED, seconds))
         file.write_text(growth_program(program, steps), encoding="utf-8")
-        return race([*words.command, file.name], Path(folder), seconds, MEBIBYTES)
+        return race([*call, *words.options, file.name], Path(folder), seconds, MEBIBYTES)
 
 
 def draw(rows: Sequence[Row], folder: Path) -> None:

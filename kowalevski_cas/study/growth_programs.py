@@ -13,7 +13,7 @@ from kowalevski_cas.study.direct import FORGET, Recording, Trace
 class Words:
     """How a program says it: templates for the parts of a file."""
 
-    command: tuple[str, ...]
+    options: tuple[str, ...]
     suffix: str
     begin: str
     define: str
@@ -26,7 +26,7 @@ class Words:
 
 WORDS = {
     "singular": Words(
-        command=("Singular", "--quiet", "--no-rc", "--no-warn"),
+        options=("--quiet", "--no-rc", "--no-warn"),
         suffix=".sing",
         begin='ring R = 0, ({names}), dp;\nsystem("--ticks-per-sec", 1000);\nint clock;',
         define="poly {name} = {text};",
@@ -37,7 +37,7 @@ WORDS = {
         end="quit;",
     ),
     "pari": Words(
-        command=("gp", "--quiet", "--fast", "--default", "parisize=2G"),
+        options=("--quiet", "--fast", "--default", "parisize=2G"),
         suffix=".gp",
         begin="[{names}];\nclock = 0;",
         define="{name} = {text};",

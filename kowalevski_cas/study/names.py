@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
+from kowalevski_cas.systems import title
+
 _NAMES = {
-    "flint": "FLINT",
-    "symengine": "SymEngine",
     "sympy": "SymPy polynomials",
     "modular": "residues",
     "ball": "balls",
     "floating": "floating point",
     "checker": "certificate checker",
-    "rocq": "Rocq",
-    "singular": "Singular",
-    "pari": "PARI/GP",
-    "maxima": "Maxima",
     "python-flint": "python-flint alone",
 }
 
 
 def shown(method: str) -> str:
     """The name of a method in print; a name that is not known stays as it is."""
-    return _NAMES.get(method, method)
+    return _NAMES.get(method, title(method))

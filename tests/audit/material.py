@@ -26,7 +26,7 @@ def paper_path() -> Path:
 
 @cache
 def memory() -> Memory:
-    return Memory(load(NAME), evidence=load_evidence(find(NAME)), timeout=20)
+    return Memory(load(NAME), evidence=load_evidence(find(NAME)), patience=600)
 
 
 @cache

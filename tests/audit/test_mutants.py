@@ -7,6 +7,7 @@ import pytest
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.catching import measure
 from kowalevski_cas.audit.mutants import sample
+from kowalevski_cas.audit.session import base_of
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli.mutants import report
 from tests.audit.material import memory, source
@@ -42,7 +43,7 @@ def test_mutants_are_caught(base):
 def test_the_derivation_stands_in_for_the_paper():
     found = audit(synthetic(memory().derivation), memory())
     assert {k: o.verdict for k, o in found.outcomes.items()} == {
-        k: o.verdict for k, o in memory().base.outcomes.items()
+        k: o.verdict for k, o in base_of(memory()).outcomes.items()
     }
 
 

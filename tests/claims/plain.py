@@ -4,7 +4,7 @@ Nothing of the program computes here but its reader, so that a counterexample
 can be checked by somebody else.
 """
 
-from math import isclose
+from math import isclose, prod
 
 from kowalevski_cas.notation import (
     Conjugate,
@@ -73,45 +73,30 @@ def dual(number):
     return number if isinstance(number, Dual) else Dual(number)
 
 
-def evaluate(formula, names, time=1):
-    """The value of a formula; ``time`` is i for a derivative by tau = it where rates are by tau."""
+OPERATIONS = {
+    Sum: lambda f, of: sum(map(of, f.terms), Dual(0)),
+    Negative: lambda f, of: -of(f.argument),
+    Product: lambda f, of: prod(map(of, f.factors), start=Dual(1)),
+    Quotient: lambda f, of: of(f.numerator) / of(f.denominator),
+    Power: lambda f, of: of(f.base) ** f.exponent.value,
+    Root: lambda f, of: of(f.argument).root(),
+    Derivative: lambda f, of: Dual(of(f.argument).rate),
+    Conjugate: lambda f, of: Dual(of(f.argument).value.conjugate()),
+    RealPart: lambda f, of: Dual(of(f.argument).value.real),
+    ImaginaryPart: lambda f, of: Dual(of(f.argument).value.imag),
+    ScalarProduct: lambda f, of: sum(
+        (a * b for a, b in zip(of(f.left), of(f.right), strict=True)), Dual(0)
+    ),
+    Number: lambda f, of: Dual(f.value),
+    Constant: lambda f, of: None,
+}
 
-    def of(part):
-        return evaluate(part, names, time)
 
-    match formula:
-        case Number(value):
-            return Dual(value)
-        case Name(name):
-            return names[name]
-        case Sum(terms):
-            return sum(map(of, terms), Dual(0))
-        case Negative(argument):
-            return -of(argument)
-        case Product(factors):
-            result = Dual(1)
-            for factor in factors:
-                result = result * of(factor)
-            return result
-        case Quotient(above, below):
-            return of(above) / of(below)
-        case Power(base, Number(exponent)):
-            return of(base) ** exponent
-        case Root(argument):
-            return of(argument).root()
-        case Derivative(argument, _):
-            return Dual(of(argument).rate)
-        case Conjugate(argument):
-            return Dual(of(argument).value.conjugate())
-        case RealPart(argument):
-            return Dual(of(argument).value.real)
-        case ImaginaryPart(argument):
-            return Dual(of(argument).value.imag)
-        case ScalarProduct(left, right):
-            return sum((a * b for a, b in zip(of(left), of(right), strict=True)), Dual(0))
-        case Constant():
-            return None
-    raise NotImplementedError(type(formula).__name__)
+def evaluate(formula, names):
+    """The value of a formula with its rate, where names have theirs."""
+    if isinstance(formula, Name):
+        return names[formula.name]
+    return OPERATIONS[type(formula)](formula, lambda part: evaluate(part, names))
 
 
 def value(tex):

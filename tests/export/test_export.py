@@ -9,10 +9,19 @@ def test_each_claim_has_a_file_and_what_is_left_out_is_named(tmp_path, capsys):
     out, err = capsys.readouterr()
     files = {path.name for path in (tmp_path / "kharlamov2002").iterdir()}
     shared = load("rocq").shared().keys()
-    assert shared | {"eq14.v", "F1_prime.v"} <= files
+    assert shared | {"eq14.v", "F1_prime.v", "_CoqProject"} <= files
     left_out = [line for line in err.splitlines() if ": left out: " in line]
-    told = len(files - shared)
+    told = len(files - shared - {"_CoqProject"})
     assert f"kharlamov2002: {told} of {told + len(left_out)} claims" in out
+
+
+def test_rocq_is_told_how_to_build_all_its_files(small, tmp_path):
+    main(["export", "rocq", str(small), "-o", str(tmp_path / "out")])
+    folder = tmp_path / "out" / "kharlamov2002"
+    *options, last = (folder / "_CoqProject").read_text(encoding="utf-8").partition("Expressions.v")
+    assert options == ['-Q . ""\n-arg -w\n-arg none\n', "Expressions.v"]
+    theories = {path.name for path in folder.glob("*.v")}
+    assert {"Expressions.v", *last.split()} == theories
 
 
 def test_the_text_of_an_export_is_always_the_same(tmp_path):

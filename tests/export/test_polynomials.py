@@ -22,8 +22,8 @@ CERTIFICATES = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path
 @pytest.fixture(params=["singular", "pari", "maxima"])
 def language(request):
     language = load(request.param)
-    if shutil.which(language.commands[0][0]) is None:
-        pytest.skip(f"{language.package} is not installed")
+    if shutil.which(language.system.calls[0][0]) is None:
+        pytest.skip(f"{language.system.title} is not installed")
     return language
 
 
@@ -33,8 +33,8 @@ def objection(language, certificate, folder):
     file = folder / f"claim{language.suffix}"
     file.write_text(text, encoding="utf-8")
     done = subprocess.run(
-        [*language.commands[0], *language.arguments(file)],
-        cwd=folder, capture_output=True, text=True, timeout=60, stdin=subprocess.DEVNULL,
+        [*language.system.call(), *language.arguments(file)],
+        cwd=folder, capture_output=True, text=True, stdin=subprocess.DEVNULL,
     )  # fmt: skip
     return language.objection(text, done.stdout + done.stderr)
 

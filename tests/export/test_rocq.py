@@ -44,6 +44,15 @@ def rocq(tmp_path_factory):
 
 
 @needs_rocq
+def test_the_exported_theories_are_built_by_coq_makefile(small, tmp_path):
+    assert main(["export", "rocq", str(small), "-o", str(tmp_path / "out")]) == 0
+    folder = tmp_path / "out" / "kharlamov2002"
+    make = "coq_makefile -f _CoqProject -o CoqMakefile && make -f CoqMakefile -j 2"
+    subprocess.run(make, shell=True, cwd=folder, check=True, capture_output=True)
+    assert {path.stem for path in folder.glob("*.vo")} == {path.stem for path in folder.glob("*.v")}
+
+
+@needs_rocq
 @pytest.mark.parametrize(
     "claim", ["eq7", "eq21", pytest.param("N4-dimension", marks=pytest.mark.slow)]
 )

@@ -8,6 +8,8 @@ is false holds at such a point with a probability of about 1e-16.
 from __future__ import annotations
 
 import random
+from functools import reduce
+from operator import add, mul, truediv
 
 from flint import nmod, nmod_mat
 from flint.utils.flint_exceptions import DomainError
@@ -204,16 +206,9 @@ class Names:
         first, *others = (self.value(x, values) for x in rest)
         if op == "-":
             return -first
-        for other in others:
-            if op == "+":
-                first = first + other
-            elif op == "*":
-                first = first * other
-            else:
-                require(op == "/", op)
-                require(other != 0, "division by zero")
-                first = first / other
-        return first
+        require(op in ("+", "*", "/"), op)
+        require(op != "/" or 0 not in others, "division by zero")
+        return reduce({"+": add, "*": mul, "/": truediv}[op], others, first)
 
     def components(self, tree, values):
         opened = self.open(tree)
@@ -248,26 +243,28 @@ class Names:
         if self.rates:
             require(set(data["variables"]) <= set(self.rates), "a variable does not move")
         if "change" in data:
-            change = data["change"]
-            require(len(change["formulas"]) == len(self.old.data["variables"]), "not one to one")
-            for name, tree in change["formulas"]:
-                there = self.value(self.moved(self.old.open(tree)), values)
-                require(there == self.value(self.open(name), values), "inverse")
-            for name, radicand in self.old.radicands.items():
-                here = self.value(self.moved(name), values)
-                require(here * here == self.value(self.moved(radicand), values), "old relation")
-        if "change" in data:
-            scale = self.value(self.moved(self.old.open(data["change"]["time"])), values)
-            for name in self.old.plain:
-                rate = self.value(self.moved(self.old.along(name)), values) * scale
-                require(self.value(self.along(self.open(name)), values) == rate, "old rate")
-                if name in self.old.data["variables"]:
-                    tree = self.open(name)
-                    require(self.value(self.bar(tree), values) == self.value(tree, values), "real")
+            self.sound_change(data["change"], values)
         if "conjugates" in data:
             for name, radicand in self.radicands.items():
                 bar = self.value(self.bar(name), values)
                 require(bar * bar == self.value(self.bar(radicand), values), "conjugate")
+
+    def sound_change(self, change, values):
+        """Whether the new variables are one to one, with the old relations, rates and reality."""
+        require(len(change["formulas"]) == len(self.old.data["variables"]), "not one to one")
+        for name, tree in change["formulas"]:
+            there = self.value(self.moved(self.old.open(tree)), values)
+            require(there == self.value(self.open(name), values), "inverse")
+        for name, radicand in self.old.radicands.items():
+            here = self.value(self.moved(name), values)
+            require(here * here == self.value(self.moved(radicand), values), "old relation")
+        scale = self.value(self.moved(self.old.open(change["time"])), values)
+        for name in self.old.plain:
+            rate = self.value(self.moved(self.old.along(name)), values) * scale
+            require(self.value(self.along(self.open(name)), values) == rate, "old rate")
+        for name in self.old.data["variables"]:
+            tree = self.open(name)
+            require(self.value(self.bar(tree), values) == self.value(tree, values), "real")
 
 
 def point_values(names, point):

@@ -14,6 +14,10 @@ OTHERS = {
 }  # fmt: skip
 
 
+ODD = (ValueError, TypeError, KeyError, IndexError, StopIteration, RecursionError)
+"""What the checker raises besides a rejection where its input is no certificate; to be empty."""
+
+
 def seal(data):
     """The text of a certificate, with the digest that belongs to it."""
     canonical = json.dumps({**data, "digest": ""}, sort_keys=True)

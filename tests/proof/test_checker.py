@@ -15,7 +15,7 @@ from kowalevski_cas.proof import checker
 from kowalevski_cas.proof.committed import certificate_files, check_committed, check_files
 
 from .oracle import is_true
-from .tampering import at, changed, names_in, others, places, seal
+from .tampering import ODD, at, changed, names_in, others, places, seal
 
 CHECKER = Path(checker.__file__)
 FILES = certificate_files(find("kharlamov2002"))
@@ -25,22 +25,22 @@ TEXTS = {path.stem: path.read_text(encoding="utf-8") for path in FILES}
 
 def run(*files, flags=("-I", "-S")):
     command = [sys.executable, *flags, str(CHECKER), *map(str, files)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=60)
+    return subprocess.run(command, capture_output=True, text=True)
 
 
 def certificate(claim):
     return json.loads(TEXTS[claim])
 
 
-def rejected(data, message=None):
-    with pytest.raises(Exception, match=message):
+def rejected(data, message=None, odd=()):
+    with pytest.raises((checker.Rejected, *odd), match=message):
         checker.check(seal(data))
 
 
 def accepted(data):
     try:
         checker.check(seal(data))
-    except Exception:
+    except (checker.Rejected, *ODD):
         return False
     return True
 
@@ -106,7 +106,7 @@ class TestText:
     def test_every_truncation(self):
         text = TEXTS["eq6"]
         for end in range(0, len(text) - 2, 7):
-            with pytest.raises(Exception, match=None):
+            with pytest.raises((checker.Rejected, *ODD)):
                 checker.check(text[:end])
 
     def test_a_change_without_a_new_digest(self):
@@ -114,12 +114,12 @@ class TestText:
             data = json.loads(text)
             for place in random.Random(claim).sample(list(places(data)), 3):
                 for value in others(data, place, ["x_1", "i"]):
-                    with pytest.raises(Exception, match=None):
+                    with pytest.raises((checker.Rejected, *ODD)):
                         checker.check(json.dumps(changed(data, place, value)))
 
     def test_a_key_twice(self):
         text = TEXTS["eq6"].replace('"claim"', '"claim": "eq6", "claim"', 1)
-        with pytest.raises(Exception, match=None):
+        with pytest.raises((checker.Rejected, *ODD)):
             checker.check(text)
 
     @pytest.mark.parametrize(
@@ -138,7 +138,7 @@ class TestText:
 
     @pytest.mark.parametrize("text", ["", "null", "[]", "{}", "[" * 100_000, '{"a": NaN}', "\0"])
     def test_what_is_no_certificate(self, text):
-        with pytest.raises(Exception, match=None):
+        with pytest.raises((checker.Rejected, *ODD)):
             checker.check(text)
 
     def test_no_parts(self):
@@ -228,7 +228,7 @@ class TestStatements:
     def test_given_without_a_point(self):
         data = certificate("eq15")
         del data["parts"][0]["point"]
-        rejected(data)
+        rejected(data, "point", ODD)
 
     def test_a_field_with_a_gap(self):
         data = certificate("eq4.1")
@@ -282,7 +282,7 @@ class TestStatements:
         data = certificate("eq14")
         part = next(p for p in data["parts"] if p["shows"] == "differ")
         part["equation"][1] = part["equation"][0]
-        rejected(data)
+        rejected(data, odd=ODD)
 
     def test_a_false_inverse(self):
         data = certificate("eq12")

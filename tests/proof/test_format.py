@@ -7,7 +7,7 @@ import pytest
 from kowalevski_cas.proof import checker
 
 from .oracle import is_true
-from .tampering import changed, names_in, others, places, seal
+from .tampering import ODD, changed, names_in, others, places, seal
 
 DOCUMENT = (Path(__file__).parents[2] / "docs" / "certificate.md").read_text(encoding="utf-8")
 EXAMPLE = re.search(r"```json\n(.*?)```", DOCUMENT, re.S).group(1)
@@ -29,7 +29,7 @@ def test_every_change_of_the_example_is_rejected_or_true():
             other, tampered = changed(data, path, value), tampered + 1
             try:
                 checker.check(seal(other))
-            except Exception:
+            except (checker.Rejected, *ODD):
                 continue
             through += 1
             assert is_true(other) == (True, ""), (path, value)

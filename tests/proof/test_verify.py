@@ -1,7 +1,8 @@
 """The run: verdicts, disagreements, limits of time, errors that are outcomes."""
 
+import signal
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import pytest
 
@@ -27,10 +28,12 @@ class Fickle(Claim):
 @dataclass(frozen=True, eq=False)
 class Slow(Claim):
     slow_in: tuple = ALL
+    woken: list = field(default_factory=list)
 
     def decide(self, bench):
         if bench.arithmetic in self.slow_in:
             time.sleep(5)
+            self.woken.append(bench.arithmetic)
         return green(())
 
 
@@ -52,19 +55,18 @@ def test_arithmetics_that_disagree_are_an_error(small):
 
 
 def test_a_claim_that_takes_too_long_is_a_timeout(small):
-    start = time.perf_counter()
-    (outcome,) = decide(small.section, Slow("t", small.scene, None, ""), timeout=0.05)
-    assert outcome.verdict == "timeout"
+    claim = Slow("t", small.scene, None, "")
+    (outcome,) = decide(small.section, claim, timeout=0.05)
+    assert outcome.verdict == "timeout" and not claim.woken
     assert outcome.message == "not decided within 0.05 s by flint"
-    assert time.perf_counter() - start < 2
 
 
 def test_a_limit_of_time_is_taken_away_again():
-    with time_limit(0.05):
-        pass
-    time.sleep(0.08)
+    with time_limit(60):
+        assert signal.getitimer(signal.ITIMER_REAL)[0] > 0
+    assert signal.getitimer(signal.ITIMER_REAL) == (0, 0)
     with pytest.raises(TimeoutError), time_limit(0.02):
-        time.sleep(1)
+        time.sleep(5)
     with time_limit(None):
         pass
 

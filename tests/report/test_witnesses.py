@@ -50,7 +50,7 @@ class TestPrograms:
         for name in ("another", "pari", "singular", "rocq"):
             says(tmp_path, name)
         found = programs(tmp_path, "kharlamov2002", CERTIFIED)
-        assert [w.name for w in found] == ["Rocq", "Singular", "PARI", "another"]
+        assert [w.name for w in found] == ["Rocq", "Singular", "PARI/GP", "another"]
 
 
 def test_an_arithmetic_confirms_only_its_own_verdict():

@@ -1,6 +1,5 @@
 from __future__ import annotations
 
-import shutil
 import sys
 from pathlib import Path
 
@@ -12,6 +11,7 @@ from kowalevski_cas.study.growing import growth, steps
 from kowalevski_cas.study.growth_chart import chart, table
 from kowalevski_cas.study.growth_programs import WORDS, growth_program
 from kowalevski_cas.study.race import race
+from kowalevski_cas.systems import SYSTEMS, MissingSystem
 
 
 @pytest.mark.parametrize("claim", ["eq15", "eq16.invariance"])
@@ -36,15 +36,17 @@ def test_the_recorded_operations_can_be_repeated():
 @pytest.mark.parametrize("program", WORDS)
 def test_the_operations_come_to_the_same_elsewhere(program, tmp_path):
     words = WORDS[program]
-    if shutil.which(words.command[0]) is None:
-        pytest.skip("it is not installed")
+    try:
+        call = SYSTEMS[program].call()
+    except MissingSystem as missing:
+        pytest.skip(str(missing))
     text = growth_program(program, recorded("eq15", 2, 10))
     file = tmp_path / f"growth{words.suffix}"
     for content, reached in ((text, [1, 2]), (text.replace("diff(p", "2*diff(p", 1), None)):
         if reached is None and program != "singular":
             continue
         file.write_text(content)
-        found = race([*words.command, file.name], tmp_path, 20, 2048)
+        found = race([*call, *words.options, file.name], tmp_path, 20, 2048)
         assert (found["steps"] == reached and found["verdict"] == "reached") or (
             reached is None and found["verdict"] == "stopped"
         )

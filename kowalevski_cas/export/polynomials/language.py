@@ -6,30 +6,9 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 
-from kowalevski_cas.export.format import Format, Inexpressible, Json
-from kowalevski_cas.proof.checker import Rejected
 
-
-class Language(Format, ABC):
-    """A format that is made of these words; sums, products and powers are written as usual."""
-
-    def translate(self, certificate: Json) -> str:
-        from kowalevski_cas.export.polynomials.program import program
-
-        try:
-            return program(self, certificate)
-        except Rejected as error:
-            raise Inexpressible(f"the checker says: {error.args[0]}") from None
-
-    def objection(self, text: str, output: str) -> str:
-        wanted = [line.split('"')[1] for line in text.splitlines() if line.startswith('holds("')]
-        found = [line.strip() for line in output.splitlines() if line.strip()]
-        for line, words in zip(found, wanted, strict=False):
-            if line != f"holds: {words}":
-                return line
-        if not wanted or len(found) != len(wanted):
-            return f"{len(found)} of {len(wanted)} statements are confirmed"
-        return ""
+class Language(ABC):
+    """The words; sums, products and powers are written as usual."""
 
     def holds(self, words: str, text: str, divisors: str) -> str:
         """Say the words if the expression vanishes wherever the divisors do not."""

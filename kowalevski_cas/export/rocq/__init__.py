@@ -7,6 +7,7 @@ theorem about numbers that Rocq computes. What is proved may rest on no axiom.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from importlib.resources import files
 from pathlib import Path
 from typing import ClassVar
@@ -15,6 +16,7 @@ from kowalevski_cas.export.format import Format, Inexpressible, Json, identifier
 from kowalevski_cas.export.rocq.space import Space
 from kowalevski_cas.export.rocq.theorems import Theorems
 from kowalevski_cas.proof import checker
+from kowalevski_cas.systems import SYSTEMS
 
 HEAD = """\
 (** {title}: the formulas as they are printed, and what holds of them.
@@ -61,13 +63,16 @@ class Program(Format):
     squares that add up to zero vanish for real numbers only.
     """
 
-    commands: ClassVar = (("coqc",), ("rocq", "compile"))
-    package: ClassVar = "coq"
+    system: ClassVar = SYSTEMS["rocq"]
     suffix: ClassVar = ".v"
 
     def shared(self) -> dict[str, str]:
         names = [f"{name}.v" for name in SHARED]
         return {name: (files(__name__) / name).read_text(encoding="utf-8") for name in names}
+
+    def project(self, names: Iterable[str]) -> dict[str, str]:
+        options = ['-Q . ""', "-arg -w", "-arg none"]
+        return {"_CoqProject": "\n".join([*options, *names, ""])}
 
     def translate(self, certificate: Json) -> str:
         checker.Space.left = 10 * checker.WORK

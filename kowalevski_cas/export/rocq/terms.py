@@ -77,29 +77,41 @@ class Terms(ABC):
         if isinstance(tree, int):
             return (str(tree), TIGHT) if tree >= 0 else (f"- {-tree}", MINUS)
         op, *parts = tree
-        if op == "^":
-            return f"{self.term(parts[0], module, TIGHT)} ^ {parts[1]}", POWER
-        if op == "sqrt":
-            return self._term(self.root(parts[0]), module)
-        if op == "d":
-            return f"{module}{self.partial(parts[0])} {self.term(parts[1], module, TIGHT)}", POWER
-        if op in ("vector", "diag"):
-            if len(parts) != 3:
-                raise Inexpressible("a vector has not three components")
-            return f"({', '.join(self.term(part, module) for part in parts)})", TIGHT
-        if op in ("dot", "cross"):
-            return f"{op} {' '.join(self.term(part, module, TIGHT) for part in parts)}", POWER
+        if op in ("^", "sqrt", "d"):
+            return self._scalar(op, parts, module)
+        if op in ("vector", "diag", "dot", "cross"):
+            return self._triple(op, parts, module)
         if len(parts) == 1:
             return self._unary(op, parts[0], module)
         if any(map(self.is_vector, parts)):
             return self._vectors(op, parts, module), POWER
-        if op == "+":
-            text = self.term(parts[0], module, PLUS)
-            for part in parts[1:]:
-                minus = isinstance(part, list) and part[0] == "-" and len(part) == 2
-                shown = self.term(part[1] if minus else part, module, TIMES)
-                text += f" - {shown}" if minus else f" + {shown}"
-            return text, PLUS
+        return self._sum(parts, module) if op == "+" else self._product(op, parts, module)
+
+    def _scalar(self, op: str, parts: list[Tree], module: str) -> tuple[str, int]:
+        """A power, a root or a partial derivative."""
+        if op == "sqrt":
+            return self._term(self.root(parts[0]), module)
+        if op == "^":
+            return f"{self.term(parts[0], module, TIGHT)} ^ {parts[1]}", POWER
+        return f"{module}{self.partial(parts[0])} {self.term(parts[1], module, TIGHT)}", POWER
+
+    def _triple(self, op: str, parts: list[Tree], module: str) -> tuple[str, int]:
+        """A vector by its components, or a product of two vectors."""
+        if op in ("dot", "cross"):
+            return f"{op} {' '.join(self.term(part, module, TIGHT) for part in parts)}", POWER
+        if len(parts) != 3:
+            raise Inexpressible("a vector has not three components")
+        return f"({', '.join(self.term(part, module) for part in parts)})", TIGHT
+
+    def _sum(self, parts: list[Tree], module: str) -> tuple[str, int]:
+        text = self.term(parts[0], module, PLUS)
+        for part in parts[1:]:
+            minus = isinstance(part, list) and part[0] == "-" and len(part) == 2
+            shown = self.term(part[1] if minus else part, module, TIMES)
+            text += f" - {shown}" if minus else f" + {shown}"
+        return text, PLUS
+
+    def _product(self, op: str, parts: list[Tree], module: str) -> tuple[str, int]:
         factors = [self.term(parts[0], module, TIMES)]
         factors += [self.term(part, module, MINUS) for part in parts[1:]]
         return f" {op} ".join(factors), TIMES

@@ -11,7 +11,6 @@ from time import perf_counter
 
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.export import Format, Inexpressible
-from kowalevski_cas.export.witness import command
 from kowalevski_cas.proof import checker
 from kowalevski_cas.proof.certificate import stated
 from kowalevski_cas.proof.limits import time_limit
@@ -80,7 +79,7 @@ class Program(Method):
     def __init__(self, name: str, format: Format, share: int | None = None) -> None:
         super().__init__(name, share)
         self.format = format
-        self.call = command(format)
+        self.call = format.system.call()
         self._folder: TemporaryDirectory[str] | None = None
 
     @property

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from kowalevski_cas.arithmetic import EXACT, POINTS
 from kowalevski_cas.export import FORMATS, load
-from kowalevski_cas.export.witness import MissingProgram
 from kowalevski_cas.study.methods.arithmetics import ExactArithmetic
 from kowalevski_cas.study.methods.by_hand import CALLS, ByHand
 from kowalevski_cas.study.methods.certificates import Checker, Program
 from kowalevski_cas.study.methods.method import Method
 from kowalevski_cas.study.methods.points import PointArithmetic
+from kowalevski_cas.systems import MissingSystem
 
 SHARES = {"rocq": 24, "by hand": 80}
 """How many statements those methods are put to that take long."""
@@ -22,7 +22,7 @@ def methods() -> list[Method]:
     for name in FORMATS:
         try:
             found.append(Program(name, load(name), SHARES.get(name)))
-        except MissingProgram:
+        except MissingSystem:
             continue
     found += [PointArithmetic(name) for name in POINTS]
     found += [ByHand(call, SHARES["by hand"]) for call in CALLS]

@@ -1,0 +1,50 @@
+"""Files are written whole: nobody finds half a file, whatever happens meanwhile."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from tempfile import mkstemp
+
+
+def write(path: Path, contents: str | bytes) -> None:
+    """Write a file under another name and move it into place; its folder is made if need be.
+
+    Raises:
+        OSError: the file cannot be written; what stood there before is as it was.
+    """
+    data = contents.encode() if isinstance(contents, str) else contents
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, unfinished = mkstemp(dir=path.parent)
+        try:
+            with os.fdopen(handle, "wb") as file:
+                file.write(data)
+            os.chmod(unfinished, 0o644)
+            os.replace(unfinished, path)
+        except BaseException:
+            Path(unfinished).unlink(missing_ok=True)
+            raise
+    except OSError as error:
+        words = f"cannot be written: {error.strerror}"
+        raise OSError(error.errno, words, str(path)) from None
+
+
+def write_all(files: Mapping[Path, str | bytes]) -> None:
+    """Write files so that all of them appear, or none does.
+
+    Raises:
+        OSError: one of them cannot be written; all are as they were before.
+    """
+    before = {path: path.read_bytes() for path in files if path.is_file()}
+    try:
+        for path, contents in files.items():
+            write(path, contents)
+    except BaseException:
+        for path in filter(Path.is_file, files):
+            if path not in before:
+                path.unlink()
+            elif path.read_bytes() != before[path]:
+                write(path, before[path])
+        raise

@@ -1,0 +1,61 @@
+"""Files appear whole or not at all."""
+
+import os
+import stat
+
+import pytest
+
+from kowalevski_cas.files import write, write_all
+
+
+def failing(monkeypatch, name, error, at=1):
+    """Let the function ``name`` of ``os`` raise an error when it is called for the ``at``-th time."""
+    original, calls = getattr(os, name), []
+
+    def function(*arguments):
+        calls.append(arguments)
+        if len(calls) == at:
+            raise error
+        return original(*arguments)
+
+    monkeypatch.setattr(os, name, function)
+
+
+def test_text_and_bytes_are_written_and_readable_by_others(tmp_path):
+    path = tmp_path / "new" / "folder" / "a.txt"
+    write(path, "ωα\n")
+    assert path.read_bytes() == "ωα\n".encode()
+    write(path, b"\x00\xff\r\n")
+    assert path.read_bytes() == b"\x00\xff\r\n"
+    assert stat.S_IMODE(path.stat().st_mode) == 0o644
+    assert list(path.parent.iterdir()) == [path]
+
+
+@pytest.mark.parametrize("error", [OSError(28, "No space left on device"), KeyboardInterrupt()])
+@pytest.mark.parametrize("name", ["chmod", "replace"])
+def test_what_fails_leaves_the_file_as_it_was_and_no_other(tmp_path, monkeypatch, name, error):
+    path = tmp_path / "a.txt"
+    write(path, "before")
+    failing(monkeypatch, name, error)
+    with pytest.raises(type(error)):
+        write(path, "after")
+    assert path.read_text() == "before" and list(tmp_path.iterdir()) == [path]
+
+
+def test_the_error_names_the_file_and_the_reason(tmp_path):
+    (tmp_path / "file").write_text("kept")
+    with pytest.raises(OSError) as caught:
+        write(tmp_path / "file" / "a.txt", "text")
+    assert caught.value.filename == str(tmp_path / "file" / "a.txt")
+    assert caught.value.strerror.startswith("cannot be written: ")
+
+
+def test_of_several_files_all_appear_or_none(tmp_path, monkeypatch):
+    old, new, last = (tmp_path / name for name in ("old", "new", "last"))
+    write(old, "before")
+    failing(monkeypatch, "replace", KeyboardInterrupt(), at=3)
+    with pytest.raises(KeyboardInterrupt):
+        write_all({old: "after", new: b"new", last: "last"})
+    assert old.read_text() == "before" and list(tmp_path.iterdir()) == [old]
+    write_all({old: "after", new: b"new", last: "last"})
+    assert [path.read_text() for path in (old, new, last)] == ["after", "new", "last"]
