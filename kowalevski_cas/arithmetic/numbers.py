@@ -57,21 +57,31 @@ class Substitution:
     """The homomorphism from ``ring`` to a ring of numbers that an exact point defines.
 
     ``values`` gives the generators of the polynomials; the roots of the ring
-    become rational where their radicands are squares, and are adjoined where not.
+    become rational where their radicands are squares, and are adjoined where not,
+    unless their values are given as ``roots``.
     """
 
-    def __init__(self, ring: Ring, values: Mapping[str, Element], numbers: Ring) -> None:
+    def __init__(
+        self,
+        ring: Ring,
+        values: Mapping[str, Element],
+        numbers: Ring,
+        roots: dict[int, Element] | None = None,
+    ) -> None:
         self.numbers = numbers
         self.ring = ring
         self._inverses: dict[int, Element] = {}
         self.values = [values[name] for name in ring.polynomials.generators]
         self._gaussian = _gaussian(self.values, numbers)
         self._monomials: dict[tuple[int, ...], Element] = {}
-        self.roots: list[Element] = []
-        for name, radicand in zip(ring.roots, ring.radicands, strict=True):
-            self.roots.append(values[name] if name in values else self._root(self(radicand)))
+        self.roots: dict[int, Element] = {} if roots is None else roots
+        """The values of the roots, by their places in the ring."""
+        for bit, name in enumerate(ring.roots if roots is None else ()):
+            own = values.get(name)
+            self.roots[bit] = self.root(self(ring.radicands[bit])) if own is None else own
 
-    def _root(self, radicand: Element) -> Element:
+    def root(self, radicand: Element) -> Element:
+        """A square root of a number, adjoined if it has to be."""
         numbers = self.numbers
         value = rational(radicand)
         if value == -1:
@@ -86,7 +96,7 @@ class Substitution:
         total = self.numbers.zero
         for mask, polynomial in element.parts.items():
             value = self._polynomial(polynomial)
-            for bit, root in enumerate(self.roots):
+            for bit, root in self.roots.items():
                 if mask >> bit & 1:
                     value = value * root
             total = total + value

@@ -92,6 +92,11 @@ class Elaboration(Setting):
             if printed is None or not name.startswith(r"\sqrt"):
                 yield name
 
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """The roots that are variables of the scene."""
+        return tuple(name for name in self.roots if name in self.scene.variables)
+
     @cached_property
     def nonzero(self) -> tuple[Formula, ...]:  # type: ignore[override]
         """What the scene takes for granted not to vanish."""

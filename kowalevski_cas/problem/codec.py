@@ -238,8 +238,9 @@ def evidence_data(evidence: Evidence) -> Data:
         case Found(values, inner):
             shown = [[name, encode(value)] for name, value in values.items()]
             return {"values": shown, "evidence": list(map(evidence_data, inner))}
-        case Regardless(goal, point):
-            return {"goal": goal, **_point_data(point)}
+        case Regardless(goal, points):
+            weighted = [[encode(number), _point_data(point)["point"]] for number, point in points]
+            return {"goal": goal, "points": weighted}
         case Squares(squares, row, point, zero):
             data = {**_point_data(point), "squares": _squares(squares), "cofactors": _rows((row,))}
             return data if zero is None else {**data, "zero": _proof_data(zero)}
@@ -267,7 +268,8 @@ def _read_evidence(data: Data, goal: Goal, holds: bool) -> Evidence:
             pairs = zip(data["evidence"], goal.goals, strict=True)
             return Found(values, tuple(read_evidence(entry, one) for entry, one in pairs))
         case Exists():
-            return Regardless(data["goal"], _read_point(data["point"]))
+            weighted = ((decode(number), _read_point(point)) for number, point in data["points"])
+            return Regardless(data["goal"], tuple(weighted))
         case Follows() if isinstance(goal, Fails) != holds:
             point = _read_point(data["point"]) if "point" in data else None
             return Shown(_read_proof(data), point)
@@ -312,6 +314,8 @@ def _proof_data(proof: Proof) -> Data:
         data["cofactors"] = _rows(proof.rows)
     if proof.cases:
         data["cases"] = list(map(_proof_data, proof.cases))
+    if proof.power != 1:
+        data["power"] = proof.power
     return data
 
 
@@ -320,6 +324,7 @@ def _read_proof(data: Data) -> Proof:
         _read_rows(data.get("cofactors", ())),
         _read_rows(data.get("product", ())),
         tuple(map(_read_proof, data.get("cases", ()))),
+        data.get("power", 1),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from copy import copy
 from fractions import Fraction
 from functools import cache
 from typing import Any
@@ -85,6 +86,13 @@ class Evaluation:
         for name in self.setting.roots:
             self.scalar(Name(name))
         return self
+
+    def binding(self, values: Mapping[str, Element]) -> Evaluation:
+        """The same evaluation, in which some more names have values."""
+        bound = copy(self)
+        bound._values = {**self._values, **{(n, False): v for n, v in values.items()}}
+        bound._open = set()
+        return bound
 
     # -- names -------------------------------------------------------------------
 

@@ -27,12 +27,14 @@ class Proof:
     ``rows`` combine each goal from what is known; no rows at all: the goals vanish
     identically. Or some ``product`` of groups is combined by the one row, and in the case of
     each group, which is known to vanish there, the goals are proved once more. A group of
-    several expressions stands for the sum of their squares.
+    several expressions stands for the sum of their squares. What is combined is the goal, or
+    the product, to a ``power``: it vanishes with it.
     """
 
     rows: tuple[Row, ...] = ()
     product: tuple[Row, ...] = ()
     cases: tuple[Proof, ...] = ()
+    power: int = 1
 
 
 @dataclass(frozen=True)
@@ -67,10 +69,15 @@ class Found:
 
 @dataclass(frozen=True)
 class Regardless:
-    """A point at which one goal fails whatever the bound names are."""
+    """Points at which one goal fails whatever the bound names are.
+
+    An equation of the goal is a polynomial in the bound names at each point; the sum of these
+    with the rational weights is a number other than zero. Bound expressions may have other
+    values at other points, so their coefficients vanish at each.
+    """
 
     goal: int
-    point: Point
+    points: tuple[tuple[Formula, Point], ...]
 
 
 @dataclass(frozen=True)

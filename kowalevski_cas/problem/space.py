@@ -92,6 +92,11 @@ class Setting(ABC):
 
     @property
     @abstractmethod
+    def coordinates(self) -> tuple[str, ...]:
+        """The roots that are variables: a point gives them values of their own."""
+
+    @property
+    @abstractmethod
     def field(self) -> tuple[Motion, ...]:
         """The rows of the vector field; none if there is none or a change gives it."""
 
@@ -121,6 +126,12 @@ class Space(Setting):
     def roots(self) -> tuple[str, ...]:  # type: ignore[override]
         """The names of roots."""
         return tuple(step.name for step in self.steps if isinstance(step, Adjoined))
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        moving = {name for row in self.field for name in row.names}
+        moving |= {name for pair in self.conjugates for name in pair}
+        return tuple(name for name in self.roots if name in moving)
 
     @property
     def powers(self) -> tuple[str, ...]:  # type: ignore[override]

@@ -31,6 +31,10 @@ def cofactors(
     dividend = flat.polynomial(target)
     sets = [tuple(range(flat.size)), *(flat.indices(names) for names in main)]
     found = _divide_in_turn(dividend, numerators, sets, flat.relations(), depth=2)
+    if found is None and len(numerators) > 1:
+        reduced, steps = _autoreduced(numerators)
+        found = _divide_in_turn(dividend, reduced, sets, flat.relations(), depth=2)
+        found = None if found is None else (found[0], _unreduced(found[1], steps))
     if found is None:
         return None
     unit, quotients = found
@@ -112,6 +116,34 @@ class _Flat:
     def below(self, element: Element) -> Element:
         """One over the denominator of an element."""
         return Element(self.ring, self.ring.one.parts, element.denominator)
+
+
+def _autoreduced(
+    divisors: Sequence[fmpq_mpoly],
+) -> tuple[list[fmpq_mpoly], list[list[fmpq_mpoly]]]:
+    """Each divisor modulo those before it, and the quotients of these divisions."""
+    everything = tuple(range(divisors[0].context().nvars()))
+    reduced: list[fmpq_mpoly] = []
+    steps = []
+    for divisor in divisors:
+        usable = [d for d in reduced if not d.is_zero()]
+        unit, quotients, remainder = pseudo_divide(divisor, usable, everything)
+        assert unit.is_one()  # a leading coefficient in all variables is a number
+        places = iter(quotients)
+        steps.append([d if d.is_zero() else next(places) for d in reduced])
+        reduced.append(remainder)
+    return reduced, steps
+
+
+def _unreduced(
+    quotients: Sequence[fmpq_mpoly], steps: Sequence[Sequence[fmpq_mpoly]]
+) -> list[fmpq_mpoly]:
+    """Cofactors of the divisors, from those of the divisors modulo the ones before them."""
+    found = list(quotients)
+    for k in reversed(range(len(found))):
+        for j, step in enumerate(steps[k]):
+            found[j] = found[j] - found[k] * step
+    return found
 
 
 def _divide_in_turn(

@@ -1,4 +1,4 @@
-r"""Exact points of a stage that a real motion can pass through.
+r"""Exact points of a space that a real motion can pass through.
 
 Variables that are each other's conjugates get values :math:`u\pm iv`, all
 others real ones.
@@ -17,19 +17,18 @@ from kowalevski_cas.arithmetic.points import ExactPoint
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.search.points import Assignment, constant, points
-from kowalevski_cas.stage import Stage
+from kowalevski_cas.problem.evaluate import Evaluation
 
 RATIONAL_ROOTS = 40
 """How many points are looked at for one at which all roots are rational."""
 
 
 class RealCoordinates:
-    """Real coordinates for the generators of a stage, and its elements in them."""
+    """Real coordinates for the generators of a space, and its elements in them."""
 
-    def __init__(self, stage: Stage, constraints: Sequence[Element] = ()) -> None:
-        self.stage = stage
-        ring = stage.ring
-        pairs = dict(stage.scene.conjugates)
+    def __init__(self, at: Evaluation, constraints: Sequence[Element] = ()) -> None:
+        self.ring = ring = at.ring
+        pairs = dict(at.setting.conjugates)
         partners = {b: a for a, b in pairs.items()}
         # A root is a coordinate of its own if others rest on it, or if a constraint
         # has terms with it and without it.
@@ -38,7 +37,7 @@ class RealCoordinates:
         self.moving = [
             name
             for bit, name in enumerate(ring.roots)
-            if name in stage.scene.variables or (bit in inner and name != "i")
+            if name in at.setting.coordinates or (bit in inner and name != "i")
         ]
         self.names = [n for n in (*ring.polynomials.generators, *self.moving)]
         self.context = fmpq_mpoly_ctx.get(
@@ -60,7 +59,7 @@ class RealCoordinates:
 
     def equations(self, element: Element) -> list[fmpq_mpoly]:
         """Real polynomials whose vanishing makes the element vanish."""
-        ring = self.stage.ring
+        ring = self.ring
         known = [bit for bit, name in enumerate(ring.roots) if name in self.images]
         groups: dict[int, fmpq_mpoly] = {}
         for mask, terms in element.terms().items():
@@ -78,7 +77,7 @@ class RealCoordinates:
         for exponents, coefficient in terms.items():
             product = self.context.constant(fmpq(coefficient.numerator, coefficient.denominator))
             for name, exponent in zip(
-                self.stage.ring.polynomials.generators, exponents, strict=True
+                self.ring.polynomials.generators, exponents, strict=True
             ):
                 if exponent:
                     product *= self.images[name] ** exponent
@@ -98,7 +97,7 @@ class RealCoordinates:
 
     def relations(self) -> list[fmpq_mpoly]:
         """The equations that the roots among the variables satisfy."""
-        ring = self.stage.ring
+        ring = self.ring
         found = []
         for name in self.moving:
             radicand = ring.radicands[ring.roots.index(name)]
@@ -110,7 +109,7 @@ class RealCoordinates:
         total = self.context.constant(0)
         for mask, terms in element.terms().items():
             product = self.polynomial(terms)
-            for bit, name in enumerate(self.stage.ring.roots):
+            for bit, name in enumerate(self.ring.roots):
                 if mask >> bit & 1:
                     product = product * self.images[name]
             total += product
@@ -141,10 +140,10 @@ def _mixed(element: Element) -> Iterator[int]:
 
 
 def real_points(
-    stage: Stage, zero: Sequence[Element] = (), nonzero: Sequence[Element] = ()
+    at: Evaluation, zero: Sequence[Element] = (), nonzero: Sequence[Element] = ()
 ) -> Iterator[ExactPoint]:
     """Exact points where some elements vanish and others do not, with rational roots first."""
-    coordinates = RealCoordinates(stage, zero)
+    coordinates = RealCoordinates(at, zero)
     constraints = [e for element in zero for e in coordinates.equations(element)]
     constraints = _distinct([*constraints, *coordinates.relations()])
     avoid = [
@@ -156,7 +155,7 @@ def real_points(
     found = points(constraints, range(len(coordinates.names)), avoid)
     radicands = [
         coordinates.value(radicand)
-        for name, radicand in zip(stage.ring.roots, stage.ring.radicands, strict=True)
+        for name, radicand in zip(at.ring.roots, at.ring.radicands, strict=True)
         if name != "i" and name not in coordinates.moving
     ]
     kept = []

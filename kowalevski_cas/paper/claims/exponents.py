@@ -14,7 +14,7 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Meaningless, rational_terms
-from kowalevski_cas.problem.goals import Follows, Goal
+from kowalevski_cas.problem.goals import Fails, Follows, Goal
 from kowalevski_cas.problem.space import Equation
 
 
@@ -23,9 +23,10 @@ class SolvedExponents(Claim):
     r"""A coefficient vanishes for the printed exponents and for no others.
 
     It is the coefficient of ``variable`` in the derivative of the ``ansatz``. If it vanishes
-    identically, then with its derivative also where the base, and with it each power of the base, is 1: there
-    the exponents have to follow. With the printed exponents p/q, on the other hand, the powers obey
-    :math:`P^q=\theta^p`, and the coefficient has to vanish.
+    identically, then with its derivatives also where the base, and so each power of it, is 1:
+    there the exponents have to follow one after the other, at points at which the base moves.
+    With the printed exponents p/q, on the other hand, the powers obey :math:`P^q=\theta^p`, and
+    the coefficient has to vanish.
     """
 
     values: tuple[Printed, ...]
@@ -37,11 +38,15 @@ class SolvedExponents(Claim):
         values = equations(self.values, space)
         coefficient = Partial(self.variable, rate(expression(self.ansatz, space)))
         powers = [space.raised(name) for name in space.powers]
-        at_one = [(Name(name), ONE) for power in powers for name in (power.name,)]
         bases = dict.fromkeys(power.base for power in powers)
-        given = (vanishes(coefficient), vanishes(rate(coefficient)))
-        start = (*((base, ONE) for base in bases), *at_one)
-        yield Follows(space, (values,), (*start, *given))
+        still = tuple(vanishes(rate(base)) for base in bases)
+        at_one = [(formula, ONE) for formula in (*bases, *(Name(power.name) for power in powers))]
+        yield Fails(space, (still,), tuple(at_one))
+        derivative = coefficient
+        for k, value in enumerate(values):
+            given = (*at_one, *values[:k], vanishes(derivative))
+            yield Follows(space, ((value,), still), given)
+            derivative = rate(derivative)
         roots = [self._root(space, power.name, power.base, power.exponent) for power in powers]
         yield Follows(space, ((vanishes(coefficient),),), (*values, *roots))
 

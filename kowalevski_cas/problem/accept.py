@@ -1,0 +1,329 @@
+"""Whether evidence proves a goal, or denies it, in one arithmetic.
+
+This is the one function through which every verdict goes; nothing that a search found is
+believed before it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import reduce
+from itertools import combinations, product
+
+from kowalevski_cas.arithmetic.linear import determinant
+from kowalevski_cas.arithmetic.numbers import rank
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
+from kowalevski_cas.problem.collect import collect
+from kowalevski_cas.problem.count import check_roots, check_solutions
+from kowalevski_cas.problem.evaluate import Evaluation, Meaningless, rational_terms
+from kowalevski_cas.problem.evidence import (
+    At,
+    Evidence,
+    Found,
+    Minors,
+    Proof,
+    Regardless,
+    Roots,
+    Shown,
+    Solutions,
+    Squares,
+)
+from kowalevski_cas.problem.goals import (
+    Count,
+    Exists,
+    Fails,
+    Follows,
+    Goal,
+    Positive,
+    Rank,
+    Simple,
+)
+from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.space import Adjoined, Equation, Setting
+
+Of = Callable[[Setting], Evaluation]
+
+
+ZERO = Number(0)
+
+
+class Unproved(ValueError):
+    """Evidence that does not prove what it should; the message says why."""
+
+
+@dataclass
+class Accepted:
+    """What a proof divides by: elements with their denominators, by the space in which they live.
+
+    ``places`` are the points of the evidence, in order; ``differs`` the two values that differ
+    at the last one.
+    """
+
+    divided: dict[Setting, list[Element]] = field(default_factory=dict)
+    places: list[Place] = field(default_factory=list)
+    differs: tuple[Element, Element] | None = None
+
+    def divides(self, setting: Setting, elements: Sequence[Element]) -> None:
+        """Enter elements that stand in the statement or in its evidence."""
+        self.divided.setdefault(setting, []).extend(e for e in elements if e.denominator)
+
+
+class Judge:
+    """Decides whether evidence proves or denies goals; ``of`` evaluates their spaces."""
+
+    def __init__(self, of: Of) -> None:
+        self.of = of
+        self.accepted = Accepted()
+
+    def holds(self, goal: Goal, evidence: Evidence) -> None:
+        """Accept that a goal holds, or raise :class:`Unproved`."""
+        self._decide(goal, evidence, True)
+
+    def denies(self, goal: Goal, evidence: Evidence) -> None:
+        """Accept that a goal is false, or raise :class:`Unproved`."""
+        self._decide(goal, evidence, False)
+
+    def _decide(self, goal: Goal, evidence: Evidence, sign: bool) -> None:
+        try:
+            self._rule(goal, evidence, sign)
+        except (Misplaced, Meaningless, ZeroDivisionError) as error:
+            raise Unproved(str(error)) from None
+
+    def _rule(self, goal: Goal, evidence: Evidence, sign: bool) -> None:
+        match goal, evidence, sign:
+            case Exists(), Found(), True:
+                self._exists(goal, evidence)
+            case Exists(), Regardless(), False:
+                self._never(goal, evidence)
+            case Exists(), _, _:
+                raise Unproved("there are no expressions among the evidence")
+            case _:
+                self._simple(goal, evidence, sign, self.of(goal.space))
+
+    def _simple(self, goal: Simple, evidence: Evidence, sign: bool, at: Evaluation) -> None:
+        match goal, evidence, sign:
+            case Fails(), At(), True:
+                self._fails(goal, evidence, at)
+            case Fails(), Shown(), False:
+                self._follows(goal, evidence, at)
+            case Fails(), _, _:
+                raise Unproved("it is no evidence for this goal")
+            case Follows(), Shown(), True:
+                self._follows(goal, evidence, at)
+            case Follows(), At(), False:
+                self._fails(goal, evidence, at)
+            case Rank(), At(), _:
+                self._rank(goal, evidence, sign, at)
+            case Rank(), Minors(), False:
+                self._minors(goal, evidence, at)
+            case Positive(), Squares(), True:
+                self._positive(goal, evidence, at)
+            case Positive(), At(), False:
+                self._not_positive(goal, evidence, at)
+            case Count(), Roots(), _:
+                if (len(evidence.eliminant) == goal.number) != sign:
+                    raise Unproved("it is another number of solutions")
+                self.accepted.divides(goal.space, check_roots(goal, evidence, at))
+                self._point(at, evidence.point, at.differences(goal.equations), goal.space)
+            case Count(), Solutions(), False:
+                self.accepted.places += check_solutions(goal, evidence, at)
+            case _:
+                raise Unproved("it is no evidence for this goal")
+
+    # -- what follows --------------------------------------------------------------
+
+    def _follows(self, goal: Follows, evidence: Shown, at: Evaluation) -> None:
+        known = at.differences(goal.given)
+        pairs = [at.pairs(one) for one in goal.conclusions]
+        sides = [e for one in pairs for pair in one for e in pair]
+        self.accepted.divides(goal.space, [*sides, *known])
+        alternatives = [[left - right for left, right in one] for one in pairs]
+        goals = [reduce(Element.__mul__, choice, at.ring.one) for choice in product(*alternatives)]
+        used = list(self._settle(goals, known, evidence.proof, at))
+        self.accepted.divides(goal.space, used)
+        if evidence.point is not None:
+            self._point(at, evidence.point, known, goal.space)
+        elif goal.conclusions and goal.given:
+            raise Unproved("nothing is known to satisfy the hypotheses")
+
+    def _settle(
+        self, goals: Sequence[Element], known: Sequence[Element], proof: Proof, at: Evaluation
+    ) -> Iterator[Element]:
+        """Check a proof; what stands in it is yielded."""
+        groups = [[at.scalar(entry) for entry in group] for group in proof.product]
+        if groups:
+            if not is_real(at.setting):
+                raise Unproved("cases need real names")
+            for group, case in zip(groups, proof.cases, strict=True):
+                yield from group
+                yield from self._settle(goals, [*known, *group], case, at)
+            goals = [reduce(Element.__mul__, (_group(group) for group in groups))]
+        rows = proof.rows or ((),) * len(goals)
+        if len(rows) != len(goals):
+            raise Unproved("there is not a row for each goal")
+        for goal, row in zip(goals, rows, strict=True):
+            goal = goal**proof.power
+            entries = [at.scalar(entry) for entry in row]
+            if row and len(row) != len(known):
+                raise Unproved("a row does not fit what is known")
+            for entry, element in zip(entries, known, strict=False):
+                goal = goal - entry * element
+            if not goal.is_zero:
+                raise Unproved("the two sides are not equal")
+            yield from entries
+
+    def _point(
+        self, at: Evaluation, point: object, known: Sequence[Element], setting: Setting
+    ) -> Place:
+        """The point, where known elements vanish and nothing that is divided by does."""
+        place = Place(at, point)  # type: ignore[arg-type]
+        if not place.vanish(known):
+            raise Unproved("the point is not where it should be")
+        if not place.defines(self.accepted.divided.get(setting, ())):
+            raise Unproved("something is divided by that vanishes at the point")
+        self.accepted.places.append(place)
+        return place
+
+    def _fails(self, goal: Follows, evidence: At, at: Evaluation) -> None:
+        place = self._point(at, evidence.point, at.differences(goal.given), goal.space)
+        for conclusion in goal.conclusions:
+            values = [(place(a), place(b)) for a, b in at.pairs(conclusion)]
+            self.accepted.differs = next((v for v in values if not (v[0] - v[1]).is_zero), None)
+            if self.accepted.differs is None:
+                raise Unproved("all equations hold at the point")
+
+    # -- ranks ---------------------------------------------------------------------
+
+    def _rows(self, goal: Rank, at: Evaluation) -> list[list[Element]]:
+        chosen = [at.scalar(f) for f in goal.functions] + at.differences(goal.given)
+        self.accepted.divides(goal.space, chosen)
+        return [[at.partial(f, name) for name in goal.space.variables] for f in chosen]
+
+    def _rank(self, goal: Rank, evidence: At, sign: bool, at: Evaluation) -> None:
+        rows = self._rows(goal, at)
+        place = self._point(at, evidence.point, at.differences(goal.given), goal.space)
+        if rank([[place(entry) for entry in row] for row in rows]) != len(rows):
+            raise Unproved("the differentials are dependent at the point")
+        if (len(rows) == goal.rank) != sign:
+            raise Unproved(f"there are {len(rows)} independent differentials")
+
+    def _minors(self, goal: Rank, evidence: Minors, at: Evaluation) -> None:
+        rows = self._rows(goal, at)
+        known = at.differences(goal.given)
+        columns = combinations(range(len(goal.space.variables)), len(rows))
+        minors = [determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
+        list(self._settle(minors, known, Proof(evidence.rows), at))
+
+    # -- signs ---------------------------------------------------------------------
+
+    def _positive(self, goal: Positive, evidence: Squares, at: Evaluation) -> None:
+        value, known = at.scalar(goal.formula), at.differences(goal.given)
+        rest = value
+        for number, base in evidence.squares:
+            factor = at.scalar(number)
+            if (rational_terms(factor) or 0) <= 0:
+                raise Unproved("a square has no positive factor")
+            rest = rest - factor * at.scalar(base) ** 2
+        row = (evidence.row,) if evidence.row else ()
+        used = list(self._settle([rest], known, Proof(row), at))
+        if evidence.zero is None:
+            raise Unproved("it is not shown that it vanishes nowhere")
+        used += self._settle([at.ring.one], [value, *known], evidence.zero, at)
+        self.accepted.divides(goal.space, [value, *known, *used])
+        self._point(at, evidence.point, known, goal.space)
+
+    def _not_positive(self, goal: Positive, evidence: At, at: Evaluation) -> None:
+        place = self._point(at, evidence.point, at.differences(goal.given), goal.space)
+        value = rational_terms(place(at.scalar(goal.formula)))
+        if value is None or value > 0:
+            raise Unproved("it is positive at the point, or not rational")
+
+    # -- what exists ---------------------------------------------------------------
+
+    def _exists(self, goal: Exists, evidence: Found) -> None:
+        if set(evidence.values) != set(goal.bound):
+            raise Unproved("a bound name has no value")
+        for one, inner in zip(goal.goals, evidence.evidence, strict=True):
+            at = self.of(one.space)
+            used = {name for formula in one.formulas() for name in _names(formula)}
+            mine = used & set(goal.bound)
+            values = {n: at.scalar(f) for n, f in evidence.values.items() if n in mine}
+            for name in mine & set(goal.numbers):
+                if rational_terms(values[name]) is None:
+                    raise Unproved(f"{name} is no number")
+            self.accepted.divides(one.space, list(values.values()))
+            self._simple(one, inner, True, at.binding(values))
+
+    def _never(self, goal: Exists, evidence: Regardless) -> None:
+        one = goal.goals[evidence.goal]
+        if not isinstance(one, Follows) or one.given or len(one.conclusions) != 1:
+            raise Unproved("only an identity can fail whatever the bound names are")
+        at = self.of(one.space)
+        places = [(w, self._point(at, p, (), one.space)) for w, p in evidence.points]
+        weights = [rational_terms(place.numbers.scalar(weight)) for weight, place in places]
+        weighted = [(w or Fraction(0), place) for w, (_, place) in zip(weights, places, strict=True)]
+        if not any(self._impossible(goal, sides, at, weighted) for sides in one.conclusions[0]):
+            raise Unproved("with other expressions the equation may hold")
+
+    def _impossible(
+        self,
+        goal: Exists,
+        sides: Equation,
+        at: Evaluation,
+        weighted: Sequence[tuple[Fraction, Place]],
+    ) -> bool:
+        """Whether the weighted sum of an equation at points is a number other than zero."""
+        collected = collect(Sum((sides[0], Negative(sides[1]))), goal.bound)
+        free = at.components(collected.pop((), ZERO))
+        for monomial, coefficient in collected.items():
+            elements = at.components(coefficient)
+            alone = not set(monomial) & set(goal.expressions)
+            if not (_adds_to_zero(elements, weighted) if alone else _vanish(elements, weighted)):
+                return False
+        return not _adds_to_zero(free, weighted)
+
+
+def _vanish(elements: Sequence[Element], weighted: Sequence[tuple[Fraction, Place]]) -> bool:
+    return all(place.vanish(elements) for _, place in weighted)
+
+
+def _adds_to_zero(elements: Sequence[Element], weighted: Sequence[tuple[Fraction, Place]]) -> bool:
+    """Whether the weighted sums of values vanish; of several points they have to be rational."""
+    if len(weighted) == 1:
+        return _vanish(elements, weighted)
+    for element in elements:
+        values = [(weight, rational_terms(place(element))) for weight, place in weighted]
+        if any(value is None for _, value in values):
+            raise Unproved("a value at a point is not rational")
+        if sum((weight * (value or 0) for weight, value in values), Fraction(0)):
+            return False
+    return True
+
+
+def _group(group: Sequence[Element]) -> Element:
+    """What the checker makes of a group: its one element, or the sum of squares."""
+    if len(group) == 1:
+        return group[0]
+    return reduce(Element.__add__, (entry * entry for entry in group))
+
+
+def _names(formula: Formula) -> Iterator[str]:
+    if isinstance(formula, Name):
+        yield formula.name
+    for child in formula.children():
+        yield from _names(child)
+
+
+def is_real(setting: Setting) -> bool:
+    """Whether all names of a setting are real: no conjugate pairs, no root of −1."""
+    if setting.conjugates:
+        return False
+    return not any(_is_imaginary(setting, name) for name in setting.roots)
+
+
+def _is_imaginary(setting: Setting, name: str) -> bool:
+    step = setting.step(name)
+    return name == "i" and isinstance(step, Adjoined)

@@ -1,0 +1,140 @@
+"""How many real solutions there are: by the roots of an eliminant, and by listing some."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import combinations
+
+from kowalevski_cas.arithmetic.hermite import hermite_minors
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.notation import Formula, Name
+from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
+from kowalevski_cas.problem.evidence import Roots, Solutions
+from kowalevski_cas.problem.goals import Count
+from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.space import Space
+
+
+def check_roots(goal: Count, found: Roots, at: Evaluation) -> list[Element]:
+    r"""Check that the solutions are the roots of the eliminant, all real and distinct.
+
+    * With the form s of the unknowns, e(s) = 0 and d x = n(s) follow from the equations: every
+      solution comes from a root of e.
+    * The equations and s, with n/d for x, are multiples of e: every root gives a solution where
+      no d vanishes, and different roots different ones.
+    * The minors of Hermite are products of factors that are sums of squares where there is a
+      solution: all roots are real and distinct where no factor vanishes.
+
+    Returns elements that have the factors and the denominators below them; raises
+    :class:`Misplaced` if a check fails.
+    """
+    if found.root in (*goal.space.variables, *goal.space.constants, *goal.space.roots):
+        raise Misplaced(f"{found.root} is no new name")
+    if {name for name, _, _ in found.solved} != set(goal.names):
+        raise Misplaced("a variable is not solved for")
+    known = at.differences(goal.equations)
+    _roots_of_solutions(found, at, known)
+    inner = Evaluation(Space((), (*at.setting.constants, found.root)), at.polynomials)
+    _solutions_of_roots(goal, found, inner, at, known)
+    factors = [_factor(entry, at, known) for entry in found.factors]
+    _minors(found, inner, [inner.scalar(entry.factor) for entry in found.factors])
+    below = [at.scalar(denominator) for _, _, denominator in found.solved]
+    return [element.inverse() for element in (*factors, *below)]
+
+
+def _eliminant(found: Roots, at: Evaluation) -> Element:
+    """The value of the eliminant."""
+    root = at.scalar(Name(found.root))
+    total = root ** len(found.eliminant)
+    for power, coefficient in enumerate(found.eliminant):
+        total = total + at.scalar(coefficient) * root**power
+    return total
+
+
+def _roots_of_solutions(found: Roots, at: Evaluation, known: list[Element]) -> None:
+    bound = at.binding({found.root: at.scalar(found.form)})
+    goals = [_eliminant(found, bound)]
+    for name, above, below in found.solved:
+        goals.append(bound.scalar(below) * bound.scalar(Name(name)) - bound.scalar(above))
+    for goal, row in zip(goals, found.rows, strict=True):
+        for entry, element in zip(row, known, strict=True):
+            goal = goal - bound.scalar(entry) * element
+        if not goal.is_zero:
+            raise Misplaced("a solution is not shown to be a root")
+
+
+def _solutions_of_roots(
+    goal: Count, found: Roots, inner: Evaluation, at: Evaluation, known: list[Element]
+) -> None:
+    solved = {n: inner.scalar(a) / inner.scalar(b) for n, a, b in found.solved}
+
+    def value(name: str) -> Element:
+        return solved[name] if name in solved else inner.scalar(Name(name))
+
+    rests = [inner.image(element, value) for element in known]
+    form = inner.image(at.scalar(found.form), value)
+    rests.append(form - inner.scalar(Name(found.root)))
+    equation = _eliminant(found, inner)
+    for rest, quotient in zip(rests, found.quotients, strict=True):
+        cleared = Element(inner.ring, rest.parts, {})
+        if not (cleared - inner.scalar(quotient) * equation).is_zero:
+            raise Misplaced("a root is not shown to give a solution")
+
+
+def _factor(entry: object, at: Evaluation, known: list[Element]) -> Element:
+    """A factor, which has to be a sum of squares modulo the equations."""
+    from kowalevski_cas.problem.evidence import Factor
+
+    assert isinstance(entry, Factor)
+    factor = at.scalar(entry.factor)
+    rest = factor
+    for number, base in entry.squares:
+        value = at.scalar(number)
+        if (rational_terms(value) or Fraction(0)) <= 0:
+            raise Misplaced("a square has no positive factor")
+        rest = rest - value * at.scalar(base) ** 2
+    for cofactor, element in zip(entry.row, known, strict=bool(entry.row)):
+        rest = rest - at.scalar(cofactor) * element
+    if not rest.is_zero:
+        raise Misplaced("a factor is not shown to be a sum of squares")
+    return factor
+
+
+def _minors(found: Roots, inner: Evaluation, factors: list[Element]) -> None:
+    coefficients = [inner.scalar(coefficient) for coefficient in found.eliminant]
+    minors = hermite_minors(coefficients)
+    for minor, (number, powers) in zip(minors, found.minors, strict=True):
+        value = inner.scalar(number)
+        if (rational_terms(value) or Fraction(0)) <= 0:
+            raise Misplaced("a minor is not shown to be positive")
+        for factor, power in zip(factors, powers, strict=True):
+            value = value * factor**power
+        if not (minor - value).is_zero:
+            raise Misplaced("a minor is another one")
+
+
+def check_solutions(goal: Count, found: Solutions, at: Evaluation) -> list[Place]:
+    """Check that more points than there should be are solutions for the same constants."""
+    places = [Place(at, point) for point in found.points]
+    known = at.differences(goal.equations)
+    if len(places) <= goal.number or not all(place.vanish(known) for place in places):
+        raise Misplaced("these are not more solutions")
+    first = found.points[0].values
+    for point in found.points:
+        if {n: v for n, v in point.values.items() if n not in goal.names} != {
+            n: v for n, v in first.items() if n not in goal.names
+        }:
+            raise Misplaced("the constants are not the same")
+    for one, other in combinations(places, 2):
+        if all(_same(name, one, other) for name in goal.names):
+            raise Misplaced("a solution is listed twice")
+    return places
+
+
+def _same(name: str, one: Place, other: Place) -> bool:
+    a, b = (place.numbers.scalar(_value(place, name)) for place in (one, other))
+    return str(a.terms()) == str(b.terms())
+
+
+def _value(place: Place, name: str) -> Formula:
+    return place.point.values[name]

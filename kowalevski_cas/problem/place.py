@@ -1,0 +1,144 @@
+"""Points: whether they are real points of a space, and the values that elements take there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+
+from kowalevski_cas.arithmetic.numbers import Substitution
+from kowalevski_cas.arithmetic.present import fraction_formula
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Quotient, Root, Sum
+from kowalevski_cas.problem.evaluate import Evaluation, conjugated
+from kowalevski_cas.problem.evidence import Point
+from kowalevski_cas.problem.space import Adjoined, Raised, Space
+
+
+class Misplaced(ValueError):
+    """A point that is not where it should be; the message says why."""
+
+
+class Place:
+    """A point in a space: calling it gives the value of an element there.
+
+    Names that the point does not mention do not stand in the statement, and are zero. Raises
+    :class:`Misplaced` if the point does not obey the relations of the space, or is not real.
+    """
+
+    def __init__(self, at: Evaluation, point: Point) -> None:
+        self.at, self.point = at, point
+        self.numbers = _numbers(at, point)
+        given = {name: self.numbers.scalar(value) for name, value in point.values.items()}
+        zero = self.numbers.ring.zero
+        generators = {name: given.get(name, zero) for name in at.ring.polynomials.generators}
+        self._value = Substitution(at.ring, generators, self.numbers.ring, roots={})
+        for bit, name in enumerate(at.ring.roots):
+            below = at.ring.below[bit]
+            value = given.get(name, zero)
+            self._value.roots[bit] = value if below is None else value * self._value(below)
+        self._check(given)
+
+    def __call__(self, element: Element) -> Element:
+        """The value there; raises ``ZeroDivisionError`` on a zero of the denominator."""
+        return self._value(element)
+
+    def vanish(self, elements: Sequence[Element]) -> bool:
+        """Whether all elements are defined and vanish there."""
+        try:
+            return all(self(element).is_zero for element in elements)
+        except ZeroDivisionError:
+            return False
+
+    def defines(self, elements: Sequence[Element]) -> bool:
+        """Whether nothing by which the elements are divided vanishes there."""
+        try:
+            for element in elements:
+                self(element)
+        except ZeroDivisionError:
+            return False
+        return True
+
+    def _check(self, given: Mapping[str, Element]) -> None:
+        at, setting = self.at, self.at.setting
+        for name, value in given.items():
+            step = setting.step(name)
+            if isinstance(step, Adjoined):
+                square = self(at.scalar(step.square))
+                if not (value * value - square).is_zero:
+                    raise Misplaced(f"{name} is not a root there")
+            if isinstance(step, Raised):
+                one = self.numbers.ring.one
+                if not (value - one).is_zero or not (self(at.scalar(step.base)) - one).is_zero:
+                    raise Misplaced(f"the value of {name} is not known there")
+            bar = self(at.scalar(Name(name), True))
+            if not (conjugated(value, self.numbers) - bar).is_zero:
+                raise Misplaced(f"{name} is not real there")
+        for formula in setting.nonzero:
+            if self(at.scalar(formula)).is_zero and self._reached(formula, given):
+                raise Misplaced("what is taken for granted not to vanish does")
+
+    def _reached(self, formula: Formula, given: Mapping[str, Element]) -> bool:
+        from kowalevski_cas.problem.prune import Reach
+
+        reach = Reach(self.at.setting)
+        reach.formula(formula)
+        return all(self.at.setting.step(n) is not None or n in given for n in reach.names)
+
+
+def _numbers(at: Evaluation, point: Point) -> Evaluation:
+    """The numbers in which a point has its values: rationals, i, and roots of whole numbers."""
+    squares = sorted({number for value in point.values.values() for number in _squares(value)})
+    steps = [Adjoined("i", Negative(Number(1)))]
+    steps += [Adjoined(rf"\sqrt{{{number}}}", Number(number)) for number in squares]
+    space = Space(variables=(), constants=("",), steps=tuple(steps))
+    return Evaluation(space, at.polynomials).adjoin_roots()
+
+
+def _squares(formula: Formula) -> set[int]:
+    if isinstance(formula, Root):
+        if not isinstance(formula.argument, Number) or formula.argument.value < 2:
+            raise Misplaced("a root at a point is no root of a whole number")
+        return {formula.argument.value}
+    return {number for child in formula.children() for number in _squares(child)}
+
+
+def number_formula(number: Element) -> Formula:
+    """A number of a tower of roots over the rationals as a formula.
+
+    Raises :class:`Misplaced` for a root of a root, or of a negative number.
+    """
+    ring = number.ring
+    terms: list[Formula] = []
+    for mask, part in number.terms().items():
+        for value in part.values():
+            factors: list[Formula] = []
+            for bit, name in enumerate(ring.roots):
+                if mask >> bit & 1:
+                    factors.append(_root(name, ring.radicands[bit]))
+            terms.append(_times(value, factors))
+    if not terms:
+        return Number(0)
+    return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
+
+
+def _root(name: str, radicand: Element) -> Formula:
+    if name == "i":
+        return Name("i")
+    terms = radicand.terms()
+    if set(terms) != {0}:
+        raise Misplaced("a value at the point is a root of a root")
+    (value,) = terms[0].values()
+    whole = value.numerator * value.denominator
+    if whole < 0:
+        raise Misplaced("a value at the point is an imaginary root")
+    root: Formula = Root(Number(whole))
+    return root if value.denominator == 1 else Quotient(root, Number(value.denominator))
+
+
+def _times(value: Fraction, factors: list[Formula]) -> Formula:
+    if not factors:
+        return fraction_formula(value)
+    size = abs(value)
+    parts = [*([fraction_formula(size)] if size != 1 else []), *factors]
+    product = Product(tuple(parts)) if len(parts) > 1 else parts[0]
+    return Negative(product) if value < 0 else product

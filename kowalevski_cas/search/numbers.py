@@ -1,0 +1,139 @@
+"""Rational numbers for which an equation holds: from its values at exact points."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import islice, product
+from typing import TYPE_CHECKING
+
+from flint import fmpq, fmpq_mat
+
+from kowalevski_cas.arithmetic.numbers import square_root
+from kowalevski_cas.arithmetic.present import fraction_formula
+from kowalevski_cas.notation import Formula, Negative, Sum
+from kowalevski_cas.problem.collect import collect
+from kowalevski_cas.problem.evaluate import rational_terms
+from kowalevski_cas.problem.goals import Exists, Follows
+
+if TYPE_CHECKING:
+    from kowalevski_cas.search.find import Finder
+
+SPARE = 3
+"""At how many further points numbers have to fit before they are tried as an identity."""
+
+Row = list[Fraction]
+
+
+def solved_numbers(goal: Exists, finder: Finder) -> dict[str, Formula] | None:
+    """Numbers for which the one equation of the goal, quadratic in a combination, holds.
+
+    In each point the equation is a quadratic one for the combination :math:`\\sum_k q_kb_k` of
+    the numbers. Where its roots are rational, one of them is the value of the combination:
+    as many points as there are numbers determine these, up to the choice of the roots.
+    """
+    (one,) = goal.goals
+    if not isinstance(one, Follows) or one.given or len(one.conclusions) != 1:
+        return None
+    samples = list(islice(_samples(goal, finder), len(goal.numbers) + SPARE))
+    size = len(goal.numbers)
+    if len(samples) < size + SPARE:
+        return None
+    for roots in product(*(roots for roots, _ in samples[:size])):
+        solution = _solve([basis for _, basis in samples[:size]], roots)
+        if solution is None:
+            return None
+        if all(_combined(solution, basis) in roots for roots, basis in samples[size:]):
+            return dict(zip(goal.numbers, map(fraction_formula, solution), strict=True))
+    return None
+
+
+def _samples(goal: Exists, finder: Finder) -> Iterator[tuple[list[Fraction], Row]]:
+    """The roots of the equation at points where they are rational, and the basis there."""
+    from kowalevski_cas.search.find import Candidate
+    from kowalevski_cas.search.real import real_points
+
+    (one,) = goal.goals
+    assert isinstance(one, Follows)
+    ((sides,),) = one.conclusions
+    at = finder.of(one.space)
+    collected = collect(Sum((sides[0], Negative(sides[1]))), goal.bound)
+    elements = {monomial: at.scalar(c) for monomial, c in collected.items()}
+    for point in real_points(at):
+        candidate = Candidate(at, point)
+        try:
+            values = {m: rational_terms(candidate(e)) for m, e in elements.items()}
+        except ZeroDivisionError:
+            continue
+        known = {m: v for m, v in values.items() if v is not None}
+        if len(known) == len(values) and (sample := _quadratic(known, goal.numbers)):
+            yield sample
+
+
+def _quadratic(
+    values: dict[tuple[str, ...], Fraction], numbers: Sequence[str]
+) -> tuple[list[Fraction], Row] | None:
+    """The equation as a (Σ q b)² + b (Σ q b) + c with the first b that is not zero being 1."""
+    squares = [values.get((name, name), Fraction(0)) for name in numbers]
+    lead = next((k for k, value in enumerate(squares) if value), None)
+    if lead is None or any(len(monomial) > 2 for monomial in values):
+        return None
+    a = squares[lead]
+    first = numbers[lead]
+    basis = [
+        Fraction(1) if n == first else values.get(_pair(first, n), Fraction(0)) / (2 * a)
+        for n in numbers
+    ]
+    b = values.get((first,), Fraction(0))
+    c = values.get((), Fraction(0))
+    consistent = all(
+        values.get((name,), Fraction(0)) == b * weight
+        for name, weight in zip(numbers, basis, strict=True)
+    )
+    root = square_root(b * b - 4 * a * c)
+    if not consistent or root is None:
+        return None
+    return [(-b - root) / (2 * a), (-b + root) / (2 * a)], basis
+
+
+def _pair(a: str, b: str) -> tuple[str, ...]:
+    return tuple(sorted((a, b)))
+
+
+def _combined(weights: Sequence[Fraction], basis: Sequence[Fraction]) -> Fraction:
+    return sum((w * b for w, b in zip(weights, basis, strict=True)), Fraction(0))
+
+
+def _matrix(rows: Sequence[Sequence[Fraction]]) -> fmpq_mat:
+    return fmpq_mat([[fmpq(v.numerator, v.denominator) for v in row] for row in rows])
+
+
+def _solve(rows: Sequence[Row], right: Sequence[Fraction]) -> list[Fraction] | None:
+    try:
+        found = _matrix(rows).solve(_matrix([[value] for value in right]))
+    except ZeroDivisionError:
+        return None
+    return [_fraction(found[k, 0]) for k in range(len(rows))]
+
+
+def _fraction(value: fmpq) -> Fraction:
+    return Fraction(int(value.p), int(value.q))
+
+
+def linear_combination(rows: Sequence[Row], target: Sequence[Fraction]) -> list[Fraction] | None:
+    """Weights with which the rows add up to the target, with as few rows as come first."""
+    if not rows:
+        return None
+    columns = [list(column) for column in zip(*rows, strict=True)]
+    augmented = [[*column, value] for column, value in zip(columns, target, strict=True)]
+    reduced, rank = _matrix(augmented).rref()
+    weights = [Fraction(0)] * len(rows)
+    for k in range(rank):
+        entries = [_fraction(reduced[k, j]) for j in range(len(rows) + 1)]
+        pivot = next(j for j, entry in enumerate(entries) if entry)
+        if pivot == len(rows):
+            return None
+        weights[pivot] = entries[-1]
+    return weights
+
+
