@@ -65,7 +65,7 @@ def _eliminate(
     while True:
         found = next(((c, v) for c in constraints for v in variables if _gives(c, v)), None)
         if found is None:
-            return constraints, eliminated
+            return distinct(constraints), eliminated
         constraint, variable = found
         context = constraint.context()
         generators = list(context.gens())
@@ -74,6 +74,11 @@ def _eliminate(
         eliminated.append((variable, expression))
         substituted = (c.compose(*generators, ctx=context) for c in constraints)
         constraints = [c for c in substituted if not c.is_zero()]
+
+
+def distinct(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
+    """Polynomials of which none is another one times a number."""
+    return list({str(p / p.leading_coefficient()): p for p in polynomials}.values())
 
 
 def _gives(constraint: fmpq_mpoly, variable: int) -> bool:

@@ -16,7 +16,7 @@ from kowalevski_cas.arithmetic.numbers import square_root
 from kowalevski_cas.arithmetic.points import ExactPoint
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.search.points import Assignment, constant, points
+from kowalevski_cas.search.points import Assignment, constant, distinct, points
 from kowalevski_cas.problem.evaluate import Evaluation
 
 RATIONAL_ROOTS = 40
@@ -145,7 +145,7 @@ def real_points(
     """Exact points where some elements vanish and others do not, with rational roots first."""
     coordinates = RealCoordinates(at, zero)
     constraints = [e for element in zero for e in coordinates.equations(element)]
-    constraints = _distinct([*constraints, *coordinates.relations()])
+    constraints = distinct([*constraints, *coordinates.relations()])
     avoid = [
         polynomial
         for element in nonzero
@@ -165,11 +165,6 @@ def real_points(
         else:
             kept.append(assignment)
     yield from (coordinates.point(assignment) for assignment in kept)
-
-
-def _distinct(polynomials: list[fmpq_mpoly]) -> list[fmpq_mpoly]:
-    """Polynomials of which none is another one times a number: conjugate equations come twice."""
-    return list({str(p / p.leading_coefficient()): p for p in polynomials}.values())
 
 
 def _is_square(radicand: fmpq_mpoly, assignment: Assignment, coordinates: RealCoordinates) -> bool:
