@@ -19,6 +19,7 @@ from kowalevski_cas.notation.formula import (
     Name,
     Negative,
     Number,
+    Partial,
     PoissonBracket,
     Power,
     Product,
@@ -31,9 +32,11 @@ from kowalevski_cas.notation.formula import (
     Unwritten,
     Vector,
 )
+from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.layout import split_display
-from kowalevski_cas.notation.printer import to_latex
+from kowalevski_cas.notation.plain import to_plain
 from kowalevski_cas.notation.reader import Statement, read, read_display
+from kowalevski_cas.notation.typst import to_typst
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -51,6 +54,7 @@ __all__ = [
     "Negative",
     "NotationError",
     "Number",
+    "Partial",
     "PoissonBracket",
     "Power",
     "Product",
@@ -74,4 +78,6 @@ __all__ = [
     "substitute",
     "subtree",
     "to_latex",
+    "to_plain",
+    "to_typst",
 ]

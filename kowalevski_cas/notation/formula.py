@@ -97,6 +97,14 @@ class Derivative(Formula):
 
 
 @dataclass(frozen=True)
+class Partial(Formula):
+    r"""The partial derivative by a name, printed :math:`\partial f/\partial x`."""
+
+    argument: Formula
+    by: str
+
+
+@dataclass(frozen=True)
 class Conjugate(Formula):
     """The complex conjugate, printed with a bar."""
 
