@@ -76,8 +76,8 @@ class Latex(Printer):
         return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
 
 
-_PRINTER = Latex()
-bracketed = _PRINTER.bracketed
+LATEX = Latex()
+bracketed = LATEX.bracketed
 
 
 def to_latex(formula: Formula) -> str:
@@ -86,4 +86,4 @@ def to_latex(formula: Formula) -> str:
     >>> to_latex(Quotient(Name("x_1"), Name(r"\ell")))
     '\\frac{x_1}{\\ell}'
     """
-    return _PRINTER(formula)
+    return LATEX(formula)

@@ -32,10 +32,11 @@ from kowalevski_cas.notation.formula import (
     Vector,
 )
 
-# What carries a power without brackets.
+# What stands in brackets behind a sign, and beside other factors.
+SIGNED = (Sum, Negative, Relation)
+COMPOUND = (*SIGNED, Product, CrossProduct)
+# What carries a power without them.
 _BASES = (Name, Number, Application, Vector, ScalarProduct, PoissonBracket, Conjugate)
-# What stands in brackets beside other factors.
-_COMPOUND = (Sum, Negative, Product, CrossProduct, Relation)
 _METHODS = {
     node: re.sub(r"(?<!^)(?=[A-Z])", "_", node.__name__).lower()
     for node in Formula.__subclasses__()
@@ -118,9 +119,17 @@ class Printer(ABC):
     # Brackets
 
     def bracketed(self, text: str) -> str:
-        """The text in brackets, square around round ones."""
-        square = "(" in text and "[" not in text
-        return self.between("[", text, "]") if square else self.between("(", text, ")")
+        """The text in brackets."""
+        opening, closing = self.brackets(text)
+        return self.between(opening, text, closing)
+
+    def brackets(self, text: str) -> tuple[str, str]:
+        """The brackets around a text: square ones around round ones."""
+        return ("[", "]") if "(" in text and "[" not in text else ("(", ")")
+
+    def finished(self, text: str) -> str:
+        """What was printed, as the format reads it."""
+        return text
 
     def listed(self, formulas: Iterable[Formula]) -> str:
         """A list; square brackets around it would be a commutator."""
@@ -129,12 +138,12 @@ class Printer(ABC):
     def term(self, formula: Formula) -> str:
         """The formula behind a sign."""
         text = self(formula)
-        return self.bracketed(text) if isinstance(formula, Sum | Negative | Relation) else text
+        return self.bracketed(text) if isinstance(formula, SIGNED) else text
 
     def factor(self, formula: Formula) -> str:
         """The formula beside other factors."""
         text = self(formula)
-        return self.bracketed(text) if isinstance(formula, _COMPOUND) else text
+        return self.bracketed(text) if isinstance(formula, COMPOUND) else text
 
     # Nodes
 
@@ -163,10 +172,9 @@ class Printer(ABC):
         return self.joined(parts)
 
     def power(self, formula: Power) -> str:
-        base = formula.base
-        plain = isinstance(base, _BASES) or (isinstance(base, Derivative) and base.mark == "dot")
-        text = self(base)
-        return self.raised(text if plain else self.bracketed(text), self(formula.exponent))
+        text = self(formula.base)
+        text = text if is_base(formula.base) else self.bracketed(text)
+        return self.raised(text, self(formula.exponent))
 
     def derivative(self, formula: Derivative) -> str:
         argument, mark, order = formula.argument, formula.mark, 1
@@ -235,3 +243,9 @@ class Printer(ABC):
         return first + "".join(
             f" {self.sign(sign)} {member}" for sign, member in zip(formula.signs, rest, strict=True)
         )
+
+
+def is_base(formula: Formula) -> bool:
+    """Whether a formula carries a power without brackets."""
+    dotted = isinstance(formula, Derivative) and formula.mark == "dot"
+    return dotted or isinstance(formula, _BASES)

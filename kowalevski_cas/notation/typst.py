@@ -25,6 +25,9 @@ class Typst(Printer):
     minus, times, cross, prime, partial_d = "-", "⋅ ", "×", "'", "∂"
     dots, const, braces = "…", 'upright("const")', ("{", "}")
 
+    def finished(self, text: str) -> str:
+        return text.translate(_PRINTED)
+
     def name(self, formula: Name) -> str:
         return self._name(formula, "{}")
 
@@ -84,7 +87,7 @@ def _atom(text: str) -> str:
     return text if len(text) == 1 else f'"{text}"'
 
 
-_PRINTER = Typst()
+TYPST = Typst()
 
 
 def to_typst(formula: Formula) -> str:
@@ -93,4 +96,4 @@ def to_typst(formula: Formula) -> str:
     >>> to_typst(Quotient(Name(r"\omega_1"), Root(Name("x"))))
     'frac(ω_(1), sqrt(x))'
     """
-    return _PRINTER(formula).translate(_PRINTED)
+    return TYPST.finished(TYPST(formula))

@@ -1,0 +1,39 @@
+"""Words with mathematics between dollars, as runs of text and formulas."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.formula import Formula
+from kowalevski_cas.notation.reader import read
+from kowalevski_cas.notation.vocabulary import Vocabulary
+
+Prose = tuple[str | Formula, ...]
+
+
+def read_prose(text: str, vocabulary: Vocabulary) -> Prose:
+    """The runs of a text; what cannot be read stays as it is typed.
+
+    >>> read_prose("for $x$ only", Vocabulary(frozenset({"x"})))
+    ('for ', Name(name='x'), ' only')
+    """
+    parts = text.split("$")
+    if len(parts) % 2 == 0:  # a dollar too many: none of them means mathematics
+        return (text,)
+    runs = (_formula(part, vocabulary) if k % 2 else part for k, part in enumerate(parts))
+    return tuple(run for run in runs if run)
+
+
+def _formula(tex: str, vocabulary: Vocabulary) -> str | Formula:
+    try:
+        return read(tex, vocabulary)
+    except NotationError:
+        return f"${tex}$"
+
+
+def print_prose(
+    prose: Prose, words: Callable[[str], str], formula: Callable[[Formula], str]
+) -> str:
+    """The runs of a text, each printed in its own way, side by side."""
+    return "".join(words(run) if isinstance(run, str) else formula(run) for run in prose)
