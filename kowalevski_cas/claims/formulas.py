@@ -63,7 +63,7 @@ def scaled(coefficient: Formula, *factors: Formula) -> Formula:
     if coefficient != Number(1):
         own = coefficient.factors if isinstance(coefficient, Product) else (coefficient,)
         factors = (*own, *factors)
-    return Product(factors) if len(factors) > 1 else factors[0]
+    return Product(factors) if len(factors) > 1 else next(iter(factors), Number(1))
 
 
 def total(terms: Sequence[Formula]) -> Formula:

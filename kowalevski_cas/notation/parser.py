@@ -5,6 +5,8 @@ Where print can be read in two ways, the parser says so and does not choose.
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from kowalevski_cas.notation.atoms import Atoms
 from kowalevski_cas.notation.cursor import END, STARTS, Piece
 from kowalevski_cas.notation.errors import NotationError
@@ -29,14 +31,16 @@ _DIFFERENTIALS = ("d", r"\partial")
 
 
 class Parser(Atoms):
-    """Reads the tokens of one statement."""
+    """Reads the tokens of one statement, which relates its members by ``signs``."""
+
+    signs: Collection[str] = SIGNS
 
     def statement(self) -> Piece:
         """A chain of relations, or an expression."""
         members = [self.sum()]
         signs: list[str] = []
         while (token := self.tokens[self.at]).kind == "relation":
-            if token.text not in SIGNS:
+            if token.text not in self.signs:
                 raise self.error(f"the relation {token.text} cannot be read")
             self.at += 1
             signs.append(token.text)

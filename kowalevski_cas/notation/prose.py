@@ -2,14 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from dataclasses import replace
 
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
+from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.reader import read
+from kowalevski_cas.notation.unicode import SIGNS
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
+_INDEX = re.compile(r"_(?:\w|\{[^{}]{2,}\})")
+
 Prose = tuple[str | Formula, ...]
+
+
+class _InWords(Parser):
+    signs = SIGNS
 
 
 def read_prose(text: str, vocabulary: Vocabulary) -> Prose:
@@ -27,9 +38,24 @@ def read_prose(text: str, vocabulary: Vocabulary) -> Prose:
 
 def _formula(tex: str, vocabulary: Vocabulary) -> str | Formula:
     try:
-        return read(tex, vocabulary)
+        return read(tex, vocabulary, _InWords)
+    except NotationError:
+        pass
+    try:
+        return read(tex, _loosened(tex, vocabulary), _InWords)
     except NotationError:
         return f"${tex}$"
+
+
+def _loosened(tex: str, vocabulary: Vocabulary) -> Vocabulary:
+    """The vocabulary in which all letters are names: words speak of what no formula declares."""
+    names = set()
+    for token in scan(tex):
+        if token.kind == "letter":
+            index = _INDEX.match(tex, token.end)
+            names |= {token.text, token.text + index[0]} if index else {token.text}
+    scalars = vocabulary.scalars | (names - vocabulary.ranks.keys())
+    return replace(vocabulary, scalars=scalars, functions=vocabulary.functions - names)
 
 
 def print_prose(

@@ -9,8 +9,13 @@ from functools import cache
 from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.macros import GREEK
 
-SIGNS = {"=": "=", r"\equiv": "≡", r"\ne": "≠"}
-"""The signs of relations."""
+SIGNS = {
+    "=": "=", r"\equiv": "≡", r"\ne": "≠", "<": "<", ">": ">", r"\le": "≤", r"\ge": "≥",
+    r"\to": "→", r"\in": "∈",
+}  # fmt: skip
+"""The signs of relations, also of those that only words state."""
+
+_LETTERS = GREEK | {r"\pm": "±", r"\infty": "∞"}
 
 _PIECE = re.compile(r"\\[A-Za-z]+(?:\{([^{}]*)\})?|.")
 
@@ -38,13 +43,13 @@ def symbol(name: str) -> Symbol:
     font, brace, inner = letter.partition("{")
     if not brace:
         # A macro of its own, as \sin, is an upright word.
-        upright = letter[0] == "\\" and letter not in GREEK
+        upright = letter[0] == "\\" and letter not in _LETTERS
         return Symbol(_letter(letter), r"\mathrm" if upright else "", _index(index))
     return Symbol(_letter(inner[:-1]), font, _index(index))
 
 
 def _letter(tex: str) -> str:
-    return GREEK.get(tex, tex.removeprefix("\\"))
+    return _LETTERS.get(tex, tex.removeprefix("\\"))
 
 
 def _index(tex: str) -> tuple[str, ...]:

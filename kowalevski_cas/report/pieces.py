@@ -15,6 +15,7 @@ from kowalevski_cas.notation import (
     Relation,
     Root,
     Sum,
+    Vector,
     to_plain,
 )
 from kowalevski_cas.notation.printer import COMPOUND, SIGNED, Printer, is_base
@@ -81,12 +82,20 @@ def _pieces(formula: Formula, printer: Printer) -> Iterator[Piece]:
             over, under = pieces(above, printer), pieces(below, printer)
             width = max(measured(over), measured(under)) + 0.24
             yield Piece(printer(formula), width, inner=over, below=under, tall=True)
+        case Vector(rows) if _is_matrix(rows):
+            columns = zip(*(row.components for row in rows if isinstance(row, Vector)), strict=True)
+            wide = (max(measured(pieces(cell, printer)) for cell in cells) for cells in columns)
+            yield Piece(printer(formula), sum(wide) + len(rows) + 0.8, tall=True)
         case Root(argument):
             inside = pieces(argument, printer)
             tall = any(piece.tall for piece in inside)
             yield Piece(printer(formula), measured(inside) + 0.9, tall=tall)
         case _:
             yield Piece(printer(formula), _width(to_plain(formula)))
+
+
+def _is_matrix(rows: Sequence[Formula]) -> bool:
+    return all(isinstance(row, Vector) for row in rows)
 
 
 def _within(

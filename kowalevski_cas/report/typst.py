@@ -42,10 +42,11 @@ class TypstSetter(Setter):
 
     def line(self, left: str, right: str, indent: int, leads: bool) -> str:
         # Something empty before a sign makes it an operation.
-        return f"{left} & {'quad ' * indent}{'zws ' if leads else ''}{right}".strip()
+        nothing = '"" ' if leads else ""
+        return f"{left} & {'quad ' * indent}{nothing}{right}".strip()
 
     def left_out(self, lines: int) -> str:
-        return f'& quad zws + dots.c quad "({lines} more lines)"'
+        return f'& quad "" + dots.c quad "({lines} more lines)"'
 
     def lines(self, lines: Sequence[str]) -> str:
         return " \\\n".join(lines)

@@ -437,7 +437,7 @@ def test_a_reader_that_goes_away_is_no_error():
 def test_proving_with_flint_imports_no_other_library():
     script = (
         "import sys; from kowalevski_cas.cli import main; code = main(['verify', '--arithmetic', 'flint']);"
-        "found = {'sympy', 'symengine', 'numpy', 'matplotlib', 'rich', 'jinja2', 'typst', 'pypandoc', 'difflib'}"
+        "found = {'sympy', 'symengine', 'numpy', 'matplotlib', 'rich', 'jinja2', 'typst', 'difflib'}"
         " & set(sys.modules); print(code, sorted(found), file=sys.stderr)"
     )
     done = subprocess.run(
