@@ -153,7 +153,7 @@ def outcomes() -> tuple[Outcome, ...]:
             steps=(
                 step(
                     "The derivative along the field vanishes identically:",
-                    r"({\bs \alpha},{\bs \alpha})^{\cdot} = 2({\bs\alpha}, {\bs \alpha}\times {\bs\omega}) = 0",
+                    r"2({\bs\alpha}, {\bs \alpha}\times {\bs\omega}) = 0",
                 ),
             ),
         ),
