@@ -9,7 +9,7 @@ from math import isqrt
 from kowalevski_cas.arithmetic.polynomials import Polynomial, Polynomials, Terms
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element, Ring
-from kowalevski_cas.notation import Vocabulary, to_latex
+from kowalevski_cas.notation import Formula, Vocabulary, to_latex
 
 NUMBERS = Vocabulary(scalars=frozenset({"i"}))
 """What is needed to print numbers in a tower of roots."""
@@ -28,9 +28,9 @@ def gaussian(numbers: Ring, re: Fraction, im: Fraction) -> Element:
     return Element(numbers, {mask: constant(v) for mask, v in ((0, re), (1, im)) if v}, {})
 
 
-def show_number(number: Element) -> str:
-    """A number as LaTeX."""
-    return to_latex(formula_of(number, NUMBERS))
+def show_number(number: Element) -> Formula:
+    """A number as it is printed."""
+    return formula_of(number, NUMBERS)
 
 
 def square_root(value: Fraction) -> Fraction | None:
@@ -88,7 +88,7 @@ class Substitution:
             return numbers.generator("i")
         if value is not None and (root := square_root(value)) is not None:
             return numbers.number(root)
-        name = rf"\sqrt{{{show_number(radicand)}}}"
+        name = rf"\sqrt{{{to_latex(show_number(radicand))}}}"
         return numbers.generator(name) if name in numbers.roots else numbers.adjoin(name, radicand)
 
     def __call__(self, element: Element) -> Element:

@@ -22,6 +22,9 @@ from kowalevski_cas.notation import (
     read,
 )
 
+LONGEST = 14_000
+"""The bits of the longest number that is printed."""
+
 
 def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
     """The formula of an element in the names of its ring as they are read, to be shown.
@@ -155,8 +158,14 @@ def name_formula(name: str, vocabulary: Vocabulary) -> Formula:
 
 
 def fraction_formula(value: Fraction) -> Formula:
-    """The formula of a rational number."""
+    """The formula of a rational number.
+
+    Raises:
+        OverflowError: if it is longer than anybody prints, or Python does.
+    """
     size = abs(value)
+    if max(size.numerator, size.denominator).bit_length() > LONGEST:
+        raise OverflowError("a number is too long to be printed")
     shown: Formula = Number(size.numerator)
     if size.denominator != 1:
         shown = Quotient(shown, Number(size.denominator))

@@ -145,8 +145,8 @@ def _of(outcome: Outcome) -> object:
     correction = outcome.correction
     return (
         outcome.verdict,
-        tuple(condition.tex for condition in outcome.conditions),
-        None if correction is None else (correction.printed, correction.words),
+        tuple(condition.expression for condition in outcome.conditions),
+        None if correction is None else (correction.formulas, correction.words),
     )
 
 

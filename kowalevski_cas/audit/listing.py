@@ -79,7 +79,7 @@ def _names(tokens: Sequence[Token]) -> Iterator[str]:
     for at, token in enumerate(tokens):
         if token.kind != "letter":
             continue
-        known = not token.text.startswith("\\") or token.text in GREEK | FUNCTIONS
+        known = not token.text.startswith("\\") or token.text in GREEK.keys() | FUNCTIONS
         if not known and "{" not in token.text:
             continue
         following = at + 1

@@ -15,7 +15,7 @@ from kowalevski_cas.audit.memory import Base, Decided, Key, Memory
 from kowalevski_cas.audit.reach import Reach
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.notation import NotationError, to_latex
+from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.evidence import Evidence
 from kowalevski_cas.proof.limits import time_limit
@@ -147,13 +147,13 @@ class AuditSession(Session):
                 texts = texts.with_source(printed.display, spliced(texts, self.base.texts, printed))
             bench = Bench(self.arithmetics[0], texts, False, {}, self.stages, refute=False)
             finding = self._decide(claim, bench)
-            printed_so = ",\\ ".join(to_latex(texts.formula(printed)) for printed in own)
+            formulas = tuple(texts.formula(printed) for printed in own)
         except NotationError:
             return None
         if not finding.verdict.green:
             return None
         self.texts = texts
-        return Correction(printed_so, AS_BEFORE, finding.verdict, finding.conditions)
+        return Correction(formulas, AS_BEFORE, finding.verdict, finding.conditions)
 
     def _to_blame(self, claim: Claim) -> tuple[Printed, ...]:
         """The changed places without whose changes the claim would come out as in the base."""

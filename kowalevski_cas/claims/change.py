@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, refuted
-from kowalevski_cas.claims.formulas import show
+from kowalevski_cas.claims.formulas import equal, show
 from kowalevski_cas.claims.identity import Identity, Pair
 from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.notation import NotationError
@@ -74,8 +74,10 @@ class InvertibleChange(Claim):
             return refuted(found) if found else Finding(Verdict.UNDECIDED)
         steps = []
         if bench.explain:
-            shown = [f"{name} = {show(value, stage)}" for name, value in inverse.items()]
-            steps.append(Step("The inverse, as solved for:", r",\quad ".join(shown)))
+            shown = tuple(
+                equal(stage.formula(name), show(value, stage)) for name, value in inverse.items()
+            )
+            steps.append(Step("The inverse, as solved for:", shown))
         return green((), steps)
 
     def questions(self, bench: Bench) -> Iterator[Question]:

@@ -38,8 +38,9 @@ class Coefficient(Claim):
         assert self.printed is not None
         formula = bench.texts.formula(self.printed)
         pairs = self.pairs(formula, stage)
+        shown = show(pairs[0][0], stage)
         steps = (
-            [Step(f"The coefficient of ${self.variable}$, as generated:", show(pairs[0][0], stage))]
+            [Step(f"The coefficient of ${self.variable}$, as generated:", (shown,))]
             if bench.explain
             else ()
         )

@@ -8,7 +8,7 @@ from functools import lru_cache
 
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.formulas import show
-from kowalevski_cas.notation import Formula, to_latex
+from kowalevski_cas.notation import Formula, Product
 from kowalevski_cas.proof.outcome import Condition
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.stage import Stage, scalar
@@ -24,7 +24,7 @@ def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition,
     if not indices:
         return ()
     granted, names = _declared(stage)
-    shown: dict[str, None] = {}
+    shown: dict[Formula, None] = {}
     divisors = [Element(ring, {0: ring.divisors[index]}, {}) for index in indices]
     known = {_shape(divisor) for divisor in divisors if len(divisor.terms()[0]) == 1}.union(granted)
     for divisor in divisors:
@@ -34,12 +34,13 @@ def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition,
         if shape not in names and shape not in known:
             divisor = _without(divisor, known)
         if divisor is not ring.one:
-            shown[to_latex(names[shape]) if shape in names else show(divisor, stage)] = None
-    for first, second in stage.scene.conjugates:
+            shown[names[shape] if shape in names else show(divisor, stage)] = None
+    for pair in stage.scene.conjugates:
+        first, second = map(stage.formula, pair)
         if first in shown and second in shown:
             del shown[second]
-            shown = {(f"{first}{second}" if tex == first else tex): None for tex in shown}
-    return tuple(Condition(tex, "the formulas divide by it") for tex in shown)
+            shown = {(Product((first, second)) if f == first else f): None for f in shown}
+    return tuple(Condition(formula, "the formulas divide by it") for formula in shown)
 
 
 @lru_cache(maxsize=64)
@@ -79,6 +80,6 @@ def _shape(element: Element) -> Shape:
 def locus_of(condition: Condition, stage: Stage) -> Locus | None:
     """The declared locus where a condition is violated, if there is one."""
     for locus in stage.scene.loci:
-        if to_latex(stage.formula(locus.condition)) == condition.tex:
+        if stage.formula(locus.condition) == condition.expression:
             return locus
     return None

@@ -15,9 +15,8 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, ask, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of
-from kowalevski_cas.claims.formulas import equation, show
+from kowalevski_cas.claims.formulas import equal, equation, scaled, total
 from kowalevski_cas.claims.points import AtPoint
-from kowalevski_cas.notation import to_latex
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.change import solve
@@ -53,12 +52,12 @@ class ConstantRoot(Claim):
         if not value.is_zero:
             return Finding(Verdict.UNDECIDED, message="the combination fits points only")
         terms = [
-            rf"{show(stage.ring.number(c), stage)}\,{tex}"
+            scaled(fraction_formula(c), stage.formula(tex))
             for c, tex in zip(guess, self.basis, strict=True)
             if c
         ]
-        shown = " + ".join(terms).replace("+ -", "- ")
-        steps = [Step("The constant root that the program found:", f"{self.unknown} = {shown}")]
+        root = equal(stage.formula(self.unknown), total(terms))
+        steps = [Step("The constant root that the program found:", (root,))]
         return green(conditions_of([value], stage), steps if bench.explain else ())
 
     def _value(self, guess: Guess, stage: Stage) -> Element:
@@ -154,7 +153,7 @@ class ConstantRoot(Claim):
         )
         left, right = fraction_formula(_value(guess, known)), fraction_formula(roots[0])
         shown = AtPoint(bench.stage(self.scene), point).shown()
-        return Counterexample(shown, to_latex(left), to_latex(right), words)
+        return Counterexample(shown, left, right, words)
 
 
 def _value(guess: Guess, known: list[Fraction]) -> Fraction:

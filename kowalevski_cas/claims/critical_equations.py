@@ -12,7 +12,7 @@ from kowalevski_cas.arithmetic.numbers import rational
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.cases import System
-from kowalevski_cas.notation import Relation, to_latex
+from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.paper.texts import Printed, Texts
 
@@ -121,7 +121,7 @@ class CriticalEquations:
         targets = [*critical, *(_dot(field, critical) for field in self.fields(stage))]
         if self.zero_level:
             targets.append(function)
-        granted = [scalar(stage.formula(tex), stage) for tex in self.loci(stage)]
+        granted = [scalar(locus, stage) for locus in self.loci(stage)]
         return System(stage.ring, targets, self.goals(stage), [*granted, self.surface(stage)[0]])
 
     def fields(self, stage: Stage) -> list[list[Element]]:
@@ -135,9 +135,9 @@ class CriticalEquations:
         return fields
 
     @staticmethod
-    def loci(stage: Stage) -> list[str]:
+    def loci(stage: Stage) -> list[Formula]:
         """What is assumed not to vanish; where it does, the statement is tried once more."""
-        return [to_latex(formula) for formula in stage.landmarks()]
+        return list(stage.landmarks())
 
 
 def _difference(sides: tuple[Element, Element]) -> Element:

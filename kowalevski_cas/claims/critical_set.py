@@ -14,10 +14,10 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of, locus_of
 from kowalevski_cas.claims.critical_equations import CriticalEquations, Weights
-from kowalevski_cas.claims.formulas import show
-from kowalevski_cas.claims.membership import combination, combination_steps
+from kowalevski_cas.claims.formulas import equal, scaled, show
+from kowalevski_cas.claims.membership import combination, combination_steps, label
 from kowalevski_cas.claims.witness import witness
-from kowalevski_cas.notation import edits, to_latex
+from kowalevski_cas.notation import Formula, Number, edits, to_latex
 from kowalevski_cas.proof.cases import Case
 from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, scalar
@@ -74,10 +74,10 @@ class CriticalSet(Claim):
             if off is None:
                 return Finding(Verdict.UNDECIDED, message="a case is left open")
             return replace(refuted(off, steps), correction=self._on_zero_level(bench))
-        conditions = dict.fromkeys(c.tex for c in conditions_of(row, stage))
+        conditions = dict.fromkeys(c.expression for c in conditions_of(row, stage))
         needed = set(case.granted())
-        conditions |= {tex: None for k, tex in enumerate(problem.loci(stage)) if k in needed}
-        shown = tuple(self._where_it_fails(bench, problem, tex) for tex in conditions)
+        conditions |= {locus: None for k, locus in enumerate(problem.loci(stage)) if k in needed}
+        shown = tuple(self._where_it_fails(bench, problem, one) for one in conditions)
         return green(shown, steps)
 
     beyond_points = "whether other points are critical cannot be seen at points of the set"
@@ -149,7 +149,7 @@ class CriticalSet(Claim):
         """A point of the set, off the loci, that is not critical."""
 
         def off(stage: Stage) -> list[Element]:
-            return [scalar(stage.formula(tex), stage) for tex in problem.loci(stage)]
+            return [scalar(locus, stage) for locus in problem.loci(stage)]
 
         def on(stage: Stage) -> list[Element]:
             return [*problem.goals(stage), problem.beside(stage)]
@@ -159,9 +159,11 @@ class CriticalSet(Claim):
             sections=problem.sections,
         )  # fmt: skip
 
-    def _where_it_fails(self, bench: Bench, problem: CriticalEquations, tex: str) -> Condition:
+    def _where_it_fails(
+        self, bench: Bench, problem: CriticalEquations, expression: Formula
+    ) -> Condition:
         """A condition with a point of its locus that lies on the set and is not critical."""
-        condition = Condition(tex, "the formulas divide by it")
+        condition = Condition(expression, "the formulas divide by it")
         locus = locus_of(condition, bench.stage(self.scene))
         if locus is None:
             return condition
@@ -186,7 +188,11 @@ class CriticalSet(Claim):
         }  # fmt: skip
         key = (self.id, locus.words)
         found = witness(bench, self.scene, key, on, problem.rates, lambda index: MOVING)
-        return Condition(tex, f"it fails for {locus.words}", found) if found else condition
+        return (
+            replace(condition, words=f"it fails for {locus.words}", witness=found)
+            if found
+            else condition
+        )
 
     def _point_off_the_set(
         self, bench: Bench, problem: CriticalEquations, case: Case
@@ -218,7 +224,7 @@ class CriticalSet(Claim):
             return None
         assert self.printed is not None
         return Correction(
-            printed=f"{to_latex(bench.texts.formula(self.printed))} = 0",
+            formulas=(equal(bench.texts.formula(self.printed), Number(0)),),
             words="it holds among the critical points at which the function vanishes",
             verdict=finding.verdict,
             conditions=finding.conditions,
@@ -227,16 +233,15 @@ class CriticalSet(Claim):
     # -- the report --------------------------------------------------------------
 
     def _steps(self, row: Sequence[Element], case: Case, stage: Stage) -> list[Step]:
-        names = [f"({printed.place})" for printed in self.equations]
-        products = [a + b for a, b in combinations_with_replacement(names, 2)]
+        products = combinations_with_replacement(map(label, self.equations), 2)
         steps = combination_steps("the function made homogeneous", row, stage, products)
         for one in case.nodes():
-            known = ",\\ ".join(f"{_shown(terms, stage)}=0" for terms in one.known)
-            where = f"For ${known}$" if known else "Everywhere"
+            known = (to_latex(equal(_shown(terms, stage), Number(0))) for terms in one.known)
+            where = f"For ${'$, $'.join(known)}$" if one.known else "Everywhere"
             if one.kind == "split":
                 factors = one.reductions[0].factors
-                shown = "".join(rf"\left({_shown(factor, stage)}\right)" for factor, _ in factors)
-                steps.append(Step(f"{where} it follows that", f"{shown or 1}=0"))
+                shown = scaled(Number(1), *(_shown(factor, stage) for factor, _ in factors))
+                steps.append(Step(f"{where} it follows that", (equal(shown, Number(0)),)))
             elif one.kind == "open":
                 steps.append(Step(f"{where} no more follows: these points are critical."))
         return steps
@@ -259,5 +264,5 @@ class CriticalSet(Claim):
         yield from ()
 
 
-def _shown(terms: Terms, stage: Stage) -> str:
+def _shown(terms: Terms, stage: Stage) -> Formula:
     return show(stage.ring.from_terms({0: terms}), stage)

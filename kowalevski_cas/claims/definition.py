@@ -10,7 +10,7 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import ask
 from kowalevski_cas.claims.identity import Identity, Pair
-from kowalevski_cas.notation import Formula, to_latex
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.proof.outcome import Step
 from kowalevski_cas.paper.scene import head
 from kowalevski_cas.stage import Stage
@@ -49,7 +49,7 @@ class Definition(Identity):
 
     def steps(self, formula: Formula, stage: Stage) -> Sequence[Step]:
         """The equation, which the report prints nowhere else for this claim."""
-        return [Step("With it the program proves:", to_latex(formula))]
+        return [Step("With it the program proves:", (formula,))]
 
     def places(self) -> Iterator[Printed]:
         yield from super().places()

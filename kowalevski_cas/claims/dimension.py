@@ -16,7 +16,7 @@ from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.formulas import equation, members
 from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.claims.points import AtPoint
-from kowalevski_cas.notation import to_latex
+from kowalevski_cas.notation import Number, Relation, to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.stage import Stage, scalar
@@ -148,7 +148,7 @@ class Dimension(Set):
         if found is None or number - found[0] == self.dimension:
             return []
         words = f"for {locus.words} the set has dimension {number - found[0]}"
-        condition = to_latex(bench.stage(self.scene).formula(locus.condition))
+        condition = bench.stage(self.scene).formula(locus.condition)
         return [Condition(condition, words, self._witness(found[1], number - found[0], number))]
 
     def _is_empty(self, bench: Bench, locus: Locus, index: int) -> bool:
@@ -164,7 +164,7 @@ class Dimension(Set):
 
     def _witness(self, at: AtPoint, dimension: int, number: int) -> Counterexample:
         words = "the dimension by the rank at this point, and the dimension claimed"
-        return Counterexample(at.shown(), str(dimension), str(self.dimension), words)
+        return Counterexample(at.shown(), Number(dimension), Number(self.dimension), words)
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         for dimension in (self.dimension - 1, self.dimension + 1):
@@ -201,7 +201,7 @@ class Independence(Set):
             if not self._is_redundant(stage):
                 return Finding(Verdict.UNDECIDED, message="dependent at the points tried")
             words = "the rank of the differentials, here as everywhere, and that for independence"
-            return refuted(Counterexample(at.shown(), str(value), str(full), words))
+            return refuted(Counterexample(at.shown(), Number(value), Number(full), words))
         steps = [Step(
             f"At {_values(at)}, all {full} differentials are independent",
         )] if bench.explain else []  # fmt: skip
@@ -232,4 +232,5 @@ def _rank(stage: Stage, functions: list[Element], at: AtPoint) -> int:
 
 def _values(at: AtPoint) -> str:
     """A point, as words for the report."""
-    return ", ".join(f"${name} = {value}$" for name, value in at.shown().values.items())
+    pairs = (Relation((name, value), ("=",)) for name, value in at.values_shown().items())
+    return ", ".join(f"${to_latex(pair)}$" for pair in pairs)

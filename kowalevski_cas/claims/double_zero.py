@@ -13,8 +13,8 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, ask, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of
-from kowalevski_cas.claims.formulas import equations, show
-from kowalevski_cas.claims.membership import combination
+from kowalevski_cas.claims.formulas import combined, equations
+from kowalevski_cas.claims.membership import combination, label
 from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.notation import Relation
 from kowalevski_cas.proof.outcome import Step, Verdict
@@ -89,14 +89,8 @@ class DoubleZero(Claim):
         yield ask(stage, self.vanishing(stage), self.generators)
 
     def _steps(self, form: Sequence[Element], stage: Stage) -> list[Step]:
-        names = [rf"\mathrm{{({printed.place})}}" for printed in self.given]
-        pairs = combinations_with_replacement(names, 2)
-        terms = [
-            rf"\left({show(factor, stage)}\right) {first}\,{second}"
-            for factor, (first, second) in zip(form, pairs, strict=True)
-            if not factor.is_zero
-        ]
-        return [Step("The quadratic form that division found:", " + ".join(terms) or "0")]
+        pairs = combinations_with_replacement(map(label, self.given), 2)
+        return [Step("The quadratic form that division found:", (combined(form, pairs, stage),))]
 
     def places(self) -> Iterator[Printed]:
         yield from super().places()

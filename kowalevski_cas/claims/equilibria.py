@@ -4,21 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
-from kowalevski_cas.arithmetic.present import formula_of
+from kowalevski_cas.arithmetic.present import fraction_formula
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Finding, Neighbour, refuted
+from kowalevski_cas.claims.formulas import equal, scaled, show
 from kowalevski_cas.claims.real_roots import System, degree, form_of
 from kowalevski_cas.claims.rest import Rest
 from kowalevski_cas.claims.states_of_rest import (
     StatesOfRest,
     Values,
+    in_own_names,
     in_unknowns,
-    latex,
     proportional,
 )
-from kowalevski_cas.notation import to_latex
+from kowalevski_cas.notation import Name, Number, Power, to_latex
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.proof.roots import Roots, Sign
 from kowalevski_cas.stage import Stage, scalar
@@ -109,9 +111,7 @@ class Equilibria(StatesOfRest):
             None,
         )  # fmt: skip
         if locus is None:
-            tex = latex(shown)
-            return Condition(tex, f"${tex}\\ne 0$: otherwise roots coincide or are lost")
-        tex = to_latex(stage.formula(locus.condition))
+            return Condition(in_own_names(shown), "otherwise roots coincide or are lost")
         others = [roots.signs[k].factor for k in self._granted(stage, system, roots)]
 
         def search(finder: Bench) -> list[Values] | None:
@@ -129,7 +129,8 @@ class Equilibria(StatesOfRest):
         found = None
         if points and bench.refute:
             found = self.exhibit(rest, system, points, words, [sign.factor], others)
-        return Condition(tex, f"it fails for {locus.words}", found)
+        condition = stage.formula(locus.condition)
+        return Condition(condition, f"it fails for {locus.words}", found)
 
     # -- exact states of rest ----------------------------------------------------
 
@@ -157,26 +158,28 @@ class Equilibria(StatesOfRest):
 
     def _steps(self, roots: Roots, stage: Stage, rest: Rest, system: System) -> list[Step]:
         found = roots.eliminant
-        form = to_latex(formula_of(form_of(found, system.unknowns), stage.texts.vocabulary))
-        equation = latex(self.shown(stage, system, found.equation))
+        form = to_latex(show(form_of(found, system.unknowns), stage))
+        equation = in_own_names(self.shown(stage, system, found.equation))
         steps = [Step(f"The states of rest are given by the roots of an equation for $s={form}$:",
-                      f"{equation}=0")]  # fmt: skip
+                      (equal(equation, Number(0)),))]  # fmt: skip
         for name, below, above in zip(rest.free, found.denominators, found.numerators, strict=True):
-            left, right = (latex(self.shown(stage, system, t)) for t in (below, above))
-            steps.append(Step(f"${name}$ through $s$:", rf"\left({left}\right){name}={right}"))
-        shown = [latex(self.shown(stage, system, sign.factor)) for sign in roots.signs]
+            left, right = (in_own_names(self.shown(stage, system, t)) for t in (below, above))
+            solved = equal(scaled(left, Name(name)), right)
+            steps.append(Step(f"${name}$ through $s$:", (solved,)))
+        shown = [in_own_names(self.shown(stage, system, sign.factor)) for sign in roots.signs]
         minors = []
         for content, powers in roots.products[: degree(found)]:
             factors = zip(shown, powers, strict=True)
-            minors.append(f"{content}" + "".join(_power(f, p) for f, p in factors if p))
+            used = (f if p == 1 else Power(f, Number(p)) for f, p in factors if p)
+            minors.append(scaled(fraction_formula(Fraction(content)), *used))
         text = "The minors of Hermite, with factors that are sums of squares:"
-        steps.append(Step(text, r",\ ".join(minors)))
+        steps.append(Step(text, tuple(minors)))
         for k in self._granted(stage, system, roots):
             with_it = [bool(powers[k]) for _, powers in roots.products[: degree(found)]]
             number = with_it.index(True) if True in with_it else 0
             if number and all(with_it[number:]):
                 text = f"Granted not to vanish; where it does, only {number} roots are different:"
-                steps.append(Step(text, shown[k]))
+                steps.append(Step(text, (shown[k],)))
         return steps
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
@@ -188,7 +191,3 @@ class Equilibria(StatesOfRest):
 def _vanishes(element: Element, gone: set[int]) -> bool:
     """Whether an element vanishes when these generators do."""
     return all(any(exponents[k] for k in gone) for exponents in element.terms().get(0, {}))
-
-
-def _power(factor: str, exponent: int) -> str:
-    return rf"\left({factor}\right)" + (f"^{{{exponent}}}" if exponent > 1 else "")

@@ -33,7 +33,7 @@ class Equivalence(Claim):
             return self._refute(bench)
         conditions = conditions_of([factor, factor.inverse(), *self._sides(stage)], stage)
         steps = (
-            [Step("The left side is that of the other equation times", show(factor, stage))]
+            [Step("The left side is that of the other equation times", (show(factor, stage),))]
             if bench.explain
             else ()
         )

@@ -9,7 +9,7 @@ from kowalevski_cas.arithmetic.derivation import along, gradient
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, green, refuted
-from kowalevski_cas.claims.formulas import show
+from kowalevski_cas.claims.formulas import equal, show
 from kowalevski_cas.notation import Name
 from kowalevski_cas.proof.outcome import Counterexample, Point, Step
 from kowalevski_cas.stage import Stage, StageError, scalar
@@ -44,10 +44,10 @@ class SolvedExponents(Claim):
         steps: list[Step] = []
         if bench.explain:
             steps.append(
-                Step("The coefficient, as generated:", show(self._coefficient(stage), stage))
+                Step("The coefficient, as generated:", (show(self._coefficient(stage), stage),))
             )
-            shown = ",\\ ".join(
-                f"{name} = {show(value, stage)}" for name, value in solution.items()
+            shown = tuple(
+                equal(stage.formula(name), show(value, stage)) for name, value in solution.items()
             )
             steps.append(Step("Solved for the exponents, without substituting any:", shown))
         for printed in self.values:
@@ -57,7 +57,7 @@ class SolvedExponents(Claim):
                 raise StageError(f"{printed.place} gives no value to an exponent")
             value = scalar(relation.members[1], stage)
             if not (value - solution[name.name]).is_zero:
-                point = Point({n: show(v, stage) for n, v in solution.items()})
+                point = Point({stage.formula(n): show(v, stage) for n, v in solution.items()})
                 words = f"the exponent {name.name} as printed, and as solved for"
                 left, right = show(value, stage), show(solution[name.name], stage)
                 return refuted(Counterexample(point, left, right, words), steps)

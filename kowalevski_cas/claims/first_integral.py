@@ -12,9 +12,9 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, ask, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of
 from kowalevski_cas.claims.formulas import equations, members, show
-from kowalevski_cas.claims.membership import combination, combination_steps
+from kowalevski_cas.claims.membership import combination, combination_steps, label
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.notation import Formula, Name, Power, Relation
+from kowalevski_cas.notation import Formula, Name, Power, Relation, to_latex
 from kowalevski_cas.proof.outcome import Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.paper.texts import Printed
@@ -45,11 +45,12 @@ class FirstIntegral(Claim):
             return refuted(on_set) if on_set else Finding(Verdict.UNDECIDED)
         steps: list[Step] = []
         if bench.explain and off is not None:
-            names = [rf"\mathrm{{({printed.place})}}" for printed in self.on]
+            names = [(label(printed),) for printed in self.on]
+            value = off.left if isinstance(off.left, str) else to_latex(off.left)
             steps = [
-                Step("The derivative along the vector field, as generated:", show(rate, stage)),
+                Step("The derivative along the vector field, as generated:", (show(rate, stage),)),
                 *combination_steps("it", found, stage, names),
-                Step(f"Off the set it moves: at a point there the derivative is ${off.left}$."),
+                Step(f"Off the set it moves: at a point there the derivative is ${value}$."),
             ]
         return green(conditions_of(found, stage), steps)
 

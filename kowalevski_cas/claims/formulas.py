@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.notation import Constant, Formula, Relation, to_latex
+from kowalevski_cas.notation import (
+    Constant,
+    Formula,
+    Negative,
+    Number,
+    Product,
+    Relation,
+    Sum,
+    Vector,
+)
 from kowalevski_cas.stage import Stage, StageError, scalar
 from kowalevski_cas.stage.evaluate import Triple, Value
 from kowalevski_cas.paper.texts import Printed
@@ -42,6 +51,39 @@ def equations(places: Sequence[Printed], stage: Stage) -> list[Element]:
     return [equation(printed, stage) for printed in places]
 
 
-def show(element: Element, stage: Stage) -> str:
-    """An element in the names of its stage, as LaTeX."""
-    return to_latex(formula_of(element, stage.texts.vocabulary))
+def show(element: Element, stage: Stage) -> Formula:
+    """An element in the names of its stage."""
+    return formula_of(element, stage.texts.vocabulary)
+
+
+def scaled(coefficient: Formula, *factors: Formula) -> Formula:
+    """A coefficient times factors; a one is not shown, and a sign stands before all."""
+    if isinstance(coefficient, Negative):
+        return Negative(scaled(coefficient.argument, *factors))
+    if coefficient != Number(1):
+        own = coefficient.factors if isinstance(coefficient, Product) else (coefficient,)
+        factors = (*own, *factors)
+    return Product(factors) if len(factors) > 1 else next(iter(factors), Number(1))
+
+
+def total(terms: Sequence[Formula]) -> Formula:
+    """The sum of any number of terms."""
+    return Sum(tuple(terms)) if len(terms) > 1 else next(iter(terms), Number(0))
+
+
+def combined(
+    coefficients: Iterable[Element], products: Iterable[tuple[Formula, ...]], stage: Stage
+) -> Formula:
+    """Products with coefficients, summed; what is zero is left out."""
+    pairs = zip(coefficients, products, strict=True)
+    return total([scaled(show(c, stage), *factors) for c, factors in pairs if not c.is_zero])
+
+
+def equal(left: Formula, right: Formula) -> Relation:
+    """An equation."""
+    return Relation((left, right), ("=",))
+
+
+def matrix_formula(rows: Iterable[Iterable[Formula]]) -> Vector:
+    """A matrix by its rows."""
+    return Vector(tuple(Vector(tuple(row)) for row in rows))

@@ -10,7 +10,7 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of
-from kowalevski_cas.claims.formulas import components, members, show
+from kowalevski_cas.claims.formulas import components, equal, members, show
 from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.notation import Constant, Derivative, Formula, Relation, to_latex
 from kowalevski_cas.proof.outcome import Step, Verdict
@@ -76,7 +76,7 @@ class Identity(Claim):
             if terms > LONGEST:
                 steps.append(Step(f"{words}, has {terms} terms."))
             else:
-                steps.append(Step(f"{words}:", f"{to_latex(left)} = {show(value, stage)}"))
+                steps.append(Step(f"{words}:", (equal(left, show(value, stage)),)))
         return steps
 
 

@@ -12,7 +12,7 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, ask, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of, locus_of
 from kowalevski_cas.claims.formulas import equations
-from kowalevski_cas.claims.membership import combination, combination_steps
+from kowalevski_cas.claims.membership import combination, combination_steps, label
 from kowalevski_cas.claims.points import counterexample
 from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.proof.outcome import Condition, Step, Verdict
@@ -53,8 +53,7 @@ class Implication(Claim):
         entries = [entry for row in rows for entry in row]
         steps: list[Step] = []
         if bench.explain:
-            names = [f"({printed.place})" for printed in self.given]
-            names = [rf"\mathrm{{{name}}}" for name in names]
+            names = [(label(printed),) for printed in self.given]
             steps = combination_steps("left minus right side", rows[0], stage, names)
         conditions = []
         for condition in conditions_of([*entries, *targets], stage):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 from kowalevski_cas.arithmetic.points import Question
@@ -11,9 +11,10 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, ask, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of, locus_of
-from kowalevski_cas.claims.formulas import equations, show
+from kowalevski_cas.claims.formulas import equal, equations, matrix_formula, show
 from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.claims.points import counterexample
+from kowalevski_cas.notation import Derivative, Name, Product
 from kowalevski_cas.proof.outcome import Condition, Counterexample, Step, Verdict
 from kowalevski_cas.stage import Stage
 from kowalevski_cas.paper.texts import Printed
@@ -101,11 +102,11 @@ class InvariantRelations(Claim):
         if locus is None:
             return condition
         if condition in conditions_of(self.functions(stage), stage):
-            return Condition(condition.tex, f"the relations have no meaning for {locus.words}")
+            return replace(condition, words=f"the relations have no meaning for {locus.words}")
         found = self._point_of_failure(bench, locus.words, locus.equations)
         if found is None:
             return condition
-        return Condition(condition.tex, f"it fails for {locus.words}", found)
+        return replace(condition, words=f"it fails for {locus.words}", witness=found)
 
     def _point_of_failure(
         self, bench: Bench, key: str, locus: tuple[str, ...]
@@ -134,14 +135,11 @@ class InvariantRelations(Claim):
         return None
 
     def _steps(self, matrix: Matrix, stage: Stage) -> list[Step]:
-        rows = r" \\ ".join(" & ".join(show(entry, stage) for entry in row) for row in matrix)
-        column = r" \\ ".join(self.names)
-        return [
-            Step(
-                "The cofactor matrix that the program found:",
-                rf"{_matrix(column)}' = {_matrix(rows)} {_matrix(column)}",
-            )
-        ]
+        names = [Name(name) for name in self.names]
+        rates = matrix_formula([Derivative(name, "prime")] for name in names)
+        found = matrix_formula([show(entry, stage) for entry in row] for row in matrix)
+        product = Product((found, matrix_formula([name] for name in names)))
+        return [Step("The cofactor matrix that the program found:", (equal(rates, product),))]
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.relations
@@ -154,7 +152,3 @@ def is_nonzero_number(element: Element) -> bool:
     """Whether an element is a number other than zero."""
     parts = element.terms()
     return bool(parts) and all(not any(e) for terms in parts.values() for e in terms)
-
-
-def _matrix(rows: str) -> str:
-    return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"

@@ -11,11 +11,11 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of
-from kowalevski_cas.claims.formulas import show
+from kowalevski_cas.claims.formulas import matrix_formula, show
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.claims.membership import combination
 from kowalevski_cas.claims.points import counterexample
-from kowalevski_cas.notation import edits
+from kowalevski_cas.notation import Formula, edits
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage
@@ -149,6 +149,5 @@ def _applied(row: list[Element], column: list[Element]) -> Element:
     return total
 
 
-def _shown(matrix: Matrix, stage: Stage) -> str:
-    rows = r" \\ ".join(" & ".join(show(entry, stage) for entry in row) for row in matrix)
-    return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
+def _shown(matrix: Matrix, stage: Stage) -> tuple[Formula, ...]:
+    return (matrix_formula([show(entry, stage) for entry in row] for row in matrix),)

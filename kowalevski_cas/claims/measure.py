@@ -11,9 +11,10 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import Claim, Finding, Neighbour, ask, green, refuted
 from kowalevski_cas.claims.conditions import conditions_of
-from kowalevski_cas.claims.formulas import show
+from kowalevski_cas.claims.formulas import equal, show
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.claims.points import counterexample
+from kowalevski_cas.notation import Name
 from kowalevski_cas.proof.outcome import Step, Verdict
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage, scalar
@@ -48,8 +49,10 @@ class LastMultiplier(Claim):
             entries = [entry for row in matrix for entry in row]
             steps = [Step(
                 "The divergence of the field and the trace of the cofactor matrix:",
-                rf"\mathrm{{div}} = {show(self._divergence(stage), stage)},"
-                rf"\quad \mathrm{{tr}} = {show(trace, other)}",
+                (
+                    equal(Name(r"\mathrm{div}"), show(self._divergence(stage), stage)),
+                    equal(Name(r"\mathrm{tr}"), show(trace, other)),
+                ),
             )] if bench.explain else ()  # fmt: skip
             return green(conditions_of(entries, other), steps)
         found = counterexample(

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import islice
 
 from kowalevski_cas.arithmetic.points import ExactPoint
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench, Key
-from kowalevski_cas.claims.formulas import show
+from kowalevski_cas.claims.formulas import combined
 from kowalevski_cas.claims.points import AtPoint
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.proof.outcome import Step
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage
+from kowalevski_cas.texts import Printed
 
 TRIES = 20
 """How many points of a set are looked at for one where a condition holds."""
@@ -96,12 +98,13 @@ def is_inhabited(
 
 
 def combination_steps(
-    left: str, cofactors: Sequence[Element], stage: Stage, names: Sequence[str] = ()
+    left: str, cofactors: Sequence[Element], stage: Stage, products: Iterable[tuple[Formula, ...]]
 ) -> list[Step]:
-    """The combination that was found, for the report."""
-    shown = [
-        rf"\left({show(c, stage)}\right) {names[k] if names else f'g_{{{k + 1}}}'}"
-        for k, c in enumerate(cofactors)
-        if not c.is_zero
-    ]
-    return [Step(f"The combination that division found for {left}:", " + ".join(shown) or "0")]
+    """The combination of products that was found, for the report."""
+    shown = combined(cofactors, products, stage)
+    return [Step(f"The combination that division found for {left}:", (shown,))]
+
+
+def label(printed: Printed) -> Name:
+    """The left minus the right side of an equation, as steps call it."""
+    return Name(rf"\mathrm{{({printed.place})}}")

@@ -8,6 +8,7 @@ from kowalevski_cas.arithmetic.numbers import Substitution, gaussian, number_rin
 from kowalevski_cas.arithmetic.points import ExactPoint
 from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.bench import Bench, Key
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.proof.outcome import Counterexample, Point
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage, scalar
@@ -26,14 +27,19 @@ class AtPoint:
         return self.value(element)
 
     def shown(self) -> Point:
-        """The point, to be printed: the variables and constants, then the roots."""
+        """The point, to be printed."""
+        return Point({**self.values_shown()})
+
+    def values_shown(self) -> dict[Formula, Formula]:
+        """The values of the variables and constants, then those of the roots."""
         stage, scene = self.stage, self.stage.scene
         names = [*scene.variables, *scene.constants, *scene.undefined, *scene.roots]
-        values = {
-            name: self.values.get(name) or self(scalar(stage.formula(name), stage))
-            for name in names
-        }
-        return Point({name: show_number(value) for name, value in values.items()})
+        values: dict[Formula, Formula] = {}
+        for name in names:
+            formula = stage.formula(name)
+            value = self.values.get(name) or self(scalar(formula, stage))
+            values[formula] = show_number(value)
+        return values
 
 
 def counterexample(

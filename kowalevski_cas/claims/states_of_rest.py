@@ -13,8 +13,8 @@ from kowalevski_cas.arithmetic.tower import Element, Ring
 from kowalevski_cas.claims.claim import Claim
 from kowalevski_cas.claims.real_roots import System
 from kowalevski_cas.claims.rest import Rest
-from kowalevski_cas.notation import Formula, Relation, Vocabulary, to_latex
-from kowalevski_cas.proof.outcome import Counterexample, Point
+from kowalevski_cas.notation import Formula, Name, Number, Relation, Vector, Vocabulary
+from kowalevski_cas.proof.outcome import Counterexample, Point, Value
 from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.paper.texts import Printed, Texts
 
@@ -78,7 +78,7 @@ class StatesOfRest(Claim):
         """Distinct states of rest with the same values of the levels, if that is what they are."""
         stage = rest.stage
         numbers = number_ring(stage.arithmetic)
-        shown: dict[str, str] = {}
+        shown: dict[Formula, Value] = {}
         if len(set(points)) != len(points):
             return None
         first: list[Element] = []
@@ -93,16 +93,16 @@ class StatesOfRest(Claim):
                 return None
             for name, components in stage.scene.vectors.items():
                 if set(components) - set(self.fixed):
-                    row = ",".join(show_number(at(stage.ring.generator(c))) for c in components)
-                    shown[f"{name}^{{({k})}}"] = f"({row})"
+                    row = (show_number(at(stage.ring.generator(c))) for c in components)
+                    shown[Name(f"{name}_{k}")] = Vector(tuple(row))
         into = system.into(first)
         if any(not into(system.element(terms)).is_zero for terms in zero):
             return None
         if any(into(system.element(terms)).is_zero for terms in nonzero):
             return None
-        names = (to_latex(formula) for formula in system.values)
-        heads = {n: show_number(value) for n, value in zip(names, first, strict=True)}
-        return Counterexample(Point(heads | shown), str(len(points)), str(self.count), words)
+        heads = {f: show_number(value) for f, value in zip(system.values, first, strict=True)}
+        there, claimed = Number(len(points)), Number(self.count)
+        return Counterexample(Point({**heads, **shown}), there, claimed, words)
 
     def places(self) -> Iterator[Printed]:
         yield from super().places()
@@ -127,7 +127,7 @@ def proportional(first: Element, second: Element) -> bool:
     return (first - ratio * second).is_zero
 
 
-def latex(element: Element) -> str:
+def in_own_names(element: Element) -> Formula:
     """An element in the names of its ring."""
     names = frozenset(element.ring.polynomials.generators)
-    return to_latex(formula_of(element, Vocabulary(scalars=names)))
+    return formula_of(element, Vocabulary(scalars=names))

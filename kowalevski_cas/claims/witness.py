@@ -10,6 +10,7 @@ from kowalevski_cas.arithmetic.points import ExactPoint
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.claims.bench import Bench, Key
 from kowalevski_cas.claims.points import AtPoint
+from kowalevski_cas.notation import Number
 from kowalevski_cas.proof.outcome import Counterexample
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.stage import Stage
@@ -67,4 +68,4 @@ def witness(
     if found is None:
         return None
     at, index, value = found
-    return Counterexample(at.shown(), show_number(value), "0", words(index))
+    return Counterexample(at.shown(), show_number(value), Number(0), words(index))

@@ -1,62 +1,60 @@
-"""LaTeX as plain text for a terminal: Greek letters, indices, exponents, roots and fractions."""
+"""Formulas and words in plain text, for a terminal."""
 
 from __future__ import annotations
 
-import re
-from functools import cache
+from collections.abc import Iterable
 
-_LETTERS = {
-    "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "varepsilon": "ε",
-    "zeta": "ζ", "eta": "η", "theta": "θ", "vartheta": "ϑ", "kappa": "κ", "lambda": "λ",
-    "mu": "μ", "nu": "ν", "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ",
-    "phi": "φ", "varphi": "φ", "chi": "χ", "psi": "ψ", "omega": "ω", "Gamma": "Γ", "Delta": "Δ",
-    "Theta": "Θ", "Lambda": "Λ", "Sigma": "Σ", "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω", "ell": "ℓ",
-    "times": "×", "cdot": "·", "equiv": "≡", "ne": "≠", "to": "→", "dots": "…", "ldots": "…",
-}  # fmt: skip
-_LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-_HIGH = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
-_GROUP = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
-_DROPPED = re.compile(
-    r"\\(?:left|right|displaystyle|textstyle|nolimits|limits|rm|bf|mathrm|mathop|boldsymbol|mathbf"
-    r"|bs|quad|qquad|cr|phantom\s*\{[^{}]*\}|begin\s*\{[^{}]*\}(?:\{[^{}]*\})?|end\s*\{[^{}]*\}"
-    r"|[,;!:]|\\(?:\s*\[[^\]]*\])?)(?![A-Za-z])"
+from kowalevski_cas.notation import (
+    Formula,
+    NotationError,
+    Vocabulary,
+    print_prose,
+    read_display,
+    read_prose,
+    to_plain,
 )
+from kowalevski_cas.proof.outcome import Condition, Counterexample, Value
 
 
-@cache
-def plain(tex: str) -> str:
-    """The formula as one line of text; what has no plain form stays as it is.
-
-    In words with formulas between dollar signs only these are changed.
-    """
-    if "$" in tex:
-        parts = tex.split("$")
-        return "".join(plain(part) if k % 2 else part for k, part in enumerate(parts))
-    text = _DROPPED.sub(" ", tex)
-    text = re.sub(r"\s+", " ", text)
-    for _ in range(6):
-        before = text
-        text = re.sub(rf"\\[td]?frac\s*{_GROUP}\s*{_GROUP}", _fraction, text)
-        text = re.sub(rf"\\sqrt\s*{_GROUP}", lambda m: f"√({m[1].strip()})", text)
-        text = re.sub(rf"\\overline\s*{_GROUP}", lambda m: f"conj({m[1].strip()})", text)
-        text = re.sub(rf"\\dot\s*(?:{_GROUP}|(\\?\w+))", lambda m: f"{m[1] or m[2]}˙", text)
-        if text == before:
-            break
-    text = re.sub(
-        r"\\([A-Za-z]+)(?: (?![-+=≠/]))?", lambda m: _LETTERS.get(m[1], f"\\{m[1]} "), text
-    )
-    text = re.sub(r" ?_ ?(?:\{(\d+)\}|(\d))", lambda m: (m[1] or m[2]).translate(_LOW), text)
-    text = re.sub(r" ?\^ ?(?:\{([\d+-]+)\}|(\d))", lambda m: (m[1] or m[2]).translate(_HIGH), text)
-    text = re.sub(r"√\(([^\W\d]|\d+)\)", r"√\1", text)
-    text = re.sub(r"(?<![\w(/])(\d+/\d+)(?=[^\W\d]|√)", r"(\1)", text)
-    return re.sub(r"\s+", " ", text.replace("{", "").replace("}", "").replace("~", " ")).strip()
+def formulas(found: Iterable[Formula], source: str = "") -> str:
+    """The formulas of a display on one line; its source where they could not be read."""
+    return ", ".join(map(to_plain, found)) or " ".join(source.split())
 
 
-def _fraction(match: re.Match[str]) -> str:
-    above, below = (_bracketed(part.strip()) for part in match.groups())
-    return f"{above}/{below}"
+def display(source: str, vocabulary: Vocabulary) -> str:
+    """The formulas of a display by its source."""
+    try:
+        found = read_display(source, vocabulary)
+    except NotationError:
+        found = ()
+    return formulas((statement.formula for statement in found), source)
 
 
-def _bracketed(text: str) -> str:
-    simple = re.fullmatch(r"-?\d+|\\?[A-Za-z]+(?:_\w)?(?:\^\w)?|√?\([^()]*\)", text)
-    return text if simple else f"({text})"
+def words(text: str, vocabulary: Vocabulary) -> str:
+    """Words with mathematics between dollars."""
+    return print_prose(read_prose(text, vocabulary), str, to_plain)
+
+
+def nonzero(condition: Condition) -> str:
+    """What a condition says."""
+    return f"{to_plain(condition.expression)} ≠ 0"
+
+
+def needs(condition: Condition, vocabulary: Vocabulary) -> str:
+    """What a statement needs, and why."""
+    return f"needs {nonzero(condition)}: {words(condition.words, vocabulary)}"
+
+
+def evidence(found: Counterexample, vocabulary: Vocabulary) -> list[str]:
+    """Both values, and the point at which they are taken."""
+    values = found.point.values.items()
+    point = ", ".join(f"{to_plain(name)} = {_value(value)}" for name, value in values)
+    said = f"  ({words(found.words, vocabulary)})" if found.words else ""
+    return [
+        f"    values    {_value(found.left)} against {_value(found.right)}{said}",
+        f"    at        {point}",
+    ]
+
+
+def _value(value: Value) -> str:
+    return value if isinstance(value, str) else to_plain(value)

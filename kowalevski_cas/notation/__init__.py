@@ -32,9 +32,12 @@ from kowalevski_cas.notation.formula import (
     Unwritten,
     Vector,
 )
+from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.layout import split_display
-from kowalevski_cas.notation.printer import to_latex
+from kowalevski_cas.notation.plain import to_plain
+from kowalevski_cas.notation.prose import Prose, print_prose, read_prose
 from kowalevski_cas.notation.reader import Statement, read, read_display
+from kowalevski_cas.notation.typst import to_typst
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -56,6 +59,7 @@ __all__ = [
     "PoissonBracket",
     "Power",
     "Product",
+    "Prose",
     "Quotient",
     "RealPart",
     "Relation",
@@ -68,12 +72,16 @@ __all__ = [
     "Vocabulary",
     "edits",
     "is_small_change",
+    "print_prose",
     "rank",
     "read",
     "read_display",
+    "read_prose",
     "replace",
     "split_display",
     "substitute",
     "subtree",
     "to_latex",
+    "to_plain",
+    "to_typst",
 ]

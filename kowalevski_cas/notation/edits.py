@@ -8,10 +8,10 @@ from dataclasses import dataclass, field, fields
 
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula, Name, Negative, Sum
+from kowalevski_cas.notation.latex import bracketed, to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.misprints import misprints
-from kowalevski_cas.notation.printer import bracketed, to_latex
 from kowalevski_cas.notation.reader import Path, Statement, read_display
 from kowalevski_cas.notation.vocabulary import Vocabulary
 

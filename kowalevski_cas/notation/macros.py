@@ -11,13 +11,18 @@ def _table(**rows: str) -> dict[str, str]:
     return {"\\" + name: action for action, names in rows.items() for name in names.split()}
 
 
-GREEK = frozenset(
-    "\\" + name
-    for name in """alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa
-    varkappa lambda mu nu xi pi varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi
-    omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega ell hbar imath jmath wp
-    """.split()
-)
+# The letters that a macro prints, in Unicode.
+GREEK: dict[str, str] = {
+    "\\" + name: letter
+    for name, letter in zip(
+        """alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa
+        varkappa lambda mu nu xi pi varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi
+        omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega ell hbar imath jmath wp
+        """.split(),
+        "αβγδϵεζηθϑικϰλμνξπϖρϱσςτυϕφχψωΓΔΘΛΞΠΣΥΦΨΩℓℏıȷ℘",
+        strict=True,
+    )
+}
 
 # What the scanner does when it meets the macro.
 ACTIONS: dict[str, str] = _table(

@@ -23,7 +23,7 @@ from kowalevski_cas.notation.formula import (
     Sum,
     Unwritten,
 )
-from kowalevski_cas.notation.printer import to_latex
+from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import SCALAR, Vocabulary
 

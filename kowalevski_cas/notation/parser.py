@@ -5,6 +5,8 @@ Where print can be read in two ways, the parser says so and does not choose.
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from kowalevski_cas.notation.atoms import Atoms
 from kowalevski_cas.notation.cursor import END, STARTS, Piece
 from kowalevski_cas.notation.errors import NotationError
@@ -13,6 +15,7 @@ from kowalevski_cas.notation.formula import (
     Derivative,
     Formula,
     Negative,
+    Partial,
     Product,
     Quotient,
     Relation,
@@ -24,17 +27,20 @@ from kowalevski_cas.notation.vocabulary import VECTOR
 
 SIGNS = ("=", r"\equiv", r"\ne")
 TALLEST = 150
+_DIFFERENTIALS = ("d", r"\partial")
 
 
 class Parser(Atoms):
-    """Reads the tokens of one statement."""
+    """Reads the tokens of one statement, which relates its members by ``signs``."""
+
+    signs: Collection[str] = SIGNS
 
     def statement(self) -> Piece:
         """A chain of relations, or an expression."""
         members = [self.sum()]
         signs: list[str] = []
         while (token := self.tokens[self.at]).kind == "relation":
-            if token.text not in SIGNS:
+            if token.text not in self.signs:
                 raise self.error(f"the relation {token.text} cannot be read")
             self.at += 1
             signs.append(token.text)
@@ -143,15 +149,16 @@ class Parser(Atoms):
         return self.scripts((Quotient(above[0], below[0]), start, end, (above, below)))
 
     def written_derivative(self) -> Piece | None:
-        r"""``\frac{dF}{d\tau}``, or ``\frac{d}{d\tau}`` with what it is applied to."""
+        r"""``\frac{dF}{d\tau}``, ``\frac{d}{d\tau}`` with what it is applied to; so too with ∂."""
         fraction = self.at
         start = self.tokens[fraction].start
         above = fraction + 1
         braced = self.tokens[above].kind == "{"
-        if self.tokens[above + braced].text != "d":
+        d = self.tokens[above + braced].text
+        if d not in _DIFFERENTIALS:
             return None
         below = self.behind_group(above)
-        time = self.time(below)
+        time = self.denominator(below, d)
         if time is None:
             self.at = fraction
             return None
@@ -172,8 +179,9 @@ class Parser(Atoms):
                 raise self.unexpected()
             self.at = behind
             end = self.tokens[behind - 1].end
+        node = Derivative if d == "d" else Partial
         for _ in range(order):
-            piece = (Derivative(piece[0], time[0]), start, end, (piece,))
+            piece = (node(piece[0], time[0]), start, end, (piece,))
         return piece if applied else self.scripts(piece)
 
     def behind_group(self, at: int) -> int:
@@ -186,9 +194,12 @@ class Parser(Atoms):
                 break
         return at
 
-    def time(self, at: int) -> tuple[str, int] | None:
-        """The independent variable in the denominator that begins at the token, and the order."""
-        if [token.text for token in self.tokens[at : at + 2]] != ["{", "d"]:
+    def denominator(self, at: int, d: str) -> tuple[str, int] | None:
+        """The variable in the denominator that begins at the token, and the order.
+
+        Behind a d it is an independent variable, behind a ∂ any scalar.
+        """
+        if [token.text for token in self.tokens[at : at + 2]] != ["{", d]:
             return None
         self.at = at + 2
         if self.tokens[self.at].kind != "letter":
@@ -197,7 +208,9 @@ class Parser(Atoms):
         if self.tokens[self.at].kind == "_":
             name += self.index()
         order = self.order()
-        if name not in self.vocabulary.times or self.tokens[self.at].kind != "}":
+        vocabulary = self.vocabulary
+        known = vocabulary.times if d == "d" else vocabulary.scalars | vocabulary.times
+        if name not in known or self.tokens[self.at].kind != "}":
             return None
         self.at += 1
         return name, order

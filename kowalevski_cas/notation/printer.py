@@ -1,11 +1,11 @@
-"""Formula to LaTeX, so that reading what was printed gives the same tree."""
+"""What printers of all formats have in common: the order of things, and where brackets stand."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Sequence
 
-from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.formula import (
     Application,
     Conjugate,
@@ -18,6 +18,7 @@ from kowalevski_cas.notation.formula import (
     Name,
     Negative,
     Number,
+    Partial,
     PoissonBracket,
     Power,
     Product,
@@ -31,172 +32,220 @@ from kowalevski_cas.notation.formula import (
     Vector,
 )
 
-_COMMAND = re.compile(r"\\[A-Za-z]+$")
-_DOTS = {1: r"\dot", 2: r"\ddot", 3: r"\dddot"}
-# What carries a power without brackets.
+# What stands in brackets behind a sign, and beside other factors.
+SIGNED = (Sum, Negative, Relation)
+COMPOUND = (*SIGNED, Product, CrossProduct)
+# What carries a power without them.
 _BASES = (Name, Number, Application, Vector, ScalarProduct, PoissonBracket, Conjugate)
-
-
-def to_latex(formula: Formula) -> str:
-    r"""The formula in LaTeX.
-
-    >>> to_latex(Quotient(Power(Name("x_1"), Number(2)), Name(r"\ell")))
-    '\\frac{x_1^2}{\\ell}'
-    """
-    return _PRINTERS[type(formula)](formula)
-
-
-def bracketed(tex: str) -> str:
-    r"""The source in brackets, square around round ones, tall around fractions and matrices.
-
-    >>> bracketed("a + b(c + d)")
-    '[a + b(c + d)]'
-    """
-    return _between("[", tex, "]") if "(" in tex and "[" not in tex else _between("(", tex, ")")
-
-
-def _between(opening: str, tex: str, closing: str) -> str:
-    if r"\frac" in tex or r"\begin" in tex:
-        return rf"\left{opening}{tex}\right{closing}"
-    return opening + tex + closing
-
-
-def _join(parts: Iterable[str]) -> str:
-    """The parts side by side; a command and a letter behind it need a space."""
-    joined = ""
-    for part in parts:
-        space = " " if part[:1].isalpha() and _COMMAND.search(joined) else ""
-        joined += space + part
-    return joined
-
-
-def _listed(formulas: Iterable[Formula]) -> str:
-    # Square brackets around a list would be a commutator.
-    return _between("(", ", ".join(map(to_latex, formulas)), ")")
-
-
-def _term(formula: Formula) -> str:
-    """The formula behind a sign."""
-    tex = to_latex(formula)
-    return bracketed(tex) if isinstance(formula, Sum | Negative | Relation) else tex
-
-
-def _factor(formula: Formula) -> str:
-    """The formula beside other factors."""
-    inner = isinstance(formula, Sum | Negative | Product | CrossProduct | Relation)
-    return bracketed(to_latex(formula)) if inner else to_latex(formula)
-
-
-def _sum(formula: Sum) -> str:
-    first, *rest = formula.terms
-    tex = _negative(first) if isinstance(first, Negative) else _term(first)
-    for term in rest:
-        if isinstance(term, Negative):
-            tex += " - " + _term(term.argument)
-        else:
-            tex += " + " + _term(term)
-    return tex
-
-
-def _negative(formula: Negative) -> str:
-    return "-" + _term(formula.argument)
-
-
-def _product(formula: Product) -> str:
-    parts: list[str] = []
-    for factor in formula.factors:
-        part = _factor(factor)
-        # A number behind a factor would look like a part of it.
-        if parts and part[0].isdigit():
-            part = r"\cdot " + part
-        parts.append(part)
-    return _join(parts)
-
-
-def _quotient(formula: Quotient) -> str:
-    above, below = to_latex(formula.numerator), to_latex(formula.denominator)
-    # A product that begins with the scalar d must not pass for the d of a derivative.
-    if isinstance(formula.denominator, Product) and formula.denominator.factors[0] == Name("d"):
-        below = r"d\cdot " + below[1:].lstrip().removeprefix(r"\cdot ")
-    return rf"\frac{{{above}}}{{{below}}}"
-
-
-def _power(formula: Power) -> str:
-    base, exponent = formula.base, to_latex(formula.exponent)
-    plain = isinstance(base, _BASES) or (isinstance(base, Derivative) and base.mark == "dot")
-    raised = exponent if len(exponent) == 1 else f"{{{exponent}}}"
-    return f"{to_latex(base) if plain else bracketed(to_latex(base))}^{raised}"
-
-
-def _derivative(formula: Derivative) -> str:
-    argument, mark, order = formula.argument, formula.mark, 1
-    if mark not in ("dot", "prime"):
-        by = _join(["d", mark])
-        if isinstance(argument, Name):
-            return rf"\frac{{{_join(['d', argument.name])}}}{{{by}}}"
-        return rf"\frac{{d}}{{{by}}}{bracketed(to_latex(argument))}"
-    while isinstance(argument, Derivative) and argument.mark == mark:
-        argument, order = argument.argument, order + 1
-    if mark == "prime":
-        inner = to_latex(argument)
-        return (inner if isinstance(argument, Name) else bracketed(inner)) + "'" * order
-    if isinstance(argument, Name):
-        inner = letter_and_index(argument.name)[0]
-        behind = argument.name[len(inner) :]
-    else:
-        inner, behind = bracketed(to_latex(argument)), ""
-    while order > 3:
-        inner, behind, order = f"{_DOTS[3]}{{{inner}}}{behind}", "", order - 3
-    return f"{_DOTS[order]}{{{inner}}}{behind}"
-
-
-def _vector(formula: Vector) -> str:
-    rows = formula.components
-    lengths = {len(row.components) if isinstance(row, Vector) else 0 for row in rows}
-    if len(lengths) != 1 or 0 in lengths:
-        return _listed(rows)
-    lines = (" & ".join(map(to_latex, row.components)) for row in rows if isinstance(row, Vector))
-    return r"\begin{pmatrix} " + r" \\ ".join(lines) + r" \end{pmatrix}"
-
-
-def _cross_product(formula: CrossProduct) -> str:
-    sides = []
-    for side in (formula.left, formula.right):
-        tex = to_latex(side)
-        inner = isinstance(side, Sum | Negative | CrossProduct)
-        # A dot between the factors of the right side would end that side.
-        inner = inner or (side is formula.right and isinstance(side, Product) and r"\cdot " in tex)
-        sides.append(bracketed(tex) if inner else tex)
-    return r" \times ".join(sides)
-
-
-def _relation(formula: Relation) -> str:
-    first, *rest = map(to_latex, formula.members)
-    return first + "".join(
-        f" {sign} {member}" for sign, member in zip(formula.signs, rest, strict=True)
-    )
-
-
-_PRINTERS: dict[type[Formula], Callable[..., str]] = {
-    Number: lambda f: str(f.value),
-    Name: lambda f: f.name,
-    Sum: _sum,
-    Negative: _negative,
-    Product: _product,
-    Quotient: _quotient,
-    Power: _power,
-    Root: lambda f: rf"\sqrt{{{to_latex(f.argument)}}}",
-    Derivative: _derivative,
-    Conjugate: lambda f: rf"\overline{{{to_latex(f.argument)}}}",
-    RealPart: lambda f: r"\operatorname{Re}" + bracketed(to_latex(f.argument)),
-    ImaginaryPart: lambda f: r"\operatorname{Im}" + bracketed(to_latex(f.argument)),
-    Application: lambda f: f.function + _listed(f.arguments),
-    Vector: _vector,
-    Diagonal: lambda f: r"\operatorname{diag}" + _listed(f.entries),
-    ScalarProduct: lambda f: _listed((f.left, f.right)),
-    CrossProduct: _cross_product,
-    PoissonBracket: lambda f: rf"\{{{to_latex(f.left)}, {to_latex(f.right)}\}}",
-    Unwritten: lambda f: r"\ldots",
-    Constant: lambda f: r"\mathrm{const}",
-    Relation: _relation,
+_METHODS = {
+    node: re.sub(r"(?<!^)(?=[A-Z])", "_", node.__name__).lower()
+    for node in Formula.__subclasses__()
 }
+
+
+class Printer(ABC):
+    """Prints each kind of node by the method of its name."""
+
+    minus: str
+    times: str
+    cross: str
+    prime: str
+    partial_d: str
+    dots: str
+    const: str
+    braces: tuple[str, str]
+
+    def __call__(self, formula: Formula) -> str:
+        """The formula as a source text."""
+        printed: str = getattr(self, _METHODS[type(formula)])(formula)
+        return printed
+
+    # What a format has to say
+
+    @abstractmethod
+    def name(self, formula: Name) -> str:
+        """A letter with its index."""
+
+    @abstractmethod
+    def upright(self, word: str) -> str:
+        """A word in upright letters."""
+
+    @abstractmethod
+    def sign(self, sign: str) -> str:
+        """The sign of a relation."""
+
+    @abstractmethod
+    def joined(self, parts: Iterable[str]) -> str:
+        """Factors side by side."""
+
+    @abstractmethod
+    def fraction(self, above: str, below: str) -> str:
+        """A fraction of two texts that need no brackets."""
+
+    @abstractmethod
+    def quotient(self, formula: Quotient) -> str:
+        """A fraction."""
+
+    @abstractmethod
+    def raised(self, base: str, exponent: str) -> str:
+        """A power."""
+
+    @abstractmethod
+    def root(self, formula: Root) -> str:
+        """A square root."""
+
+    @abstractmethod
+    def conjugate(self, formula: Conjugate) -> str:
+        """A bar over everything."""
+
+    @abstractmethod
+    def dotted(self, argument: Formula, order: int) -> str:
+        """Dots over the letter of a name, or over a formula in brackets."""
+
+    @abstractmethod
+    def rows(self, rows: Sequence[Sequence[str]]) -> str:
+        """A matrix."""
+
+    def primed(self, argument: Formula, order: int) -> str:
+        """Primes behind a name, or behind a formula in brackets."""
+        text = self(argument)
+        text = text if isinstance(argument, Name) else self.bracketed(text)
+        return text + self.prime * order
+
+    def between(self, opening: str, text: str, closing: str) -> str:
+        """A text in these brackets."""
+        return opening + text + closing
+
+    # Brackets
+
+    def bracketed(self, text: str) -> str:
+        """The text in brackets."""
+        opening, closing = self.brackets(text)
+        return self.between(opening, text, closing)
+
+    def brackets(self, text: str) -> tuple[str, str]:
+        """The brackets around a text: square ones around round ones."""
+        return ("[", "]") if "(" in text and "[" not in text else ("(", ")")
+
+    def finished(self, text: str) -> str:
+        """What was printed, as the format reads it."""
+        return text
+
+    def listed(self, formulas: Iterable[Formula]) -> str:
+        """A list; square brackets around it would be a commutator."""
+        return self.between("(", ", ".join(map(self, formulas)), ")")
+
+    def term(self, formula: Formula) -> str:
+        """The formula behind a sign."""
+        text = self(formula)
+        return self.bracketed(text) if isinstance(formula, SIGNED) else text
+
+    def factor(self, formula: Formula) -> str:
+        """The formula beside other factors."""
+        text = self(formula)
+        return self.bracketed(text) if isinstance(formula, COMPOUND) else text
+
+    # Nodes
+
+    def number(self, formula: Number) -> str:
+        return str(formula.value)
+
+    def sum(self, formula: Sum) -> str:
+        first, *rest = formula.terms
+        text = self(first) if isinstance(first, Negative) else self.term(first)
+        for term in rest:
+            sign, inner = (self.minus, term.argument) if isinstance(term, Negative) else ("+", term)
+            text += f" {sign} {self.term(inner)}"
+        return text
+
+    def negative(self, formula: Negative) -> str:
+        return self.minus + self.term(formula.argument)
+
+    def product(self, formula: Product) -> str:
+        parts: list[str] = []
+        for factor in formula.factors:
+            part = self.factor(factor)
+            # A number behind a factor would look like a part of it.
+            if parts and part[0].isdigit():
+                part = self.times + part
+            parts.append(part)
+        return self.joined(parts)
+
+    def power(self, formula: Power) -> str:
+        text = self(formula.base)
+        text = text if is_base(formula.base) else self.bracketed(text)
+        return self.raised(text, self(formula.exponent))
+
+    def derivative(self, formula: Derivative) -> str:
+        argument, mark, order = formula.argument, formula.mark, 1
+        if mark not in ("dot", "prime"):
+            return self.rate("d", argument, mark)
+        while isinstance(argument, Derivative) and argument.mark == mark:
+            argument, order = argument.argument, order + 1
+        if mark == "prime":
+            return self.primed(argument, order)
+        return self.dotted(argument, order)
+
+    def partial(self, formula: Partial) -> str:
+        return self.rate(self.partial_d, formula.argument, formula.by)
+
+    def rate(self, d: str, argument: Formula, by: str) -> str:
+        """A derivative as a fraction of differentials, or applied to what stands behind it."""
+        below = self.joined([d, self(Name(by))])
+        if isinstance(argument, Name):
+            return self.fraction(self.joined([d, self(argument)]), below)
+        return self.joined([self.fraction(d, below), self.bracketed(self(argument))])
+
+    def real_part(self, formula: RealPart) -> str:
+        return self.joined([self.upright("Re"), self.bracketed(self(formula.argument))])
+
+    def imaginary_part(self, formula: ImaginaryPart) -> str:
+        return self.joined([self.upright("Im"), self.bracketed(self(formula.argument))])
+
+    def application(self, formula: Application) -> str:
+        return self.joined([self(Name(formula.function)), self.listed(formula.arguments)])
+
+    def vector(self, formula: Vector) -> str:
+        rows = formula.components
+        lengths = {len(row.components) if isinstance(row, Vector) else 0 for row in rows}
+        if len(lengths) != 1 or 0 in lengths:
+            return self.listed(rows)
+        return self.rows([[*map(self, row.components)] for row in rows if isinstance(row, Vector)])
+
+    def diagonal(self, formula: Diagonal) -> str:
+        return self.joined([self.upright("diag"), self.listed(formula.entries)])
+
+    def scalar_product(self, formula: ScalarProduct) -> str:
+        return self.listed((formula.left, formula.right))
+
+    def cross_product(self, formula: CrossProduct) -> str:
+        sides = []
+        for side in (formula.left, formula.right):
+            text = self(side)
+            inner = isinstance(side, Sum | Negative | CrossProduct)
+            # A dot between the factors of the right side would end that side.
+            dot = side is formula.right and isinstance(side, Product) and self.times in text
+            sides.append(self.bracketed(text) if inner or dot else text)
+        return f" {self.cross} ".join(sides)
+
+    def poisson_bracket(self, formula: PoissonBracket) -> str:
+        opening, closing = self.braces
+        return f"{opening}{self(formula.left)}, {self(formula.right)}{closing}"
+
+    def unwritten(self, formula: Unwritten) -> str:
+        return self.dots
+
+    def constant(self, formula: Constant) -> str:
+        return self.const
+
+    def relation(self, formula: Relation) -> str:
+        first, *rest = map(self, formula.members)
+        return first + "".join(
+            f" {self.sign(sign)} {member}" for sign, member in zip(formula.signs, rest, strict=True)
+        )
+
+
+def is_base(formula: Formula) -> bool:
+    """Whether a formula carries a power without brackets."""
+    dotted = isinstance(formula, Derivative) and formula.mark == "dot"
+    return dotted or isinstance(formula, _BASES)

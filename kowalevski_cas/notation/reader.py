@@ -41,7 +41,7 @@ class Statement:
         return self.tex[self.start : self.end]
 
 
-def read(tex: str, vocabulary: Vocabulary) -> Formula:
+def read(tex: str, vocabulary: Vocabulary, parser: type[Parser] = Parser) -> Formula:
     r"""The one statement, or expression, in the source.
 
     >>> read(r"\frac12 x", Vocabulary(frozenset({"x"}))).factors[1]
@@ -53,7 +53,7 @@ def read(tex: str, vocabulary: Vocabulary) -> Formula:
     if len(found) > 1:
         count = f"{len(found)} statements stand here; read_display reads them all"
         raise NotationError(count, tex, found[1][0].start)
-    return Parser(tex, found[0], vocabulary).statement()[0]
+    return parser(tex, found[0], vocabulary).statement()[0]
 
 
 def read_display(tex: str, vocabulary: Vocabulary) -> tuple[Statement, ...]:

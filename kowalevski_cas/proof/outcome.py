@@ -5,6 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from kowalevski_cas.notation import Formula, Vocabulary
+
+Value = Formula | str
+"""A value at a point: exact, or what an arithmetic of points shows in place of that."""
+
 
 class Verdict(StrEnum):
     """How sure the tool is. Only the first two are green; points say the next two."""
@@ -31,22 +36,22 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True)
 class Point:
-    """An exact point: values of the scene's variables, in LaTeX (rationals, i, square roots)."""
+    """A point: names, printed roots and levels, each with its value (rationals, i, roots)."""
 
-    values: dict[str, str]
+    values: dict[Formula, Value]
 
 
 @dataclass(frozen=True)
 class Counterexample:
     """An exact point on the constraints where the statement fails.
 
-    ``left`` and ``right`` are the two values there, in LaTeX; ``words`` says
-    what they are when they are not the two sides of an equation.
+    ``left`` and ``right`` are the two values there; ``words`` says what they are
+    when they are not the two sides of an equation.
     """
 
     point: Point
-    left: str
-    right: str
+    left: Value
+    right: Value
     words: str = ""
 
 
@@ -54,24 +59,24 @@ class Counterexample:
 class Condition:
     """An expression assumed non-zero, and what happens where it vanishes."""
 
-    tex: str
+    expression: Formula
     words: str
     witness: Counterexample | None = None
 
 
 @dataclass(frozen=True)
 class Step:
-    """One step that the program took, for the report: a sentence and a display."""
+    """One step that the program took, for the report: a sentence and what is displayed."""
 
     words: str
-    tex: str = ""
+    formulas: tuple[Formula, ...] = ()
 
 
 @dataclass(frozen=True)
 class Correction:
-    """The nearest true statement: how it is printed, what was changed, its verdict."""
+    """The nearest true statement: its formulas, what was changed, its verdict."""
 
-    printed: str
+    formulas: tuple[Formula, ...]
     words: str
     verdict: Verdict
     conditions: tuple[Condition, ...] = ()
@@ -85,13 +90,16 @@ class Outcome:
     took: a cost that is the same on every machine. ``seconds`` and ``verdicts``
     hold the measured time and the verdict of each arithmetic. ``chance`` bounds the
     probability that ``probable`` is wrong, ``radius`` that of the ball of ``enclosed``.
-    ``granted`` lists, in LaTeX, what the scenes of the claim suppose not to vanish.
+    ``formulas`` are those of the claim and ``source`` is how the paper prints them,
+    which stands in for them where they cannot be read. ``granted`` lists what the
+    scenes of the claim suppose not to vanish. Words have mathematics between dollars.
     """
 
     claim: str
     section: str
     scene: str
-    printed: str
+    formulas: tuple[Formula, ...]
+    source: str
     words: str
     verdict: Verdict
     conditions: tuple[Condition, ...] = ()
@@ -106,7 +114,7 @@ class Outcome:
     verdicts: dict[str, Verdict] = field(default_factory=dict)
     chance: float | None = None
     radius: float | None = None
-    granted: tuple[str, ...] = ()
+    granted: tuple[Formula, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -114,7 +122,8 @@ class Run:
     """The outcomes of one derivation, in the order of the paper.
 
     ``sections`` lists number and heading; ``versions`` the programs and
-    libraries that took part; ``digest`` binds the statements that were decided.
+    libraries that took part; ``digest`` binds the statements that were decided; in
+    ``vocabulary`` the words of all outcomes can be read.
     """
 
     derivation: str
@@ -126,3 +135,4 @@ class Run:
     arithmetics: tuple[str, ...]
     versions: dict[str, str]
     digest: str
+    vocabulary: Vocabulary

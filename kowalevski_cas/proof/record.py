@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from kowalevski_cas.notation import Formula, to_latex
 from kowalevski_cas.proof.outcome import Outcome, Run, Verdict
 
 FILE = "record.json"
@@ -30,10 +31,15 @@ def describe(outcome: Outcome) -> dict[str, object]:
     correction = outcome.correction
     return {
         "verdict": str(outcome.verdict),
-        "conditions": [condition.tex for condition in outcome.conditions],
-        "correction": None if correction is None else correction.printed,
+        "conditions": [to_latex(condition.expression) for condition in outcome.conditions],
+        "correction": None if correction is None else in_latex(correction.formulas),
         "statement": outcome.digest,
     }
+
+
+def in_latex(formulas: Iterable[Formula]) -> str:
+    """Formulas of one display in LaTeX."""
+    return r",\ ".join(map(to_latex, formulas))
 
 
 def dump_record(run: Run, before: Mapping[str, Mapping[str, object]] | None = None) -> str:

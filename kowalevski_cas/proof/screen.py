@@ -5,7 +5,8 @@ from __future__ import annotations
 from kowalevski_cas.arithmetic.points import Answer, NoPoint, Points
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.proof.outcome import Counterexample, Point, Verdict
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.proof.outcome import Counterexample, Point, Value, Verdict
 
 
 def screen(claim: Claim, bench: Bench, points: Points) -> Finding:
@@ -23,8 +24,9 @@ def screen(claim: Claim, bench: Bench, points: Points) -> Finding:
     for question in questions:
         answer = points.answer(question)
         if answer.holds is False:
-            names = {name: value for name, value in answer.point.items() if name}
-            found = Counterexample(Point(names), answer.left, answer.right, answer.words)
+            read = bench.texts.expression
+            values: dict[Formula, Value] = {read(n): v for n, v in answer.point.items() if n}
+            found = Counterexample(Point(values), answer.left, answer.right, answer.words)
             return Finding(Verdict.REFUTED, counterexample=found, message=answer.words)
         answers.append(answer)
     reasons = [claim.beyond_points, *(answer.words for answer in answers if answer.holds is None)]

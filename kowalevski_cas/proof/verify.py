@@ -8,8 +8,13 @@ from time import perf_counter
 from kowalevski_cas.arithmetic import POINTS, load_points
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
+<<<<<<< HEAD
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.notation import NotationError, is_small_change, to_latex
+=======
+from kowalevski_cas.derivation import Derivation
+from kowalevski_cas.notation import Formula, NotationError, is_small_change
+>>>>>>> wt-report
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.digest import Digester, combined
 from kowalevski_cas.proof.evidence import Evidence, Mended
@@ -109,6 +114,7 @@ class Session:
             arithmetics=tuple(self.arithmetics),
             versions={},
             digest=combined(f"{o.claim} {o.digest}" for o in outcomes),
+            vocabulary=self.texts.vocabulary,
         )
 
     def rests_on(self, claim: Claim) -> tuple[str, ...]:
@@ -157,7 +163,7 @@ class Session:
             if open_ones:
                 verdict, message = open_ones[0].verdict, open_ones[0].message
         kept.found = {label: value for label, value in self.shelf.items() if label not in known}
-        printed = self._printed(claim) if digest else ""
+        formulas, source = self._printed(claim) if digest else ((), "")
         mended = first.correction
         if verdict is Verdict.REFUTED and mended is None:
             start = perf_counter()
@@ -169,7 +175,8 @@ class Session:
             claim=claim.id,
             section=self.derivation.section_of(claim).number,
             scene=claim.scene.name,
-            printed=printed,
+            formulas=formulas,
+            source=source,
             words=claim.words,
             verdict=verdict,
             conditions=first.conditions,
@@ -184,7 +191,7 @@ class Session:
             verdicts=verdicts,
             chance=first.chance,
             radius=first.radius,
-            granted=tuple(dict.fromkeys(tex for s in claim.scenes() for tex in s.nonzero)),
+            granted=self._granted(claim) if digest else (),
         )
 
     def _digest(self, claim: Claim) -> tuple[str, Evidence]:
@@ -246,7 +253,7 @@ class Session:
         if verdict.likely:
             self.texts = texts
         return Correction(
-            printed=to_latex(texts.formula(place)),
+            formulas=(texts.formula(place),),
             words=kept.correction.words,
             verdict=verdict,
             conditions=findings[0].conditions,
@@ -284,10 +291,17 @@ class Session:
         )
         return (place, texts) if small else None
 
-    def _printed(self, claim: Claim) -> str:
-        """The formulas of a claim as the paper prints them."""
+    def _printed(self, claim: Claim) -> tuple[tuple[Formula, ...], str]:
+        """The formulas of a claim, and how the paper prints them."""
         places = [claim.printed] if claim.printed else list(claim.establishes())
-        return r",\quad ".join(self.texts.statement(place).source for place in places)
+        statements = [self.texts.statement(place) for place in places]
+        source = r",\quad ".join(statement.source for statement in statements)
+        return tuple(statement.formula for statement in statements), source
+
+    def _granted(self, claim: Claim) -> tuple[Formula, ...]:
+        """What the scenes of a claim suppose not to vanish."""
+        sources = dict.fromkeys(tex for scene in claim.scenes() for tex in scene.nonzero)
+        return tuple(map(self.texts.expression, sources))
 
     def _products(self) -> int:
         return sum(stage.ring.products for stage in self.stages.values())

@@ -6,5 +6,6 @@ written.
 
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.pdf import Engine, ReportError, Written, write_report
+from kowalevski_cas.report.typst import render_typst
 
-__all__ = ["Engine", "ReportError", "Written", "render_latex", "write_report"]
+__all__ = ["Engine", "ReportError", "Written", "render_latex", "render_typst", "write_report"]

@@ -1,7 +1,7 @@
 """What a report says, before anything is said about how it looks.
 
-A template of any format (LaTeX, and whatever comes later) renders a :class:`Report`. Texts are
-plain, with mathematics between dollars; formulas are TeX as they came from the run.
+A writer of any format renders a :class:`Report`. Formulas are trees, which each format prints
+in its own way; words are plain, with mathematics between dollars.
 """
 
 from __future__ import annotations
@@ -105,5 +105,5 @@ def _provisos(outcomes: Sequence[Outcome]) -> tuple[Proviso, ...]:
     ]
     return tuple(
         Proviso(next((one for one in ones if one.witness), ones[0]), ids)
-        for ids, ones in alike(needed, lambda one: (one.tex, one.words))
+        for ids, ones in alike(needed, lambda one: (one.expression, one.words))
     )

@@ -1,11 +1,9 @@
-"""Plain text as LaTeX and as Typst, where some letters mean something else."""
+"""Plain text as LaTeX, where some letters mean something else."""
 
 from __future__ import annotations
 
 import re
 from typing import Final
-
-from kowalevski_cas.report.mathematics import plain
 
 _SPECIAL: Final = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#",
@@ -37,20 +35,12 @@ _RAISED: Final = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺ⁿ", "01234567
 _LOWERED: Final = str.maketrans("₀₁₂₃₄₅₆₇₈₉₋₊ₙᵢⱼₖ", "0123456789-+nijk")
 
 
-def words(text: str) -> str:
-    r"""Plain text with mathematics between dollars, as LaTeX.
-
-    >>> words("50% of $x_1$ & the_rest, ω₁ ≠ 0")
-    '50\\% of $x_1$ \\& the\\_rest, $\\omega _1$ $\\ne $ 0'
-    """
-    parts = text.split("$")
-    if len(parts) % 2 == 0:  # a dollar too many: none of them means mathematics
-        return escaped(text)
-    return "".join(f"${plain(part)}$" if k % 2 else escaped(part) for k, part in enumerate(parts))
-
-
 def escaped(text: str) -> str:
-    """Plain text as LaTeX; a dollar is a dollar."""
+    r"""Plain text as LaTeX; a dollar is a dollar.
+
+    >>> escaped("50% & the_rest, ω₁ ≠ 0")
+    '50\\% \\& the\\_rest, $\\omega _1$ $\\ne $ 0'
+    """
     text = re.sub(r'"([^"\n]*)"', "“\\1”", text)
     return "".join(map(_letter, text)).replace("$$", "")
 
@@ -74,8 +64,3 @@ def _letter(letter: str) -> str:
 def ascii_only(text: str) -> str:
     """A text for the properties of a PDF, where LaTeX means nothing."""
     return re.sub(r"[^ -~]|[\\\\{}$&#%_^~]", "", text)
-
-
-def quoted(text: str) -> str:
-    """A text between double quotes in Typst."""
-    return text.replace("\\", "\\\\").replace('"', '\\"')

@@ -5,7 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Outcome, Verdict
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.proof.outcome import (
+    Condition,
+    Correction,
+    Counterexample,
+    Outcome,
+    Value,
+    Verdict,
+)
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.systems import title
 
@@ -19,7 +27,7 @@ class Evidence:
 
     ids: tuple[str, ...]
     step: str | None = None
-    displays: tuple[str, ...] = ()
+    displays: tuple[Formula, ...] = ()
     condition: Condition | None = None
     counterexample: Counterexample | None = None
     values: tuple[Values, ...] = ()
@@ -39,8 +47,8 @@ class Values:
     """The two values at one point, and the claims (none if there is one only) that have them."""
 
     ids: tuple[str, ...]
-    left: str
-    right: str
+    left: Value
+    right: Value
 
 
 def evidence(rows: Sequence[Outcome]) -> Iterator[Evidence]:
@@ -62,14 +70,14 @@ def _steps(rows: Sequence[Outcome]) -> Iterator[Evidence]:
     """Each sentence once, with the displays of all the rows that it is about."""
     if len(rows) == 1:
         for step in rows[0].steps:
-            yield Evidence((), step=step.words, displays=(step.tex,) if step.tex else ())
+            yield Evidence((), step=step.words, displays=step.formulas)
         return
     steps = [(row.claim, step) for row in rows for step in row.steps]
     for claims, shared in alike(steps, lambda step: step.words):
         yield Evidence(
             _unless_all(claims, rows),
             step=shared[0].words,
-            displays=tuple(dict.fromkeys(step.tex for step in shared if step.tex)),
+            displays=tuple(dict.fromkeys(f for step in shared for f in step.formulas)),
         )
 
 
@@ -99,7 +107,7 @@ def _corrections(rows: Sequence[Outcome]) -> Iterator[Evidence]:
         yield Evidence(
             _unless_all(claims, rows),
             correction=ones[0],
-            displays=tuple(one.printed for one in ones if one.printed),
+            displays=tuple(formula for one in ones for formula in one.formulas),
         )
 
 

@@ -1,4 +1,4 @@
-"""From a run to files: LaTeX, and PDF by TeX where there is one, else by pandoc and Typst."""
+"""From a run to files: LaTeX, and PDF by TeX where there is one, else by Typst."""
 
 from __future__ import annotations
 
@@ -8,20 +8,16 @@ import shutil
 import subprocess
 import tempfile
 from dataclasses import dataclass
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Final, Literal
 
 from kowalevski_cas.files import write
 from kowalevski_cas.proof.outcome import Run
-from kowalevski_cas.report.latex import (
-    TEMPLATES,
-    render_for_pandoc,
-    render_latex,
-    render_picture,
-    render_typst,
-)
+from kowalevski_cas.report.context import report
+from kowalevski_cas.report.graph.svg import svg
+from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.plates import Plate, copy_plates, plates
+from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.report.witnesses import Certified, programs
 
 Engine = Literal["auto", "latex", "typst"]
@@ -71,9 +67,9 @@ def write_report(
             if engine == "latex":
                 raise
             notes.append(f"{error} The PDF was made by Typst instead.")
-    source = render_for_pandoc(run, shown, certified, told)
-    content, warnings = _typst(run, source, shown, folder)
-    return _written(tex, content, "typst", [*notes, *warnings])
+    source = render_typst(run, shown, certified, told)
+    picture = svg(report(run).picture)
+    return _written(tex, typst_pdf(source, picture, shown, folder), "typst", notes)
 
 
 def _written(
@@ -153,9 +149,14 @@ def _log(folder: Path) -> str:
 # ------------------------------------------------------------------------ Typst
 
 
-def _typst(
-    run: Run, source: str, shown: tuple[Plate, ...], beside: Path
-) -> tuple[bytes, list[str]]:
+def typst_pdf(
+    source: str, picture: str, shown: tuple[Plate, ...] = (), beside: Path = Path()
+) -> bytes:
+    """The PDF that Typst makes of a document, with its picture in SVG, and plates from a folder.
+
+    Raises:
+        ReportError: if Typst is not installed, or fails; the message has its first complaint.
+    """
     try:
         import typst
     except ImportError:
@@ -163,48 +164,13 @@ def _typst(
             "The PDF needs either LaTeX (latexmk and pdflatex) or the typst wheel: "
             "pip install typst."
         ) from None
-    body, warnings = _pandoc(source)
     with tempfile.TemporaryDirectory(prefix="kowalevski-") as name:
         folder = Path(name)
-        (folder / "report.typ").write_text(render_typst(run, body), encoding="utf-8")
-        (folder / "picture.svg").write_text(render_picture(run), encoding="utf-8")
+        (folder / "report.typ").write_text(source, encoding="utf-8")
+        (folder / "picture.svg").write_text(picture, encoding="utf-8")
         copy_plates(shown, beside, folder)
         try:
             content = typst.compile(folder / "report.typ", root=folder, ignore_system_fonts=True)
         except (RuntimeError, ValueError) as error:
             raise ReportError(f"Typst failed: {str(error).splitlines()[0]}.") from None
-    return bytes(content), warnings
-
-
-def pandoc_command() -> str | None:
-    """The pandoc of the pypandoc-binary wheel, else one that is installed, else none."""
-    spec = find_spec("pypandoc")
-    if spec and spec.origin:
-        for name in ("pandoc", "pandoc.exe"):
-            bundled = Path(spec.origin).parent / "files" / name
-            if bundled.is_file():
-                return str(bundled)
-    return shutil.which("pandoc")
-
-
-def _pandoc(source: str) -> tuple[str, list[str]]:
-    """A LaTeX document as Typst, and the formulas that pandoc could not read."""
-    command = pandoc_command()
-    if command is None:
-        raise ReportError("No pandoc was found: pip install pypandoc-binary.")
-    options = ["--sandbox", "--from=latex", "--to=typst", "--wrap=none"]
-    try:
-        done = subprocess.run(
-            [command, *options, f"--lua-filter={TEMPLATES / 'typst.lua'}"],
-            input=source.encode(),
-            capture_output=True,
-            timeout=_SECONDS,
-            check=False,
-        )
-    except subprocess.TimeoutExpired:
-        raise ReportError(f"pandoc did not end within {_SECONDS} s.") from None
-    complaints = done.stderr.decode(errors="replace")
-    if done.returncode:
-        raise ReportError(f"pandoc failed: {complaints.strip().splitlines()[0]}")
-    unread = re.findall(r"Could not convert TeX math (.*), rendering as TeX", complaints)
-    return done.stdout.decode(), [f"Left as TeX in the PDF: {formula}" for formula in unread]
+    return bytes(content)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.proof.outcome import Outcome, Run, Verdict
 from kowalevski_cas.report.evidence import Evidence, evidence
 from kowalevski_cas.report.names import display_of
@@ -29,8 +30,8 @@ class Section:
     groups: tuple[Group, ...]
     counts: dict[Verdict, int]
     total: int
-    granted: str
-    """What the scenes of the section take for granted, as a sentence."""
+    granted: tuple[Formula, ...]
+    """What the scenes of the section suppose not to vanish."""
 
 
 def sections(run: Run) -> tuple[Section, ...]:
@@ -46,21 +47,10 @@ def sections(run: Run) -> tuple[Section, ...]:
             tuple(_groups(outcomes)),
             count(outcomes),
             len(outcomes),
-            _granted(outcomes),
+            tuple(dict.fromkeys(f for outcome in outcomes for f in outcome.granted)),
         )
         for number, outcomes in by_number.items()
         if outcomes
-    )
-
-
-def _granted(outcomes: Sequence[Outcome]) -> str:
-    """What somewhere in these outcomes is supposed not to vanish; empty if nothing is."""
-    names = dict.fromkeys(tex for outcome in outcomes for tex in outcome.granted)
-    shown = ", ".join(rf"${tex} \ne 0$" for tex in names)
-    return (
-        f"Where the formulas of this section divide by them, it is granted: {shown}."
-        if shown
-        else ""
     )
 
 

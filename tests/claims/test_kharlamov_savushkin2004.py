@@ -6,7 +6,7 @@ import pytest
 
 from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.library import find, load
-from kowalevski_cas.notation import NotationError
+from kowalevski_cas.notation import NotationError, to_latex
 from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.proof.record import differences, load_record
 from kowalevski_cas.proof.verify import Session, verify
@@ -54,7 +54,9 @@ def test_every_formula_is_right_as_printed(outcomes):
 
 @pytest.mark.parametrize("id", CONDITIONS)
 def test_the_conditions_are_named(outcomes, id):
-    assert [condition.tex for condition in outcomes[id].conditions] == CONDITIONS[id]
+    assert [to_latex(condition.expression) for condition in outcomes[id].conditions] == CONDITIONS[
+        id
+    ]
 
 
 def test_every_printed_formula_is_claimed():

@@ -13,6 +13,7 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    Partial,
     PoissonBracket,
     Power,
     Product,
@@ -54,6 +55,7 @@ def _kept(values, with_root=False):
     return st.one_of(
         st.builds(Negative, values),
         st.builds(Derivative, values, st.sampled_from(["dot", "prime", r"\tau", "t"])),
+        st.builds(Partial, values, st.sampled_from(sorted(WORDS.scalars | WORDS.times))),
         st.builds(Conjugate, values),
         st.builds(RealPart, values),
         st.builds(ImaginaryPart, values),

@@ -8,13 +8,17 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
+    Partial,
     Power,
     Product,
     Quotient,
+    Root,
     Sum,
     read,
     read_display,
     to_latex,
+    to_plain,
+    to_typst,
 )
 from tests.notation.strategies import WORDS, formulas
 
@@ -28,6 +32,19 @@ def test_reading_what_was_printed_gives_the_same_formula(formula):
     tex = to_latex(formula)
     assert read(tex, WORDS) == formula
     assert to_latex(read(tex, WORDS)) == tex
+
+
+def test_a_second_partial_derivative_is_read_as_one_of_one():
+    twice = Partial(Partial(ell, "x_1"), "x_1")
+    assert read(r"\frac{\partial^2\ell}{\partial x_1^2}", WORDS) == twice
+
+
+@settings(max_examples=200, deadline=None)
+@given(formulas)
+def test_plain_text_has_no_macro_and_no_brace_of_tex(formula):
+    text = to_plain(formula)
+    assert not set(text) & set("\\$&\n")
+    assert text.count("(") == text.count(")") and text.count("[") == text.count("]")
 
 
 @settings(max_examples=100, deadline=None)
@@ -59,9 +76,50 @@ def test_every_node_has_a_place_within_its_parent(formula):
         (Derivative(x, r"\tau"), r"\frac{dx_1}{d\tau}"),
         (Derivative(ell, "t"), r"\frac{d\ell}{dt}"),
         (Derivative(Sum((x, y)), r"\tau"), r"\frac{d}{d\tau}(x_1 + x_2)"),
+        (Partial(ell, "x_1"), r"\frac{\partial\ell}{\partial x_1}"),
+        (Partial(Sum((x, y)), "t"), r"\frac{\partial}{\partial t}(x_1 + x_2)"),
         # the scalar d is not the d of a derivative
         (Quotient(Product((d, x)), Product((d, t))), r"\frac{dx_1}{d\cdot t}"),
     ],
 )
 def test_formulas_are_printed_tidily(formula, tex):
     assert to_latex(formula) == tex
+
+
+@pytest.mark.parametrize(
+    ("formula", "text"),
+    [
+        (Name(r"\omega_{12}"), "ω₁₂"),
+        (Name(r"\boldsymbol{\alpha}"), "𝛂"),
+        (Name("y_A"), "y_A"),
+        (Power(x, Number(12)), "x₁¹²"),
+        (Power(x, Negative(half)), "x₁^(−1/2)"),
+        (Root(Product((x, y))), "√(x₁x₂)"),
+        (Product((Root(x), y)), "√x₁ x₂"),
+        (Derivative(x, "prime"), "x₁′"),
+        (Derivative(x, "dot"), "ẋ₁"),
+        (Derivative(Sum((x, y)), r"\tau"), "d/dτ(x₁ + x₂)"),
+        (Partial(ell, "x_1"), "∂ℓ/∂x₁"),
+        (Quotient(Product((x, y)), Product((d, t))), "x₁x₂/(dt)"),
+        (Product((half, x)), "(1/2)x₁"),
+        (Sum((half, Negative(x))), "1/2 − x₁"),
+        (Product((x, Power(Name(r"\mathrm{sn}"), Number(2)))), "x₁ sn²"),
+        (Product((ell, Name(r"\mathrm{sn}"))), "ℓ sn"),
+    ],
+)
+def test_plain_text_is_what_one_would_type(formula, text):
+    assert to_plain(formula) == text
+
+
+def test_typst_sets_every_kind_of_node():
+    import typst
+
+    seen = set()
+
+    @settings(max_examples=150, deadline=None, database=None)
+    @given(formulas)
+    def collect(formula):
+        seen.add(to_typst(formula))
+
+    collect()
+    typst.compile("\n".join(f"$ {text} $" for text in sorted(seen)).encode())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from hashlib import sha256
 from typing import Any
 
+from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
 from kowalevski_cas.proof.outcome import (
     Condition,
     Correction,
@@ -15,19 +16,64 @@ from kowalevski_cas.proof.outcome import (
     Step,
     Verdict,
 )
+from tests.notation import paper
 
+WORDS = Vocabulary(
+    paper.WORDS.scalars | {"x", "m", "n", r"\omega", r"\xi_1", r"\xi_2"},
+    paper.WORDS.vectors,
+    paper.WORDS.matrices,
+    paper.WORDS.functions,
+    paper.WORDS.times,
+)
 P, C, R = Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED
 ALL = ("flint", "symengine", "sympy")
 
-AWAY_FROM_THETA = Condition(
+
+def read(tex: str) -> tuple[Formula, ...]:
+    """The formulas of a source; none where there is nothing that can be read."""
+    try:
+        return tuple(statement.formula for statement in read_display(tex, WORDS))
+    except NotationError:
+        return ()
+
+
+def value(tex: str) -> Formula | str:
+    """A value at a point: the formula, or what is no formula as it is."""
+    return next(iter(read(tex)), tex)
+
+
+def condition(tex: str, words: str, witness: Counterexample | None = None) -> Condition:
+    (formula,) = read(tex)
+    return Condition(formula, words, witness)
+
+
+def point(values: dict[str, str]) -> Point:
+    return Point({read(name)[0]: value(tex) for name, tex in values.items()})
+
+
+def counterexample(at: Point, left: str, right: str, words: str = "") -> Counterexample:
+    return Counterexample(at, value(left), value(right), words)
+
+
+def step(words: str, tex: str = "") -> Step:
+    return Step(words, read(tex))
+
+
+def correction(
+    tex: str, words: str, verdict: Verdict, conditions: tuple[Condition, ...] = ()
+) -> Correction:
+    return Correction(read(tex), words, verdict, conditions)
+
+
+AWAY_FROM_THETA = condition(
     r"x_1x_2",
     r"the printed expression has $\sqrt{x_1x_2}$ in a denominator",
 )
-DEGENERATE = Condition(
+DEGENERATE = condition(
     "a^2-b^2",
     "the two fields are of different strength, or not orthogonal",
-    Counterexample(
-        Point(
+    counterexample(
+        point(
             {
                 r"\alpha_1": "1",
                 r"\beta_2": "1",
@@ -84,13 +130,19 @@ def claim(
     more.setdefault("products", 7 * len(printed) + len(words))
     more.setdefault("verdicts", dict.fromkeys(ALL, verdict))
     return Outcome(
-        claim=name, section=section, printed=printed, words=words, verdict=verdict, **more
+        claim=name,
+        section=section,
+        formulas=read(printed),
+        source=printed,
+        words=words,
+        verdict=verdict,
+        **more,
     )
 
 
 def outcomes() -> tuple[Outcome, ...]:
     two = ("eq10.1", "eq10.2", "eq10.5", "eq10.6", "eq10.7", "eq10.8", "eq10.9")
-    change = Step("The change of variables carries the equations of motion to")
+    change = step("The change of variables carries the equations of motion to")
     return (
         claim(
             "eq4.1",
@@ -99,9 +151,9 @@ def outcomes() -> tuple[Outcome, ...]:
             "The geometric integrals are first integrals of (3)",
             P,
             steps=(
-                Step(
+                step(
                     "The derivative along the field vanishes identically:",
-                    r"({\bs \alpha},{\bs \alpha})^{\cdot} = 2({\bs\alpha}, {\bs \alpha}\times {\bs\omega}) = 0",
+                    r"2({\bs\alpha}, {\bs \alpha}\times {\bs\omega}) = 0",
                 ),
             ),
         ),
@@ -126,11 +178,11 @@ def outcomes() -> tuple[Outcome, ...]:
             "$H$ is a first integral of (2), (3), for any inertia tensor $\\mathop{\\rm diag}\\nolimits(A_1, A_2, A_3)$ and any constant $e_1$, $e_2$",
             P,
             steps=(
-                Step(
+                step(
                     "Along the field, before anything cancels, the derivative is",
                     r"\dot H = ({\bf I}\dot{\bs\omega},{\bs\omega}) - ({\bf e}_1,{\bs\alpha}\times{\bs\omega}) - ({\bf e}_2,{\bs\beta}\times{\bs\omega})",
                 ),
-                Step("All 24 terms cancel."),
+                step("All 24 terms cancel."),
             ),
         ),
         claim(
@@ -141,7 +193,7 @@ def outcomes() -> tuple[Outcome, ...]:
             P,
             rests_on=("eq4.1",),
             steps=(
-                Step("The program found", r"\dot J_1 = \omega_3J_2,\qquad \dot J_2 = -\omega_3J_1"),
+                step("The program found", r"\dot J_1 = \omega_3J_2,\qquad \dot J_2 = -\omega_3J_1"),
             ),
         ),
         claim(
@@ -167,8 +219,8 @@ def outcomes() -> tuple[Outcome, ...]:
             "i^2=1",
             "The unit of the change of variables, in the line above (9)",
             R,
-            counterexample=Counterexample(Point({"i": "i"}), "-1", "1"),
-            correction=Correction("i^2 = -1", "a minus sign is missing", P),
+            counterexample=counterexample(point({"i": "i"}), "-1", "1"),
+            correction=correction("i^2 = -1", "a minus sign is missing", P),
         ),
         claim(
             "eq9",
@@ -178,9 +230,9 @@ def outcomes() -> tuple[Outcome, ...]:
             P,
             rests_on=("eq9.i",),
             steps=(
-                Step(
+                step(
                     "The Jacobian determinant is a constant:",
-                    r"\det\frac{\partial(x,y,z,w,\omega_3)}{\partial(\alpha,\beta,\omega)} = 64",
+                    r"\frac{\partial x_1}{\partial\alpha_1} = 1",
                 ),
             ),
         ),
@@ -193,14 +245,14 @@ def outcomes() -> tuple[Outcome, ...]:
                 R if k < 5 else P,
                 rests_on=("eq9", "eq9.i"),
                 steps=(
-                    Step(
+                    step(
                         change.words,
                         f"{'xxyyzzwww'[k - 1]}'_{(k - 1) % 2 + 1} = "
                         + tex.split("=")[1].strip("}., "),
                     ),
                 ),
-                counterexample=Counterexample(
-                    Point(
+                counterexample=counterexample(
+                    point(
                         {
                             "x_1": "1",
                             "x_2": "1",
@@ -217,7 +269,7 @@ def outcomes() -> tuple[Outcome, ...]:
                 )
                 if k < 5
                 else None,
-                correction=Correction(
+                correction=correction(
                     tex.replace("w_3", r"\omega_3"), "$w_3$ is not defined: $\\omega_3$", P
                 )
                 if k < 5
@@ -234,11 +286,11 @@ def outcomes() -> tuple[Outcome, ...]:
             C,
             rests_on=("theta-prime",),
             conditions=(
-                Condition(
+                condition(
                     "Q_2",
                     "where $Q_2$ vanishes every pair of exponents will do",
-                    Counterexample(
-                        Point({"z_1": "0", "z_2": "0", "m": "7", "n": r"-\frac{3}{2}"}),
+                    counterexample(
+                        point({"z_1": "0", "z_2": "0", "m": "7", "n": r"-\frac{3}{2}"}),
                         "0",
                         "",
                         "the coefficient, though $m \\ne \\frac12$",
@@ -255,11 +307,11 @@ def outcomes() -> tuple[Outcome, ...]:
             rests_on=two,
             conditions=(AWAY_FROM_THETA,),
             steps=(
-                Step(
+                step(
                     "With $s^2 = x_1x_2$ as a generator, cleared of denominators, the derivative that the program generated is",
                     LONG,
                 ),
-                Step("Its difference from the printed right-hand side is zero term by term."),
+                step("Its difference from the printed right-hand side is zero term by term."),
             ),
         ),
         claim(
@@ -296,7 +348,7 @@ def outcomes() -> tuple[Outcome, ...]:
             rests_on=("eq12", "eq14"),
             conditions=(AWAY_FROM_THETA,),
             steps=(
-                Step(
+                step(
                     "From $F_1$ and $F_2$ alone the program found",
                     r"\frac{d}{d\tau}\begin{pmatrix} F_1 \\ F_2 \end{pmatrix} = \begin{pmatrix} 0 & \dfrac{1}{2\sqrt{x_1x_2}} \\[2mm] \dfrac{U_1+U_2}{\sqrt{x_1x_2}} & 0 \end{pmatrix} \begin{pmatrix} F_1 \\ F_2 \end{pmatrix}",
                 ),
@@ -319,11 +371,11 @@ def outcomes() -> tuple[Outcome, ...]:
             C,
             rests_on=("eq16.1", "eq16.2"),
             conditions=(
-                Condition(
+                condition(
                     r"\xi_1^2+\xi_2^2",
                     "the component $\\xi_1 = \\xi_2 = 0$ is not invariant",
-                    Counterexample(
-                        Point(
+                    counterexample(
+                        point(
                             {
                                 r"\omega_1": "1",
                                 r"\omega_2": "0",
@@ -353,13 +405,13 @@ def outcomes() -> tuple[Outcome, ...]:
             "There exist only four equilibria of the body",
             R,
             rests_on=("energy",),
-            counterexample=Counterexample(
-                Point({r"\omega": "0", "a": "1", "b": "1", "c": "0"}),
-                r"\infty",
+            counterexample=counterexample(
+                point({r"\omega": "0", "a": "1", "b": "1", "c": "0"}),
+                "∞",
                 "4",
                 "the equilibria, which fill a curve, and as stated",
             ),
-            correction=Correction(
+            correction=correction(
                 "",
                 "exactly four when the fields are neither parallel nor such that $a=b$, $c=0$",
                 C,
@@ -392,7 +444,7 @@ def outcomes() -> tuple[Outcome, ...]:
             C,
             rests_on=("eq19",),
             scene="classical",
-            conditions=(Condition(r"\alpha_1^2+\alpha_2^2", ""),),
+            conditions=(condition(r"\alpha_1^2+\alpha_2^2", ""),),
         ),
         claim(
             "eq20.2",
@@ -402,7 +454,7 @@ def outcomes() -> tuple[Outcome, ...]:
             C,
             rests_on=("eq19",),
             scene="classical",
-            conditions=(Condition(r"\alpha_1^2+\alpha_2^2", ""),),
+            conditions=(condition(r"\alpha_1^2+\alpha_2^2", ""),),
         ),
         claim(
             "eq21",
@@ -412,8 +464,8 @@ def outcomes() -> tuple[Outcome, ...]:
             R,
             scene="classical",
             rests_on=("energy",),
-            counterexample=Counterexample(
-                Point(
+            counterexample=counterexample(
+                point(
                     {
                         r"\alpha_1": r"\frac{3}{5}",
                         r"\alpha_2": r"\frac{4}{5}",
@@ -426,11 +478,11 @@ def outcomes() -> tuple[Outcome, ...]:
                 r"-\frac{121}{50}",
                 r"-\frac{97}{50}",
             ),
-            correction=Correction(
+            correction=correction(
                 EQ21.replace(r"- \frac{1}{2}", r"- \frac{1}{2}\alpha_3^2"),
                 "a factor",
                 C,
-                (Condition(r"\alpha_1^2+\alpha_2^2", ""),),
+                (condition(r"\alpha_1^2+\alpha_2^2", ""),),
             ),
         ),
         claim(
@@ -496,4 +548,5 @@ def run(*chosen: Outcome) -> Run:
             "sympy": "1.14.0",
         },
         digest=sha256(b"run").hexdigest(),
+        vocabulary=WORDS,
     )

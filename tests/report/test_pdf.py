@@ -3,13 +3,14 @@
 import io
 import os
 import re
-import shutil
 import stat
+import sys
 from pathlib import Path
 
 import pytest
 from pypdf import PdfReader
 
+from kowalevski_cas.proof.outcome import Verdict
 from kowalevski_cas.report import ReportError, pdf, render_latex, write_report
 from tests.report.fixtures import P, claim, run
 
@@ -113,10 +114,10 @@ def test_a_failure_leaves_the_earlier_pdf(
     earlier = tmp_path / "kharlamov2002.pdf"
     earlier.write_bytes(b"earlier")
 
-    def failing(source: str) -> tuple[str, list[str]]:
+    def failing(*_: object) -> bytes:
         raise what
 
-    monkeypatch.setattr(pdf, "_pandoc", failing)
+    monkeypatch.setattr(pdf, "typst_pdf", failing)
     with pytest.raises(type(what)):
         write_report(run(), tmp_path, engine="typst")
     assert earlier.read_bytes() == b"earlier"
@@ -150,14 +151,14 @@ def test_a_folder_that_cannot_be(tmp_path: Path) -> None:
         write_report(run(), tmp_path / "file" / "reports", engine="typst")
 
 
-def test_a_formula_that_pandoc_cannot_read_is_named(tmp_path: Path) -> None:
-    odd = claim("odd", "1", r"x = \nosuchthing{y}{z}", "", P)
+def test_a_display_that_cannot_be_read_is_shown_as_it_is_typed(tmp_path: Path) -> None:
+    odd = claim("odd", "1", r"x = \nosuchthing{y}{z}", "", Verdict.ERROR)
+    assert r"\texttt{x = \textbackslash{}nosuchthing" in render_latex(run(odd))
     written = write_report(run(odd), tmp_path, engine="typst")
-    assert any("nosuchthing" in note for note in written.notes)
+    assert r"x = \nosuchthing{y}{z}" in said(written.pdf.read_bytes())[1]
 
 
-def test_no_pandoc_is_said(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(pdf, "find_spec", lambda name: None)
-    monkeypatch.setattr(shutil, "which", lambda name: None)
-    with pytest.raises(ReportError, match="pip install pypandoc-binary"):
+def test_no_typst_is_said(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setitem(sys.modules, "typst", None)
+    with pytest.raises(ReportError, match="pip install typst"):
         write_report(run(), tmp_path, engine="typst")

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from importlib import import_module
 
 from kowalevski_cas.audit.audit import Audit
+from kowalevski_cas.proof.record import in_latex
 
 FORMATS = ("pretty", "json", "sarif", "github")
 
@@ -17,7 +18,7 @@ def load_format(name: str) -> Callable[[Audit], str]:
 
 
 def explained(audit: Audit, index: int) -> str:
-    """What is wrong with a formula, in one sentence of LaTeX and words."""
+    """What is wrong with a formula, in one sentence, with mathematics between dollars."""
     formula = audit.formulas[index]
     causes = [cause for cause in formula.causes if cause != _place(audit, index)]
     parts = [formula.message.splitlines()[0]] if formula.message else []
@@ -26,7 +27,7 @@ def explained(audit: Audit, index: int) -> str:
     if causes:
         parts.append(f"because of {', '.join(located(audit, cause) for cause in causes)}")
     if formula.correction is not None:
-        parts.append(f"correct: {formula.correction.printed}")
+        parts.append(f"correct: ${in_latex(formula.correction.formulas)}$")
     elif formula.verdict == "suspect" and formula.place is not None:
         parts.append("it is not what the derivation has here")
     return "; ".join(parts)

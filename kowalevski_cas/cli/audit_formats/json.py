@@ -7,7 +7,8 @@ from typing import Any
 
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import Audited
-from kowalevski_cas.proof.outcome import Correction, Counterexample, Outcome
+from kowalevski_cas.cli.formats.json import conditions, correction, counterexample
+from kowalevski_cas.proof.outcome import Outcome
 
 
 def render(audit: Audit) -> str:
@@ -39,9 +40,9 @@ def _formula(formula: Audited) -> dict[str, Any]:
         "tex": formula.tex,
         "verdict": formula.verdict,
         "claims": list(formula.claims),
-        "conditions": [condition.tex for condition in formula.conditions],
-        "counterexample": _counterexample(formula.counterexample),
-        "correction": _correction(formula.correction),
+        "conditions": conditions(formula.conditions),
+        "counterexample": counterexample(formula.counterexample),
+        "correction": correction(formula.correction),
         "causes": list(formula.causes),
         "breaks": list(formula.breaks),
         "moved": formula.moved,
@@ -55,30 +56,8 @@ def _statement(audit: Audit, outcome: Outcome) -> dict[str, Any]:
         "id": outcome.claim,
         "words": outcome.words,
         "verdict": str(outcome.verdict),
-        "conditions": [condition.tex for condition in outcome.conditions],
-        "counterexample": _counterexample(outcome.counterexample),
+        "conditions": conditions(outcome.conditions),
+        "counterexample": counterexample(outcome.counterexample),
         "causes": [cause.place for cause in causes],
         "message": outcome.message,
-    }
-
-
-def _counterexample(found: Counterexample | None) -> dict[str, Any] | None:
-    if found is None:
-        return None
-    return {
-        "point": found.point.values,
-        "left": found.left,
-        "right": found.right,
-        "words": found.words,
-    }
-
-
-def _correction(correction: Correction | None) -> dict[str, Any] | None:
-    if correction is None:
-        return None
-    return {
-        "printed": correction.printed,
-        "words": correction.words,
-        "verdict": str(correction.verdict),
-        "conditions": [condition.tex for condition in correction.conditions],
     }

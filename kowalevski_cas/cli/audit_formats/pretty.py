@@ -6,9 +6,10 @@ import sys
 
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import Audited
+from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.audit_formats import explained
-from kowalevski_cas.cli.plain import plain
-from kowalevski_cas.proof.outcome import Condition, Counterexample, Outcome
+from kowalevski_cas.notation import Vocabulary
+from kowalevski_cas.proof.outcome import Outcome
 
 MARKS = {
     "proved": ("✓", "32"),
@@ -28,7 +29,8 @@ def render(audit: Audit) -> str:
     """The formulas by line, what is wrong with its evidence, statements in words, a summary."""
     colour = sys.stdout.isatty()
     lines = [f"{audit.source.path}, by the derivation {audit.session.derivation.name}", ""]
-    lines += [_line(formula, colour) for formula in audit.formulas]
+    vocabulary = audit.session.texts.vocabulary
+    lines += [_line(formula, vocabulary, colour) for formula in audit.formulas]
     lines += _wrong(audit)
     lines += _restrictions(audit)
     lines += _statements(audit, colour)
@@ -43,9 +45,9 @@ def _head(verdict: str, colour: bool) -> str:
     return f"\x1b[{code}m{head}\x1b[0m" if colour else head
 
 
-def _line(formula: Audited, colour: bool) -> str:
+def _line(formula: Audited, vocabulary: Vocabulary, colour: bool) -> str:
     line = f"{formula.line:>5}" if formula.line else "    -"
-    text = _short(plain(formula.tex))
+    text = _short(plain.display(formula.tex, vocabulary))
     notes = " (moved)" if formula.moved else ""
     head = _head(formula.verdict, colour)
     return f"{line}  {formula.id:<20} {head} {formula.role:<12} {text}{notes}"
@@ -57,50 +59,43 @@ def _short(text: str) -> str:
 
 def _wrong(audit: Audit) -> list[str]:
     lines = []
+    vocabulary = audit.session.texts.vocabulary
     for index, formula in enumerate(audit.formulas):
         if not formula.wrong:
             continue
         lines.append(f"  {audit.source.path}:{formula.line}: {formula.id} is {formula.verdict}")
-        lines.append(f"    printed   {plain(formula.tex)}")
+        lines.append(f"    printed   {plain.display(formula.tex, vocabulary)}")
         why = explained(audit, index)
         if why:
-            lines.append(f"    why       {plain(why)}")
+            lines.append(f"    why       {plain.words(why, vocabulary)}")
         if formula.counterexample is not None:
-            lines += _evidence(formula.counterexample)
+            lines += plain.evidence(formula.counterexample, vocabulary)
     return ["", "What is wrong", *lines] if lines else []
-
-
-def _evidence(found: Counterexample) -> list[str]:
-    point = ", ".join(f"{plain(name)} = {plain(v)}" for name, v in found.point.values.items())
-    words = f"  ({plain(found.words)})" if found.words else ""
-    values = f"{plain(found.left)} against {plain(found.right)}"
-    return [f"    values    {values}{words}", f"    at        {point}"]
 
 
 def _restrictions(audit: Audit) -> list[str]:
     """Conditions under which a formula fails, with a point where it does."""
     lines: list[str] = []
+    vocabulary = audit.session.texts.vocabulary
     for outcome in audit.outcomes.values():
         for condition in outcome.conditions:
             if condition.witness is not None:
-                lines.append(f"  {outcome.claim}  {_needs(condition)}")
-                lines += _evidence(condition.witness)
+                lines.append(f"  {outcome.claim}  {plain.needs(condition, vocabulary)}")
+                lines += plain.evidence(condition.witness, vocabulary)
     return ["", "Conditions that are not stated", *lines] if lines else []
 
 
-def _needs(condition: Condition) -> str:
-    return f"needs {plain(condition.tex)} ≠ 0: {plain(condition.words)}"
-
-
 def _statements(audit: Audit, colour: bool) -> list[str]:
-    lines = [_statement(outcome, colour) for outcome in audit.statements]
+    lines = [
+        _statement(outcome, audit.session.texts.vocabulary, colour) for outcome in audit.statements
+    ]
     return ["", "Statements in words", *lines] if lines else []
 
 
-def _statement(outcome: Outcome, colour: bool) -> str:
+def _statement(outcome: Outcome, vocabulary: Vocabulary, colour: bool) -> str:
     head = _head(str(outcome.verdict), colour)
-    message = f": {plain(outcome.message)}" if outcome.message else ""
-    return f"       {outcome.claim:<20} {head} {plain(outcome.words)}{message}"
+    said = f"{outcome.words}: {outcome.message}" if outcome.message else outcome.words
+    return f"       {outcome.claim:<20} {head} {plain.words(said, vocabulary)}"
 
 
 def _summary(audit: Audit) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from kowalevski_cas.cli.formats import Result, locate
 from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.proof.record import in_latex
 
 
 def render(results: Sequence[Result]) -> str:
@@ -21,8 +22,8 @@ def render(results: Sequence[Result]) -> str:
             if outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT):
                 lines.append(annotation("error", place, outcome.claim, outcome.message))
             if outcome.verdict is Verdict.REFUTED:
-                right = outcome.correction.printed if outcome.correction else "unknown"
-                message = f"misprint: {outcome.printed}\ncorrect: {right}"
+                right = in_latex(outcome.correction.formulas) if outcome.correction else "unknown"
+                message = f"misprint: {outcome.source}\ncorrect: {right}"
                 lines.append(annotation("notice", place, outcome.claim, message))
     return "".join(f"{line}\n" for line in lines)
 

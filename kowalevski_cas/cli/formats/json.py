@@ -8,7 +8,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from kowalevski_cas.cli.formats import Result
-from kowalevski_cas.proof.outcome import Counterexample, Outcome
+from kowalevski_cas.notation import to_latex
+from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Outcome, Value
+from kowalevski_cas.proof.record import in_latex
 
 
 def render(results: Sequence[Result]) -> str:
@@ -33,19 +35,22 @@ def render(results: Sequence[Result]) -> str:
 
 
 def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
-    correction = outcome.correction
     return {
         "id": outcome.claim,
         "derivation": derivation,
         "section": outcome.section,
         "scene": outcome.scene,
-        "printed": outcome.printed,
+        "printed": outcome.source,
         "words": outcome.words,
         "verdict": str(outcome.verdict),
         "verdicts": {name: str(verdict) for name, verdict in outcome.verdicts.items()},
-        "conditions": [condition.tex for condition in outcome.conditions],
+        "conditions": conditions(outcome.conditions),
         "failures": [
-            {"condition": c.tex, "words": c.words, "counterexample": counterexample(c.witness)}
+            {
+                "condition": to_latex(c.expression),
+                "words": c.words,
+                "counterexample": counterexample(c.witness),
+            }
             for c in outcome.conditions
             if c.witness is not None
         ],
@@ -54,14 +59,7 @@ def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
         "seconds": {name: round(value, 6) for name, value in outcome.seconds.items()},
         "products": outcome.products,
         "counterexample": counterexample(outcome.counterexample),
-        "correction": None
-        if correction is None
-        else {
-            "printed": correction.printed,
-            "words": correction.words,
-            "verdict": str(correction.verdict),
-            "conditions": [condition.tex for condition in correction.conditions],
-        },
+        "correction": correction(outcome.correction),
         "rests_on": list(outcome.rests_on),
         "digest": outcome.digest,
         "message": outcome.message,
@@ -73,8 +71,29 @@ def counterexample(found: Counterexample | None) -> dict[str, Any] | None:
     if found is None:
         return None
     return {
-        "point": found.point.values,
-        "left": found.left,
-        "right": found.right,
+        "point": {to_latex(name): _value(value) for name, value in found.point.values.items()},
+        "left": _value(found.left),
+        "right": _value(found.right),
         "words": found.words,
     }
+
+
+def correction(found: Correction | None) -> dict[str, Any] | None:
+    """A correction as JSON."""
+    if found is None:
+        return None
+    return {
+        "printed": in_latex(found.formulas),
+        "words": found.words,
+        "verdict": str(found.verdict),
+        "conditions": conditions(found.conditions),
+    }
+
+
+def conditions(found: Sequence[Condition]) -> list[str]:
+    """Conditions as JSON."""
+    return [to_latex(condition.expression) for condition in found]
+
+
+def _value(value: Value) -> str:
+    return value if isinstance(value, str) else to_latex(value)

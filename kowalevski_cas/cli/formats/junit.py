@@ -42,7 +42,7 @@ def _suite(result: Result) -> ElementTree.Element:
             message = f"recorded: {difference.recorded}; found: {difference.found}"
             ElementTree.SubElement(case, "failure", message=_clean(message))
         output = ElementTree.SubElement(case, "system-out")
-        output.text = _clean(f"{outcome.verdict}: {outcome.printed or outcome.words}")
+        output.text = _clean(f"{outcome.verdict}: {outcome.source or outcome.words}")
     for claim in changed.keys() - {outcome.claim for outcome in outcomes}:
         failures += 1
         case = ElementTree.SubElement(

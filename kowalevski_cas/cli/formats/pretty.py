@@ -6,9 +6,9 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 
+from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.formats import Result, locate
-from kowalevski_cas.cli.plain import plain
-from kowalevski_cas.proof.outcome import Counterexample, Outcome, Run, Verdict
+from kowalevski_cas.proof.outcome import Outcome, Run, Verdict
 
 MARKS = {
     Verdict.PROVED: ("✓", "32"),
@@ -28,11 +28,13 @@ def render(results: Sequence[Result]) -> str:
 
 def _derivation(result: Result, colour: bool) -> str:
     run = result.run
-    lines = [f"{run.author}. {run.title}", f"{run.source}"]
+    title = plain.words(run.title, run.vocabulary)
+    lines = [f"{run.author}. {title}", run.source]
     for number, title in run.sections:
         outcomes = [o for o in run.outcomes if o.section == number]
         if outcomes:
-            lines += ["", f"{number}. {title}", *(_line(o, colour) for o in outcomes)]
+            head = f"{number}. {plain.words(title, run.vocabulary)}"
+            lines += ["", head, *(_line(o, colour) for o in outcomes)]
     lines += _errors(result)
     lines += _errata(run)
     lines += _restrictions(run)
@@ -45,7 +47,7 @@ def _line(outcome: Outcome, colour: bool) -> str:
     head = f"{mark} {outcome.verdict:<11}"
     if colour:
         head = f"\x1b[{code}m{head}\x1b[0m"
-    notes = [f"where {plain(c.tex)} ≠ 0" for c in outcome.conditions]
+    notes = [f"where {plain.nonzero(c)}" for c in outcome.conditions]
     if outcome.verdict is Verdict.REFUTED:
         notes = ["see the errata"]
     if outcome.chance is not None:
@@ -78,17 +80,19 @@ def _errata(run: Run) -> list[str]:
         return []
     lines = ["", "Errata"]
     for outcome in wrong:
-        lines.append(f"  {outcome.claim}  ({outcome.words})" if outcome.words else outcome.claim)
-        lines.append(f"    printed   {plain(outcome.printed)}")
+        said = f"  ({plain.words(outcome.words, run.vocabulary)})" if outcome.words else ""
+        lines.append(f"  {outcome.claim}{said}")
+        lines.append(f"    printed   {plain.formulas(outcome.formulas, outcome.source)}")
         correction = outcome.correction
         if correction is None:
             lines.append("    correct   no true statement was found one edit away")
         else:
-            where = "".join(f", where {plain(c.tex)} ≠ 0" for c in correction.conditions)
-            shown = f"{plain(correction.printed)}   ({correction.verdict}{where})"
-            lines += [f"    correct   {shown}", f"    that is   {plain(correction.words)}"]
+            where = "".join(f", where {plain.nonzero(c)}" for c in correction.conditions)
+            shown = f"{plain.formulas(correction.formulas)}   ({correction.verdict}{where})"
+            said = plain.words(correction.words, run.vocabulary)
+            lines += [f"    correct   {shown}", f"    that is   {said}"]
         if outcome.counterexample is not None:
-            lines += _evidence(outcome.counterexample, "    ")
+            lines += plain.evidence(outcome.counterexample, run.vocabulary)
     return lines
 
 
@@ -98,20 +102,9 @@ def _restrictions(run: Run) -> list[str]:
     for outcome in run.outcomes:
         for condition in outcome.conditions:
             if condition.witness is not None:
-                lines.append(
-                    f"  {outcome.claim}  needs {plain(condition.tex)} ≠ 0: {plain(condition.words)}"
-                )
-                lines += _evidence(condition.witness, "    ")
+                lines.append(f"  {outcome.claim}  {plain.needs(condition, run.vocabulary)}")
+                lines += plain.evidence(condition.witness, run.vocabulary)
     return ["", "Conditions that are not stated", *lines] if lines else []
-
-
-def _evidence(found: Counterexample, indent: str) -> list[str]:
-    point = ", ".join(f"{plain(name)} = {plain(v)}" for name, v in found.point.values.items())
-    words = f"  ({plain(found.words)})" if found.words else ""
-    return [
-        f"{indent}values    {plain(found.left)} against {plain(found.right)}{words}",
-        f"{indent}at        {point}",
-    ]
 
 
 def _summary(result: Result) -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import combinations
+from math import gcd
 
-from kowalevski_cas.arithmetic.present import fraction_formula
 from kowalevski_cas.notation import Formula, Name, Number, Partial, Power
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import ONE, equations, expression, rate, times, vanishes
@@ -25,8 +26,8 @@ class SolvedExponents(Claim):
     It is the coefficient of ``variable`` in the derivative of the ``ansatz``. If it vanishes
     identically, then with its derivatives also where the base, and so each power of it, is 1:
     there the exponents have to follow one after the other, at points at which the base moves.
-    With the printed exponents p/q, on the other hand, the powers obey :math:`P^q=\theta^p`, and
-    the coefficient has to vanish.
+    With the printed exponents p/q, on the other hand, the powers are positive and obey
+    :math:`P^q=\theta^p` and what follows for two of them, and the coefficient has to vanish.
     """
 
     values: tuple[Printed, ...]
@@ -47,15 +48,14 @@ class SolvedExponents(Claim):
             given = (*at_one, *values[:k], vanishes(derivative))
             yield Follows(space, ((value,), still), given)
             derivative = rate(derivative)
-        roots = [self._root(space, power.name, power.base, power.exponent) for power in powers]
-        yield Follows(space, ((vanishes(coefficient),),), (*values, *roots))
-
-    def _root(self, space: Elaboration, name: str, base: Formula, exponent: str) -> Equation:
-        """What a power with the printed exponent obeys, in whole powers."""
-        value = self._value(space, exponent)
-        top, below = abs(value.numerator), value.denominator
-        left, right = _whole(Name(name), below), _whole(base, top)
-        return (times(left, right), ONE) if value < 0 else (left, right)
+        exponents = [(power, self._value(space, power.exponent)) for power in powers]
+        obeyed = [_one((Name(p.name), v.denominator), (p.base, -v.numerator)) for p, v in exponents]
+        for (p, v), (q, w) in combinations(exponents, 2):
+            if p.base == q.base:  # both are powers of the same positive root
+                top = v.numerator * w.denominator, w.numerator * v.denominator
+                common = gcd(*top) or 1
+                obeyed.append(_one((Name(p.name), top[1] // common), (Name(q.name), -top[0] // common)))
+        yield Follows(space, ((vanishes(coefficient),),), (*values, *obeyed))
 
     def _value(self, space: Elaboration, exponent: str) -> Fraction:
         for printed in self.values:
@@ -70,7 +70,14 @@ class SolvedExponents(Claim):
         yield from self.values
 
 
+def _one(*powers: tuple[Formula, int]) -> Equation:
+    """The equation that a product of whole powers is 1, without negative ones."""
+    sides = [
+        times(*(_whole(base, sign * exponent) for base, exponent in powers if sign * exponent > 0))
+        for sign in (1, -1)
+    ]
+    return sides[0], sides[1]
+
+
 def _whole(base: Formula, exponent: int) -> Formula:
-    if exponent == 0:
-        return fraction_formula(Fraction(1))
     return base if exponent == 1 else Power(base, Number(exponent))

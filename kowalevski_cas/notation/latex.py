@@ -1,0 +1,89 @@
+"""Formula to LaTeX, so that reading what was printed gives the same tree."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Product, Quotient, Root
+from kowalevski_cas.notation.printer import Printer
+
+_COMMAND = re.compile(r"\\[A-Za-z]+$")
+_DOTS = {1: r"\dot", 2: r"\ddot", 3: r"\dddot"}
+
+
+class Latex(Printer):
+    """Prints what the reader reads."""
+
+    minus, times, cross, prime, partial_d = "-", r"\cdot ", r"\times", "'", r"\partial"
+    dots, const, braces = r"\ldots", r"\mathrm{const}", (r"\{", r"\}")
+
+    def name(self, formula: Name) -> str:
+        return formula.name
+
+    def upright(self, word: str) -> str:
+        return rf"\operatorname{{{word}}}"
+
+    def sign(self, sign: str) -> str:
+        return sign
+
+    def joined(self, parts: Iterable[str]) -> str:
+        """The parts side by side; a command and a letter behind it need a space."""
+        joined = ""
+        for part in parts:
+            space = " " if part[:1].isalpha() and _COMMAND.search(joined) else ""
+            joined += space + part
+        return joined
+
+    def between(self, opening: str, text: str, closing: str) -> str:
+        """Brackets, tall around fractions and matrices."""
+        if r"\frac" in text or r"\begin" in text:
+            return rf"\left{opening}{text}\right{closing}"
+        return opening + text + closing
+
+    def fraction(self, above: str, below: str) -> str:
+        return rf"\frac{{{above}}}{{{below}}}"
+
+    def quotient(self, formula: Quotient) -> str:
+        below = self(formula.denominator)
+        # A product that begins with the scalar d must not pass for the d of a derivative.
+        if isinstance(formula.denominator, Product) and formula.denominator.factors[0] == Name("d"):
+            below = r"d\cdot " + below[1:].lstrip().removeprefix(r"\cdot ")
+        return self.fraction(self(formula.numerator), below)
+
+    def raised(self, base: str, exponent: str) -> str:
+        return f"{base}^{exponent}" if len(exponent) == 1 else f"{base}^{{{exponent}}}"
+
+    def root(self, formula: Root) -> str:
+        return rf"\sqrt{{{self(formula.argument)}}}"
+
+    def conjugate(self, formula: Conjugate) -> str:
+        return rf"\overline{{{self(formula.argument)}}}"
+
+    def dotted(self, argument: Formula, order: int) -> str:
+        if isinstance(argument, Name):
+            inner = letter_and_index(argument.name)[0]
+            behind = argument.name[len(inner) :]
+        else:
+            inner, behind = self.bracketed(self(argument)), ""
+        while order > 3:
+            inner, behind, order = f"{_DOTS[3]}{{{inner}}}{behind}", "", order - 3
+        return f"{_DOTS[order]}{{{inner}}}{behind}"
+
+    def rows(self, rows: Sequence[Sequence[str]]) -> str:
+        body = r" \\ ".join(map(" & ".join, rows))
+        return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
+
+
+LATEX = Latex()
+bracketed = LATEX.bracketed
+
+
+def to_latex(formula: Formula) -> str:
+    r"""The formula in LaTeX.
+
+    >>> to_latex(Quotient(Name("x_1"), Name(r"\ell")))
+    '\\frac{x_1}{\\ell}'
+    """
+    return LATEX(formula)

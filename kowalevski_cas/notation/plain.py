@@ -1,0 +1,128 @@
+"""Formula to one line of Unicode, for a terminal."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Sequence
+
+from kowalevski_cas.notation.formula import (
+    Conjugate,
+    CrossProduct,
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Partial,
+    Quotient,
+    Root,
+)
+from kowalevski_cas.notation.printer import Printer
+from kowalevski_cas.notation.unicode import SIGNS, symbol
+
+_LOW = str.maketrans("0123456789+-aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄₅₆₇₈₉₊₋ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ")
+_HIGH = str.maketrans("0123456789+−in", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿ")
+_MARKS = {r"\hat": "\u0302", r"\tilde": "\u0303", r"\check": "\u030c", r"\vec": "\u20d7"}
+_DOT, _BAR = "\u0307", "\u0304"
+
+
+class Plain(Printer):
+    """Fractions have a slash, and brackets where it would reach too far."""
+
+    minus, times, cross, prime, partial_d = "−", "·", "×", "′", "∂"
+    dots, const, braces = "…", "const", ("{", "}")
+
+    def name(self, formula: Name) -> str:
+        return self._name(formula, "")
+
+    def _name(self, formula: Name, marks: str) -> str:
+        parts = symbol(formula.name)
+        letter = _bold(parts.letter) if parts.font in (r"\mathbf", r"\boldsymbol") else parts.letter
+        index = "".join(parts.index)
+        low = index.translate(_LOW)
+        if set(index) & set(low):
+            low = f"_{index}" if len(index) == 1 else f"_({index})"
+        return unicodedata.normalize("NFC", letter + _MARKS.get(parts.font, "") + marks) + low
+
+    def upright(self, word: str) -> str:
+        return word
+
+    def sign(self, sign: str) -> str:
+        return SIGNS[sign]
+
+    def joined(self, parts: Iterable[str]) -> str:
+        """The parts side by side; words, and roots without brackets, need a space."""
+        joined = before = ""
+        for part in parts:
+            words = before and part[:1].isalpha() and (_word(before) or _word(part[:2]))
+            open_root = before[:1] == "√" and before[-1] != ")"
+            joined += (" " if words or open_root else "") + part
+            before = part
+        return joined
+
+    def factor(self, formula: Formula) -> str:
+        return self.bracketed(self(formula)) if _slashed(formula) else super().factor(formula)
+
+    def fraction(self, above: str, below: str) -> str:
+        return f"{above}/{below}"
+
+    def quotient(self, formula: Quotient) -> str:
+        above, text = formula.numerator, self.term(formula.numerator)
+        if _slashed(above) or isinstance(above, CrossProduct):
+            text = self.bracketed(text)
+        return self.fraction(text, self.factor(formula.denominator))
+
+    def raised(self, base: str, exponent: str) -> str:
+        high = exponent.translate(_HIGH)
+        if not set(exponent) & set(high):
+            return base + high
+        return f"{base}^{exponent}" if len(exponent) == 1 else f"{base}^({exponent})"
+
+    def root(self, formula: Root) -> str:
+        text = self(formula.argument)
+        simple = isinstance(formula.argument, Name | Number)
+        return f"√{text}" if simple else f"√({text})"
+
+    def conjugate(self, formula: Conjugate) -> str:
+        if isinstance(formula.argument, Name):
+            return self._name(formula.argument, _BAR)
+        return f"conj({self(formula.argument)})"
+
+    def dotted(self, argument: Formula, order: int) -> str:
+        if isinstance(argument, Name):
+            return self._name(argument, _DOT * order)
+        return self.bracketed(self(argument)) + "˙" * order
+
+    def rows(self, rows: Sequence[Sequence[str]]) -> str:
+        return f"({', '.join(f'({text})' for text in map(', '.join, rows))})"
+
+
+def _word(text: str) -> bool:
+    return len(text) > 1 and text.isalpha()
+
+
+def _slashed(formula: Formula) -> bool:
+    """Whether a slash stands in the formula outside all brackets, and is no exponent."""
+    written = isinstance(formula, Derivative) and formula.mark not in ("dot", "prime")
+    return written or isinstance(formula, Quotient | Partial)
+
+
+def _bold(letter: str) -> str:
+    """The letter in bold type, where Unicode has it."""
+    name = re.sub(r"^(LATIN|GREEK) (SMALL|CAPITAL) LETTER ", r"\2 ", unicodedata.name(letter[0]))
+    try:
+        return unicodedata.lookup(f"MATHEMATICAL BOLD {name}") if len(letter) == 1 else letter
+    except KeyError:
+        return letter
+
+
+_PRINTER = Plain()
+
+
+def to_plain(formula: Formula) -> str:
+    r"""The formula as one line of text.
+
+    >>> to_plain(Quotient(Name(r"\omega_1"), Root(Name("x"))))
+    'ω₁/√x'
+    """
+    return _PRINTER(formula)

@@ -1,0 +1,65 @@
+"""Words with mathematics between dollars, as runs of text and formulas."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+
+from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.formula import Formula
+from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.parser import Parser
+from kowalevski_cas.notation.reader import read
+from kowalevski_cas.notation.unicode import SIGNS
+from kowalevski_cas.notation.vocabulary import Vocabulary
+
+_INDEX = re.compile(r"_(?:\w|\{[^{}]{2,}\})")
+
+Prose = tuple[str | Formula, ...]
+
+
+class _InWords(Parser):
+    signs = SIGNS
+
+
+def read_prose(text: str, vocabulary: Vocabulary) -> Prose:
+    """The runs of a text; what cannot be read stays as it is typed.
+
+    >>> read_prose("for $x$ only", Vocabulary(frozenset({"x"})))
+    ('for ', Name(name='x'), ' only')
+    """
+    parts = text.split("$")
+    if len(parts) % 2 == 0:  # a dollar too many: none of them means mathematics
+        return (text,)
+    runs = (_formula(part, vocabulary) if k % 2 else part for k, part in enumerate(parts))
+    return tuple(run for run in runs if run)
+
+
+def _formula(tex: str, vocabulary: Vocabulary) -> str | Formula:
+    try:
+        return read(tex, vocabulary, _InWords)
+    except NotationError:
+        pass
+    try:
+        return read(tex, _loosened(tex, vocabulary), _InWords)
+    except NotationError:
+        return f"${tex}$"
+
+
+def _loosened(tex: str, vocabulary: Vocabulary) -> Vocabulary:
+    """The vocabulary in which all letters are names: words speak of what no formula declares."""
+    names = set()
+    for token in scan(tex):
+        if token.kind == "letter":
+            index = _INDEX.match(tex, token.end)
+            names |= {token.text, token.text + index[0]} if index else {token.text}
+    scalars = vocabulary.scalars | (names - vocabulary.ranks.keys())
+    return replace(vocabulary, scalars=scalars, functions=vocabulary.functions - names)
+
+
+def print_prose(
+    prose: Prose, words: Callable[[str], str], formula: Callable[[Formula], str]
+) -> str:
+    """The runs of a text, each printed in its own way, side by side."""
+    return "".join(words(run) if isinstance(run, str) else formula(run) for run in prose)

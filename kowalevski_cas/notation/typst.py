@@ -1,0 +1,99 @@
+"""Formula to the mathematics of Typst."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Quotient, Root
+from kowalevski_cas.notation.printer import Printer
+from kowalevski_cas.notation.unicode import SIGNS, symbol
+
+_FONTS = {
+    r"\mathbf": "upright(bold({}))", r"\boldsymbol": "bold({})", r"\vec": "arrow({})",
+    r"\mathcal": "cal({})", r"\mathbb": "bb({})", r"\mathfrak": "frak({})", r"\mathsf": "sans({})",
+    r"\hat": "hat({})", r"\tilde": "tilde({})", r"\check": "caron({})", r"\mathrm": "upright({})",
+}  # fmt: skip
+# Brackets that group and are not printed; they become round ones when all is printed, so that
+# until then a round bracket is one that stands on the paper.
+_GROUPING, _PRINTED = str.maketrans("()", "⟮⟯"), str.maketrans("⟮⟯", "()")
+_DOTS = {1: "dot", 2: "dot.double", 3: "dot.triple", 4: "dot.quad"}
+
+
+class Typst(Printer):
+    """Parts are set apart by spaces, which Typst does not print; brackets grow by themselves."""
+
+    minus, times, cross, prime, partial_d = "-", "⋅ ", "×", "'", "∂"
+    dots, const, braces = "…", 'upright("const")', ("{", "}")
+
+    def finished(self, text: str) -> str:
+        return text.translate(_PRINTED)
+
+    def name(self, formula: Name) -> str:
+        return self._name(formula, "{}")
+
+    def _name(self, formula: Name, accent: str) -> str:
+        parts = symbol(formula.name)
+        letter = _atom(parts.letter)
+        if parts.font:
+            letter = _FONTS[parts.font].format(letter)
+        index = f"_({' '.join(map(_atom, parts.index))})" if parts.index else ""
+        return (accent.format(letter) + index).translate(_GROUPING)
+
+    def upright(self, word: str) -> str:
+        return f'op⟮"{word}"⟯'
+
+    def sign(self, sign: str) -> str:
+        return SIGNS[sign]
+
+    def joined(self, parts: Iterable[str]) -> str:
+        return " ".join(parts)
+
+    def fraction(self, above: str, below: str) -> str:
+        return f"frac⟮{above}, {below}⟯"
+
+    def quotient(self, formula: Quotient) -> str:
+        return self.fraction(self(formula.numerator), self(formula.denominator))
+
+    def raised(self, base: str, exponent: str) -> str:
+        return f"{base}^⟮{exponent}⟯"
+
+    def root(self, formula: Root) -> str:
+        return f"sqrt⟮{self(formula.argument)}⟯"
+
+    def conjugate(self, formula: Conjugate) -> str:
+        return f"overline⟮{self(formula.argument)}⟯"
+
+    def primed(self, argument: Formula, order: int) -> str:
+        """Primes; those of a name stand before its index, or they would be a part of that."""
+        if isinstance(argument, Name):
+            return self._name(argument, "{}" + self.prime * order)
+        return super().primed(argument, order)
+
+    def dotted(self, argument: Formula, order: int) -> str:
+        accent = "{}"
+        while order:
+            accent = f"{_DOTS[min(order, 4)]}({accent})"
+            order -= min(order, 4)
+        if isinstance(argument, Name):
+            return self._name(argument, accent)
+        return accent.translate(_GROUPING).format(self.bracketed(self(argument)))
+
+    def rows(self, rows: Sequence[Sequence[str]]) -> str:
+        return f"mat⟮{'; '.join(map(', '.join, rows))}⟯"
+
+
+def _atom(text: str) -> str:
+    """A letter or number as it is, a word in quotes."""
+    return text if len(text) == 1 else f'"{text}"'
+
+
+TYPST = Typst()
+
+
+def to_typst(formula: Formula) -> str:
+    r"""The formula in the mathematics of Typst, without dollar signs.
+
+    >>> to_typst(Quotient(Name(r"\omega_1"), Root(Name("x"))))
+    'frac(ω_(1), sqrt(x))'
+    """
+    return TYPST.finished(TYPST(formula))

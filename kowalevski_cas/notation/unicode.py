@@ -1,0 +1,58 @@
+r"""Names and signs in Unicode, for the printers that do not write TeX."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+
+from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.notation.macros import GREEK
+
+SIGNS = {
+    "=": "=", r"\equiv": "≡", r"\ne": "≠", "<": "<", ">": ">", r"\le": "≤", r"\ge": "≥",
+    r"\to": "→", r"\in": "∈",
+}  # fmt: skip
+"""The signs of relations, also of those that only words state."""
+
+_LETTERS = GREEK | {r"\pm": "±", r"\infty": "∞"}
+
+_PIECE = re.compile(r"\\[A-Za-z]+(?:\{([^{}]*)\})?|.")
+
+
+@dataclass(frozen=True)
+class Symbol:
+    r"""The parts of a name: its letter in Unicode, the macro that stands on it, its index.
+
+    A word in upright letters is a letter of several characters.
+    """
+
+    letter: str
+    font: str
+    index: tuple[str, ...]
+
+
+@cache
+def symbol(name: str) -> Symbol:
+    r"""The parts of a name.
+
+    >>> symbol(r"\boldsymbol{\omega}_{12}")
+    Symbol(letter='ω', font='\\boldsymbol', index=('1', '2'))
+    """
+    letter, index = letter_and_index(name)
+    font, brace, inner = letter.partition("{")
+    if not brace:
+        # A macro of its own, as \sin, is an upright word.
+        upright = letter[0] == "\\" and letter not in _LETTERS
+        return Symbol(_letter(letter), r"\mathrm" if upright else "", _index(index))
+    return Symbol(_letter(inner[:-1]), font, _index(index))
+
+
+def _letter(tex: str) -> str:
+    return _LETTERS.get(tex, tex.removeprefix("\\"))
+
+
+def _index(tex: str) -> tuple[str, ...]:
+    return tuple(
+        found[1] or _letter(found[0]) for found in _PIECE.finditer(tex) if found[0].strip()
+    )

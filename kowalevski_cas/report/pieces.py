@@ -1,0 +1,165 @@
+"""A formula as pieces side by side, between which a display can be broken into lines."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from kowalevski_cas.notation import (
+    Formula,
+    Negative,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Root,
+    Sum,
+    Vector,
+    to_plain,
+)
+from kowalevski_cas.notation.printer import COMPOUND, SIGNED, Printer, is_base
+
+_BRACKET, _TALL_BRACKET = 0.39, 0.7
+_SIGN, _AROUND = 0.78, 0.44
+_RELATION = 1.36
+_SCRIPT = 0.72
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A piece of a formula: its source in some format, its width in em, its class.
+
+    ``kind`` is one of ord, sign, relation, open, close. ``inner`` holds the pieces of a
+    bracket, with both ends, or of the numerator of a fraction (whose denominator is
+    ``below``), so that either can be taken apart where it does not fit on a line.
+    """
+
+    text: str
+    width: float
+    kind: str = "ord"
+    inner: tuple[Piece, ...] = ()
+    below: tuple[Piece, ...] = ()
+    tall: bool = False
+
+
+def pieces(formula: Formula, printer: Printer) -> tuple[Piece, ...]:
+    """The pieces of a formula, printed by the printer of a format."""
+    return tuple(_pieces(formula, printer))
+
+
+def _pieces(formula: Formula, printer: Printer) -> Iterator[Piece]:
+    match formula:
+        case Relation(members, signs):
+            for k, member in enumerate(members):
+                if k:
+                    yield Piece(printer.sign(signs[k - 1]), _RELATION, "relation")
+                yield from _pieces(member, printer)
+        case Sum(terms):
+            for k, term in enumerate(terms):
+                if isinstance(term, Negative):
+                    yield from _pieces(term, printer)
+                else:
+                    if k:
+                        yield Piece("+", _SIGN + _AROUND, "sign")
+                    yield from _within(term, SIGNED, printer)
+        case Negative(argument):
+            yield Piece(printer.minus, _SIGN + _AROUND, "sign")
+            yield from _within(argument, SIGNED, printer)
+        case Product(factors):
+            for k, factor in enumerate(factors):
+                first, *others = _within(factor, COMPOUND, printer)
+                if k and first.text[0].isdigit():
+                    first = replace(first, text=printer.times + first.text)
+                yield first
+                yield from others
+        case Power(base, exponent) if not is_base(base):
+            *inner, closing = _bracket(base, printer).inner
+            raised = printer.raised(closing.text, printer(exponent))
+            width = _SCRIPT * measured(pieces(exponent, printer))
+            yield _pair([*inner, replace(closing, text=raised)], printer(formula), width)
+        case Quotient(above, below):
+            over, under = pieces(above, printer), pieces(below, printer)
+            width = max(measured(over), measured(under)) + 0.24
+            yield Piece(printer(formula), width, inner=over, below=under, tall=True)
+        case Vector(rows) if _is_matrix(rows):
+            columns = zip(*(row.components for row in rows if isinstance(row, Vector)), strict=True)
+            wide = (max(measured(pieces(cell, printer)) for cell in cells) for cells in columns)
+            yield Piece(printer(formula), sum(wide) + len(rows) + 0.8, tall=True)
+        case Root(argument):
+            inside = pieces(argument, printer)
+            tall = any(piece.tall for piece in inside)
+            yield Piece(printer(formula), measured(inside) + 0.9, tall=tall)
+        case _:
+            yield Piece(printer(formula), _width(to_plain(formula)))
+
+
+def _is_matrix(rows: Sequence[Formula]) -> bool:
+    return all(isinstance(row, Vector) for row in rows)
+
+
+def _within(
+    formula: Formula, compound: tuple[type[Formula], ...], printer: Printer
+) -> Iterator[Piece]:
+    """The pieces of a part, in brackets where it needs them."""
+    if isinstance(formula, compound):
+        yield _bracket(formula, printer)
+    else:
+        yield from _pieces(formula, printer)
+
+
+def _bracket(formula: Formula, printer: Printer) -> Piece:
+    text = printer(formula)
+    opening, closing = printer.brackets(text)
+    inner = pieces(formula, printer)
+    ends = Piece(opening, _BRACKET, "open"), Piece(closing, _BRACKET, "close")
+    return _pair([ends[0], *inner, ends[1]], printer.between(opening, text, closing))
+
+
+def _pair(inner: Sequence[Piece], text: str, more: float = 0.0) -> Piece:
+    tall = any(piece.tall for piece in inner)
+    width = measured(inner) + (2 * (_TALL_BRACKET - _BRACKET) if tall else 0) + more
+    return Piece(text, width, inner=tuple(inner), tall=tall)
+
+
+def joined(side_by_side: Iterable[Piece], printer: Printer) -> str:
+    """The source of pieces side by side."""
+    text, before = "", "open"
+    for piece in side_by_side:
+        if piece.kind == "relation" or (piece.kind == "sign" and before in ("ord", "close")):
+            text += f" {piece.text} "
+        else:
+            text = (
+                printer.joined([text, piece.text])
+                if before in ("ord", "close")
+                else text + piece.text
+            )
+        before = piece.kind
+    return text.strip()
+
+
+def measured(side_by_side: Iterable[Piece]) -> float:
+    """The width of pieces side by side, in em; a sign with nothing before it is narrower."""
+    total, before = 0.0, "open"
+    for piece in side_by_side:
+        alone = piece.kind == "sign" and before not in ("ord", "close")
+        total += piece.width - (_AROUND if alone else 0.0)
+        before = piece.kind
+    return total
+
+
+def _width(text: str) -> float:
+    """The width of a line of plain text that is set as a formula, in em."""
+    return sum(map(_letter, text))
+
+
+def _letter(letter: str) -> float:
+    if unicodedata.combining(letter):
+        return 0.0
+    if unicodedata.decomposition(letter).startswith(("<sub>", "<super>")):
+        return 0.42
+    if letter in "mwMW":
+        return 0.9
+    if letter in "()[]{},′ /":
+        return 0.35
+    return 0.8 if letter.isupper() or letter in "=+−×≡≠" else 0.58

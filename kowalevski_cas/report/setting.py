@@ -1,0 +1,127 @@
+"""Setting formulas: on one line, or as a display of aligned lines, in any format."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+from kowalevski_cas.notation import Formula, Number, Product, Relation, Sum, Vector
+from kowalevski_cas.notation.printer import Printer
+from kowalevski_cas.report.breaking import Line, broken
+from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
+
+_LONGEST: Final = 12
+_GAP: Final = 1.5
+
+
+class Setter(ABC):
+    """Sets displays in a format, with the printer of that format."""
+
+    printer: Printer
+    gap: str
+    """What stands between two formulas on one line."""
+
+    @abstractmethod
+    def opened(self, bracket: str, tall: bool) -> str:
+        """An opening bracket whose partner stands on another line."""
+
+    @abstractmethod
+    def closed(self, bracket: str, tall: bool) -> str:
+        """A closing one, with the power on it."""
+
+    @abstractmethod
+    def line(self, left: str, right: str, indent: int, leads: bool) -> str:
+        """A line; one that ``leads`` with a sign continues the one above."""
+
+    @abstractmethod
+    def left_out(self, lines: int) -> str:
+        """A line that stands for others."""
+
+    @abstractmethod
+    def lines(self, lines: Sequence[str]) -> str:
+        """Several lines one under the other."""
+
+    def inline(self, formula: Formula) -> str:
+        """The formula within a line."""
+        return self.printer.finished(self.printer(formula))
+
+    def display(self, formulas: Sequence[Formula], room: float, *, shorten: bool = False) -> str:
+        """The inside of a display: formulas in lines no wider than ``room`` em.
+
+        With ``shorten`` dots stand for the middle of a high display.
+        """
+        room *= 0.97  # estimates are good to a few per cent
+        formulas = [one for formula in formulas for one in self._by_rows(formula, room)]
+        rows = [pieces(formula, self.printer) for formula in formulas]
+        if sum(map(measured, rows)) + _GAP * (len(rows) - 1) <= room:
+            return self.printer.finished(self.gap.join(self._joined(row) for row in rows))
+        lines = self._aligned(rows, room)
+        shown = [
+            self.line(
+                self._joined(line.left),
+                self._joined(line.right),
+                line.indent,
+                bool(line.indent) and line.right[0].kind == "sign",
+            )
+            for line in lines
+        ]
+        if shorten and len(shown) > _LONGEST:
+            gone = len(shown) - _LONGEST + 1
+            shown = [*shown[: _LONGEST - 2], self.left_out(gone), shown[-1]]
+        return self.printer.finished(self.lines(shown))
+
+    def _by_rows(self, formula: Formula, room: float) -> Sequence[Formula]:
+        """An equation of columns that is too wide as its rows; anything else as it is."""
+        match formula:
+            case Relation((Vector(lefts), Product((Vector(rows), Vector(column)))), signs):
+                if measured(pieces(formula, self.printer)) > room:
+                    return [
+                        Relation((left, _times(row, column)), signs)
+                        for (left,), row in zip(map(_cells, lefts), rows, strict=True)
+                    ]
+        return [formula]
+
+    def _joined(self, row: Sequence[Piece]) -> str:
+        return joined(row, self.printer)
+
+    def _aligned(self, rows: Sequence[tuple[Piece, ...]], room: float) -> list[Line]:
+        """The lines of all rows, aligned at their relations where each has a short left side."""
+        heads = [_head(row) for row in rows]
+        widths = [measured(row[:head]) for row, head in zip(rows, heads, strict=True)]
+        if not all(0 < width <= 0.3 * room for width in widths):
+            return [line for row in rows for line in broken(row, room, self._apart, first=False)]
+        lines: list[Line] = []
+        for row, head in zip(rows, heads, strict=True):
+            first, *others = broken(row[head:], room - max(widths), self._apart, first=True)
+            lines += [replace(first, left=row[:head]), *others]
+        return lines
+
+    def _apart(self, piece: Piece) -> tuple[Piece, Piece]:
+        """What stands around the inner pieces of one that is spread over several lines."""
+        if not piece.below:
+            first, last = piece.inner[0], piece.inner[-1]
+            opened = self.opened(first.text, piece.tall)
+            closed = self.closed(last.text, piece.tall)
+            return replace(first, text=opened), replace(last, text=closed)
+        inverse = self.printer.fraction("1", self._joined(piece.below))
+        before = self.printer.joined([inverse, self.opened("(", tall=True)])
+        width = measured(piece.below) + 0.9
+        return Piece(before, width, "open"), Piece(self.closed(")", tall=True), 0.6, "close")
+
+
+def _cells(row: Formula) -> tuple[Formula, ...]:
+    return row.components if isinstance(row, Vector) else (row,)
+
+
+def _times(row: Formula, column: Sequence[Formula]) -> Formula:
+    """The product of a row and a column, without what is zero."""
+    pairs = zip(_cells(row), column, strict=True)
+    terms = tuple(Product((entry, *_cells(value))) for entry, value in pairs if entry != Number(0))
+    return Sum(terms) if len(terms) > 1 else next(iter(terms), Number(0))
+
+
+def _head(row: Sequence[Piece]) -> int:
+    """Where the first relation stands; 0 if there is none."""
+    return next((k for k, piece in enumerate(row) if piece.kind == "relation"), 0)
