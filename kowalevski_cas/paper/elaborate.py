@@ -349,14 +349,6 @@ class Elaboration(Setting):
         """A formula, or LaTeX in the names of the scene, in the operations of a space."""
         return self.plain(self.texts.expression(formula) if isinstance(formula, str) else formula)
 
-    def equation(self, printed: Printed) -> Equation:
-        """Both sides of a printed equation, which has these two only."""
-        relation = self.texts.relation(printed)
-        if len(relation.members) != 2 or r"\ne" in relation.signs:
-            raise Meaningless(f"an equation with two sides is expected at {printed.place}")
-        left, right = relation.members
-        return self.plain(left), self.plain(right)
-
     def equations(self, printed: tuple[str, ...]) -> tuple[Equation, ...]:
         """The sides of equations that are given as LaTeX."""
         relations = (self.texts.expression(tex) for tex in printed)

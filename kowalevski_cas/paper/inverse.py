@@ -37,9 +37,7 @@ def inverse(old: Elaboration, formulas: Sequence[tuple[str, Formula]]) -> dict[s
         raise Meaningless("the change of variables is not one to one")
     zero, one, size = at.ring.zero, at.ring.one, len(rows)
     try:
-        columns = [
-            solve(rows, [one if k == j else zero for k in range(size)]) for j in range(size)
-        ]
+        columns = [solve(rows, [one if k == j else zero for k in range(size)]) for j in range(size)]
     except Singular:
         raise Meaningless("the change of variables is not invertible") from None
     return {
@@ -66,5 +64,3 @@ def _combination(factors: Sequence[Element], names: Sequence[str]) -> Formula:
     if not terms:
         return Number(0)
     return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
-
-

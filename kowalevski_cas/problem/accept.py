@@ -264,7 +264,9 @@ class Judge:
         at = self.of(one.space)
         places = [(w, self._point(at, p, (), one.space)) for w, p in evidence.points]
         weights = [rational_terms(place.numbers.scalar(weight)) for weight, place in places]
-        weighted = [(w or Fraction(0), place) for w, (_, place) in zip(weights, places, strict=True)]
+        weighted = [
+            (w or Fraction(0), place) for w, (_, place) in zip(weights, places, strict=True)
+        ]
         if not any(self._impossible(goal, sides, at, weighted) for sides in one.conclusions[0]):
             raise Unproved("with other expressions the equation may hold")
 

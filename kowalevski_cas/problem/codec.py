@@ -35,7 +35,16 @@ from kowalevski_cas.problem.goals import (
     Simple,
     simple,
 )
-from kowalevski_cas.problem.space import Adjoined, Change, Equation, Let, Motion, Raised, Space, Step
+from kowalevski_cas.problem.space import (
+    Adjoined,
+    Change,
+    Equation,
+    Let,
+    Motion,
+    Raised,
+    Space,
+    Step,
+)
 from kowalevski_cas.problem.trees import FormatError, Tree, decode, encode
 
 Data = dict[str, Any]
@@ -350,6 +359,8 @@ def _roots_data(roots: Roots) -> Data:
         entry: Data = {"factor": encode(factor.factor), "squares": _squares(factor.squares)}
         if factor.row:
             entry["cofactors"] = _rows((factor.row,))[0]
+        if factor.granted is not None:
+            entry["granted"] = [factor.granted[0], _rows((factor.granted[1],))[0]]
         factors.append(entry)
     return {
         **_point_data(roots.point),
@@ -377,9 +388,17 @@ def _read_roots(data: Data) -> Roots:
                 decode(entry["factor"]),
                 _read_squares(entry["squares"]),
                 tuple(map(decode, entry.get("cofactors", ()))),
+                _read_granted(entry.get("granted")),
             )
             for entry in data["factors"]
         ),
         minors=tuple((decode(number), tuple(powers)) for number, powers in data["minors"]),
         point=_read_point(data["point"]),
     )
+
+
+def _read_granted(data: Tree) -> tuple[int, Row] | None:
+    if data is None:
+        return None
+    place, row = data
+    return place, tuple(map(decode, row))

@@ -6,10 +6,11 @@ from fractions import Fraction
 from itertools import combinations
 
 from kowalevski_cas.arithmetic.hermite import hermite_minors
+from kowalevski_cas.arithmetic.present import divided
 from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
-from kowalevski_cas.problem.evidence import Roots, Solutions
+from kowalevski_cas.problem.evidence import Factor, Roots, Solutions
 from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Space
@@ -39,10 +40,37 @@ def check_roots(goal: Count, found: Roots, at: Evaluation) -> list[Element]:
     factors = [_factor(entry, at, known) for entry in found.factors]
     _minors(found, inner, [inner.scalar(entry.factor) for entry in found.factors])
     below = [at.scalar(denominator) for _, _, denominator in found.solved]
-    return [element.inverse() for element in (*factors, *below)]
+    implied = [factors[k] for k, e in enumerate(found.factors) if _is_granted(e, at, known)]
+    left = [_without(element, implied) for element in (*factors, *below)]
+    return [element.inverse() for element in left if rational_terms(element) is None]
 
 
-def _eliminant(found: Roots, at: Evaluation) -> Element:
+def _without(element: Element, factors: list[Element]) -> Element:
+    """A polynomial without these factors, as far as it is a product of them and numbers."""
+    for factor in factors:
+        while rational_terms(element) is None:
+            quotient = divided(element.terms()[0], factor.terms()[0])
+            if quotient is None:
+                break
+            element = element.ring.from_terms({0: quotient})
+    return element
+
+
+def _is_granted(entry: Factor, at: Evaluation, known: list[Element]) -> bool:
+    """Whether a factor does not vanish, for something granted would vanish with it."""
+    if entry.granted is None:
+        return False
+    place, row = entry.granted
+    rest = at.scalar(at.setting.nonzero[place])
+    bases = [at.scalar(base) for _, base in entry.squares]
+    for cofactor, element in zip(row, [*bases, *known], strict=True):
+        rest = rest - at.scalar(cofactor) * element
+    if not rest.is_zero:
+        raise Misplaced("what is granted is not shown to vanish with a factor")
+    return True
+
+
+def eliminant_value(found: Roots, at: Evaluation) -> Element:
     """The value of the eliminant."""
     root = at.scalar(Name(found.root))
     total = root ** len(found.eliminant)
@@ -53,7 +81,7 @@ def _eliminant(found: Roots, at: Evaluation) -> Element:
 
 def _roots_of_solutions(found: Roots, at: Evaluation, known: list[Element]) -> None:
     bound = at.binding({found.root: at.scalar(found.form)})
-    goals = [_eliminant(found, bound)]
+    goals = [eliminant_value(found, bound)]
     for name, above, below in found.solved:
         goals.append(bound.scalar(below) * bound.scalar(Name(name)) - bound.scalar(above))
     for goal, row in zip(goals, found.rows, strict=True):
@@ -74,18 +102,15 @@ def _solutions_of_roots(
     rests = [inner.image(element, value) for element in known]
     form = inner.image(at.scalar(found.form), value)
     rests.append(form - inner.scalar(Name(found.root)))
-    equation = _eliminant(found, inner)
+    equation = eliminant_value(found, inner)
     for rest, quotient in zip(rests, found.quotients, strict=True):
         cleared = Element(inner.ring, rest.parts, {})
         if not (cleared - inner.scalar(quotient) * equation).is_zero:
             raise Misplaced("a root is not shown to give a solution")
 
 
-def _factor(entry: object, at: Evaluation, known: list[Element]) -> Element:
+def _factor(entry: Factor, at: Evaluation, known: list[Element]) -> Element:
     """A factor, which has to be a sum of squares modulo the equations."""
-    from kowalevski_cas.problem.evidence import Factor
-
-    assert isinstance(entry, Factor)
     factor = at.scalar(entry.factor)
     rest = factor
     for number, base in entry.squares:

@@ -92,11 +92,16 @@ class Squares:
 
 @dataclass(frozen=True)
 class Factor:
-    """A factor of minors as a sum of squares, perhaps modulo the equations."""
+    """A factor of minors as a sum of squares, perhaps modulo the equations.
+
+    With ``granted``, the place of something that is granted not to vanish, and a row that
+    combines it from the bases of the squares and the equations: the factor does not vanish then.
+    """
 
     factor: Formula
     squares: tuple[tuple[Formula, Formula], ...] = ()
     row: Row = ()
+    granted: tuple[int, Row] | None = None
 
 
 @dataclass(frozen=True)

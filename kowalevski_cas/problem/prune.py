@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from kowalevski_cas.notation import Conjugate, Derivative, Formula, Name, Root
+from kowalevski_cas.notation import Derivative, Formula, Name, Root
 from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.goals import Count, Exists, Goal, Problem, Rank, Simple, simple
 from kowalevski_cas.problem.space import (

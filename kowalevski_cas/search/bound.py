@@ -112,9 +112,7 @@ def _solved(group: list[Linear], at: Evaluation, goal: Follows) -> dict[str, Ele
         row = cofactors(-at.scalar(free), [at.scalar(c) for c in coefficients.values()], goal.main)
         return None if row is None else dict(zip(coefficients, row, strict=True))
     zero = at.ring.zero
-    matrix = [
-        [at.scalar(cs[name]) if name in cs else zero for name in names] for _, cs in group
-    ]
+    matrix = [[at.scalar(cs[name]) if name in cs else zero for name in names] for _, cs in group]
     if len(matrix) != len(names):
         return None
     try:
@@ -149,9 +147,7 @@ def _no_expressions(
     if free.is_zero:
         return None
     known = [at.scalar(coefficient) for coefficient in collected.values()]
-    point = finder.point(
-        at, known, [free, *known], lambda candidate: not candidate(free).is_zero
-    )
+    point = finder.point(at, known, [free, *known], lambda candidate: not candidate(free).is_zero)
     return None if point is None else ((Number(1), point),)
 
 

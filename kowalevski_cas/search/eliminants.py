@@ -12,17 +12,31 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import product
 from math import gcd, lcm
+from typing import NamedTuple
 
 from flint import fmpq, fmpq_mpoly, fmpz_mat
 
 from kowalevski_cas.arithmetic.polynomials import Terms
-from kowalevski_cas.proof.roots import Eliminant
 
 LARGEST = 6
 """The largest degree of an eliminant that is looked for."""
 
 LARGEST_RELATION = 12
 """The largest degree of a relation that gives an unknown."""
+
+
+class Eliminant(NamedTuple):
+    """A form s of the unknowns, its equation, and each unknown as ``numerator(s) / denominator``.
+
+    Exponents are those of s, then of the parameters; ``form`` holds the
+    coefficients of the unknowns.
+    """
+
+    form: tuple[int, ...]
+    equation: Terms
+    denominators: tuple[Terms, ...]
+    numerators: tuple[Terms, ...]
+
 
 Exponents = tuple[int, ...]
 Columns = list[tuple[Exponents, fmpq_mpoly]]

@@ -9,7 +9,7 @@ from itertools import product
 from flint import fmpq, fmpq_poly
 
 from kowalevski_cas.arithmetic.polynomials import Terms
-from kowalevski_cas.proof.roots import Eliminant
+from kowalevski_cas.search.eliminants import Eliminant
 
 LARGEST = 4
 """The largest coordinate of the points that are tried."""

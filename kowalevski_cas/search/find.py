@@ -274,5 +274,3 @@ def divisors(at: Evaluation, elements: Sequence[Element]) -> list[Element]:
     """What elements are divided by, each once."""
     indices = sorted({index for element in elements for index in element.denominator})
     return [Element(at.ring, {0: at.ring.divisors[index]}, {}) for index in indices]
-
-

@@ -135,5 +135,3 @@ def linear_combination(rows: Sequence[Row], target: Sequence[Fraction]) -> list[
             return None
         weights[pivot] = entries[-1]
     return weights
-
-

@@ -34,7 +34,7 @@ def points(
     solved for, while all others get small values from a fixed sequence: where the
     equations are linear, or quadratic with a discriminant that is a square.
     """
-    rest, eliminated = _eliminate([c for c in constraints if not c.is_zero()], variables)
+    rest, eliminated = eliminate([c for c in constraints if not c.is_zero()], variables)
     if any(c.is_constant() for c in rest):
         return
     gone = {v for v, _ in eliminated}
@@ -57,7 +57,7 @@ def constant(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> Fraction
     return Fraction(int(value.p), int(value.q))
 
 
-def _eliminate(
+def eliminate(
     constraints: list[fmpq_mpoly], variables: Sequence[int]
 ) -> tuple[list[fmpq_mpoly], list[tuple[int, fmpq_mpoly]]]:
     """Solve constraints that are linear in a variable with a constant coefficient."""

@@ -16,8 +16,8 @@ from kowalevski_cas.arithmetic.numbers import square_root
 from kowalevski_cas.arithmetic.points import ExactPoint
 from kowalevski_cas.arithmetic.polynomials import Terms
 from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.search.points import Assignment, constant, distinct, points
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.search.points import Assignment, constant, distinct, points
 
 RATIONAL_ROOTS = 40
 """How many points are looked at for one at which all roots are rational."""
@@ -76,9 +76,7 @@ class RealCoordinates:
         total = self.context.constant(0)
         for exponents, coefficient in terms.items():
             product = self.context.constant(fmpq(coefficient.numerator, coefficient.denominator))
-            for name, exponent in zip(
-                self.ring.polynomials.generators, exponents, strict=True
-            ):
+            for name, exponent in zip(self.ring.polynomials.generators, exponents, strict=True):
                 if exponent:
                     product *= self.images[name] ** exponent
             total += product

@@ -29,7 +29,7 @@ class ChangedEquation(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         assert self.printed is not None
         for space in map(on, (self.scene, self.old)):
-            yield identity(space, *chain(self.printed, space))
+            yield identity(space, *chain(on, space, self.printed))
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +71,7 @@ class Unit(Claim):
         others = (on.under(neighbour.texts) for neighbour in self.neighbours(on.texts))
         rows = max((self._rows_that_hold(one) for one in (on, *others)), key=len) or self.rows
         space = on(self.scene)
-        yield identity(space, *(sides for row in rows for sides in chain(row, space)))
+        yield identity(space, *(sides for row in rows for sides in chain(on, space, row)))
 
     def _rows_that_hold(self, on: Elaborations) -> tuple[Printed, ...]:
         return tuple(row for row in self.rows if self._holds(row, on))
@@ -79,7 +79,7 @@ class Unit(Claim):
     def _holds(self, row: Printed, on: Elaborations) -> bool:
         try:
             space = on(self.scene)
-            return all(d.is_zero for d in space.finder.differences(chain(row, space)))
+            return all(d.is_zero for d in space.finder.differences(chain(on, space, row)))
         except (Meaningless, NotationError):
             return False
 

@@ -28,7 +28,7 @@ class Coefficient(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         assert self.printed is not None
         space = on(self.scene)
-        formula = space.texts.formula(self.printed)
+        formula = on.texts.formula(self.printed)
         chain = members(formula) if isinstance(formula, Relation) else [formula]
         sides = [space.plain(_written(member)) for member in chain]
         if self.derivative_of is None:
@@ -36,7 +36,7 @@ class Coefficient(Claim):
                 sides = [Partial(side, self.variable) for side in sides]
             yield identity(space, (sides[0], sides[1]))
             return
-        generated = Partial(rate(expression(self.derivative_of, space)), self.variable)
+        generated = Partial(rate(expression(on, space, self.derivative_of)), self.variable)
         linear = vanishes(Partial(generated, self.variable))
         yield identity(space, *((generated, side) for side in sides), linear)
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from kowalevski_cas.notation import Name, substitute
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import times, total
+from kowalevski_cas.paper.claims.forms import equation, times, total
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Exists, Goal, identity
 
@@ -29,7 +29,7 @@ class ConstantRoot(Claim):
         numbers = tuple(f"q_{{{k}}}" for k in range(1, len(self.basis) + 1))
         basis = map(space.formula, self.basis)
         root = total(times(Name(q), b) for q, b in zip(numbers, basis, strict=True))
-        left, right = space.equation(self.printed)
+        left, right = equation(on, space, self.printed)
         values = {self.unknown: root}
         sides = (substitute(left, values), substitute(right, values))
         yield Exists((identity(space, sides),), numbers=numbers)

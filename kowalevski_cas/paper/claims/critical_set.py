@@ -8,7 +8,7 @@ from itertools import combinations
 
 from kowalevski_cas.notation import Formula, Negative, Partial, Product, Sum, edits
 from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
-from kowalevski_cas.paper.claims.forms import equations, expression, vanishes
+from kowalevski_cas.paper.claims.forms import equation, equations, expression, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -36,8 +36,8 @@ class CriticalSet(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         assert self.printed is not None
         space = on(self.scene)
-        level, goals = space.equation(self.level), equations(self.equations, space)
-        value = expression(self.printed, space)
+        level, goals = equation(on, space, self.level), equations(on, space, self.equations)
+        value = expression(on, space, self.printed)
         critical = self._critical(space, value, level[0])
         yield Follows(space, (critical,), (*goals, level), self.main)
         yield Follows(space, (goals,), (*critical, level))
@@ -54,9 +54,9 @@ class CriticalSet(Claim):
         space = on(self.scene)
         critical = Critical(
             space.finder,
-            expression(self.printed, space),
-            space.equation(self.level),
-            equations(self.equations, space),
+            expression(on, space, self.printed),
+            equation(on, space, self.level),
+            equations(on, space, self.equations),
             [space.formula(locus.condition) for locus in self.scene.loci],
             self.zero_level,
             names(space),

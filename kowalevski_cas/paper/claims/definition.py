@@ -25,8 +25,8 @@ class Definition(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         assert self.printed is not None
         space = on(self.scene)
-        found = chain(self.equation, space)
+        found = chain(on, space, self.equation)
         names = (n for n, place in self.scene.definitions.items() if place == self.printed)
         if not any(head(name)[1] for name in names):  # a function has values for arguments only
-            found += chain(self.printed, space)
+            found += chain(on, space, self.printed)
         yield identity(space, *found)

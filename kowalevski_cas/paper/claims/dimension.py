@@ -26,9 +26,9 @@ class Dimension(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        levels = tuple(first_member(printed, space) for printed in self.levels)
+        levels = tuple(first_member(on, space, printed) for printed in self.levels)
         rank = len(space.variables) - self.dimension
-        yield Rank(space, levels, equations(self.equations, space), rank)
+        yield Rank(space, levels, equations(on, space, self.equations), rank)
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,9 +45,9 @@ class Independence(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         places = (*self.levels, *self.functions)
-        functions = tuple(first_member(printed, space) for printed in places)
+        functions = tuple(first_member(on, space, printed) for printed in places)
         rank = len(places) + len(self.equations)
-        yield Rank(space, functions, equations(self.equations, space), rank)
+        yield Rank(space, functions, equations(on, space, self.equations), rank)
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         first, *_ = self.functions

@@ -22,6 +22,6 @@ class DoubleZero(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         assert self.printed is not None
         space = on(self.scene)
-        value = expression(self.printed, space)
+        value = expression(on, space, self.printed)
         gradient = (vanishes(Partial(value, name)) for name in space.variables)
-        yield Follows(space, ((vanishes(value), *gradient),), equations(self.given, space))
+        yield Follows(space, ((vanishes(value), *gradient),), equations(on, space, self.given))

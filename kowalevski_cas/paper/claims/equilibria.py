@@ -28,5 +28,5 @@ class Equilibria(Claim):
         space = on(self.scene)
         still = (vanishes(Name(name)) for name in self.fixed)
         rest = (vanishes(rate(Name(name))) for name in space.variables)
-        levels = equations(self.levels, space)
+        levels = equations(on, space, self.levels)
         yield Count(space, (*still, *rest, *levels), space.variables, self.count)

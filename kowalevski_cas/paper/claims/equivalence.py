@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.forms import equation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Follows, Goal
@@ -20,6 +21,6 @@ class Equivalence(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         assert self.printed is not None
         space = on(self.scene)
-        own, other = space.equation(self.printed), space.equation(self.to)
+        own, other = equation(on, space, self.printed), equation(on, space, self.to)
         yield Follows(space, ((own,),), (other,))
         yield Follows(space, ((other,),), (own,))

@@ -10,7 +10,15 @@ from math import gcd
 
 from kowalevski_cas.notation import Formula, Name, Number, Partial, Power
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import ONE, equations, expression, rate, times, vanishes
+from kowalevski_cas.paper.claims.forms import (
+    ONE,
+    equation,
+    equations,
+    expression,
+    rate,
+    times,
+    vanishes,
+)
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
@@ -36,8 +44,8 @@ class SolvedExponents(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        values = equations(self.values, space)
-        coefficient = Partial(rate(expression(self.ansatz, space)), self.variable)
+        values = equations(on, space, self.values)
+        coefficient = Partial(rate(expression(on, space, self.ansatz)), self.variable)
         powers = [space.raised(name) for name in space.powers]
         bases = dict.fromkeys(power.base for power in powers)
         still = tuple(vanishes(rate(base)) for base in bases)
@@ -48,18 +56,20 @@ class SolvedExponents(Claim):
             given = (*at_one, *values[:k], vanishes(derivative))
             yield Follows(space, ((value,), still), given)
             derivative = rate(derivative)
-        exponents = [(power, self._value(space, power.exponent)) for power in powers]
+        exponents = [(power, self._value(on, space, power.exponent)) for power in powers]
         obeyed = [_one((Name(p.name), v.denominator), (p.base, -v.numerator)) for p, v in exponents]
         for (p, v), (q, w) in combinations(exponents, 2):
             if p.base == q.base:  # both are powers of the same positive root
                 top = v.numerator * w.denominator, w.numerator * v.denominator
                 common = gcd(*top) or 1
-                obeyed.append(_one((Name(p.name), top[1] // common), (Name(q.name), -top[0] // common)))
+                obeyed.append(
+                    _one((Name(p.name), top[1] // common), (Name(q.name), -top[0] // common))
+                )
         yield Follows(space, ((vanishes(coefficient),),), (*values, *obeyed))
 
-    def _value(self, space: Elaboration, exponent: str) -> Fraction:
+    def _value(self, on: Elaborations, space: Elaboration, exponent: str) -> Fraction:
         for printed in self.values:
-            left, right = space.equation(printed)
+            left, right = equation(on, space, printed)
             if left == Name(exponent):
                 value = rational_terms(space.finder.scalar(right))
                 if value is not None:

@@ -27,17 +27,17 @@ class FirstIntegral(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        still = tuple(vanishes(rate(space.plain(m))) for m in self.constants(space))
+        still = tuple(vanishes(rate(space.plain(m))) for m in self.constants(on, space))
         if not self.on:
             yield identity(space, *still)
             return
-        yield Follows(space, (still,), equations(self.on, space), self.main)
+        yield Follows(space, (still,), equations(on, space, self.on), self.main)
         yield Fails(space, (still,))
 
-    def constants(self, space: Elaboration) -> list[Formula]:
+    def constants(self, on: Elaborations, space: Elaboration) -> list[Formula]:
         """The members that have to be constant; not names that are defined by the others."""
         assert self.printed is not None
-        formula = space.texts.formula(self.printed)
+        formula = on.texts.formula(self.printed)
         chain = members(formula) if isinstance(formula, Relation) else [formula]
         here = {n for n, place in self.scene.definitions.items() if place == self.printed}
         chain = [m for m in chain if not (isinstance(m, Name) and m.name in here)] or chain

@@ -18,6 +18,7 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.space import Equation
@@ -59,9 +60,9 @@ def members(relation: Relation) -> list[Formula]:
     return [member for member in relation.members if not isinstance(member, Constant)]
 
 
-def chain(printed: Printed, space: Elaboration) -> list[Equation]:
+def chain(on: Elaborations, space: Elaboration, printed: Printed) -> list[Equation]:
     """The equations of a printed chain; ``= const`` says that the first member does not move."""
-    relation = space.texts.relation(printed)
+    relation = on.texts.relation(printed)
     if r"\ne" in relation.signs:
         raise Meaningless(f"an equality is expected instead of {to_latex(relation)}")
     found = [space.plain(member) for member in members(relation)]
@@ -71,22 +72,33 @@ def chain(printed: Printed, space: Elaboration) -> list[Equation]:
     return equations
 
 
-def equations(places: Sequence[Printed], space: Elaboration) -> tuple[Equation, ...]:
+def equation(on: Elaborations, space: Elaboration, printed: Printed) -> Equation:
+    """Both sides of a printed equation, which has these two only."""
+    relation = on.texts.relation(printed)
+    if len(relation.members) != 2 or r"\ne" in relation.signs:
+        raise Meaningless(f"an equation with two sides is expected at {printed.place}")
+    left, right = map(space.plain, relation.members)
+    return left, right
+
+
+def equations(
+    on: Elaborations, space: Elaboration, places: Sequence[Printed]
+) -> tuple[Equation, ...]:
     """The sides of printed equations."""
-    return tuple(space.equation(printed) for printed in places)
+    return tuple(equation(on, space, printed) for printed in places)
 
 
-def expression(printed: Printed, space: Elaboration) -> Formula:
+def expression(on: Elaborations, space: Elaboration, printed: Printed) -> Formula:
     """A printed formula that is no equation."""
-    formula = space.texts.formula(printed)
+    formula = on.texts.formula(printed)
     if isinstance(formula, Relation):
         raise Meaningless(f"an expression is expected at {printed.place}")
     return space.plain(formula)
 
 
-def first_member(printed: Printed, space: Elaboration) -> Formula:
+def first_member(on: Elaborations, space: Elaboration, printed: Printed) -> Formula:
     """The first member of a printed chain."""
-    return space.plain(members(space.texts.relation(printed))[0])
+    return space.plain(members(on.texts.relation(printed))[0])
 
 
 Matrix = list[list[Formula]]
@@ -94,7 +106,9 @@ Matrix = list[list[Formula]]
 
 def matrix(letter: str, rows: int, columns: int) -> Matrix:
     """A matrix of names: ``M_{11}``, ``M_{12}``, …"""
-    return [[Name(f"{letter}_{{{i}{j}}}") for j in range(1, columns + 1)] for i in range(1, rows + 1)]
+    return [
+        [Name(f"{letter}_{{{i}{j}}}") for j in range(1, columns + 1)] for i in range(1, rows + 1)
+    ]
 
 
 def names_in(rows: Matrix) -> tuple[str, ...]:

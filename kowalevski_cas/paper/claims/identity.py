@@ -18,4 +18,4 @@ class Identity(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         assert self.printed is not None
         space = on(self.scene)
-        yield identity(space, *chain(self.printed, space))
+        yield identity(space, *chain(on, space, self.printed))

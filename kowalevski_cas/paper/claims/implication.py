@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula, Negative, Relation, replace
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import equations, expression, vanishes
+from kowalevski_cas.paper.claims.forms import equation, equations, expression, vanishes
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Follows, Goal
@@ -29,19 +29,19 @@ class Implication(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         assert self.printed is not None
         space = on(self.scene)
-        is_equation = isinstance(space.texts.formula(self.printed), Relation)
+        is_equation = isinstance(on.texts.formula(self.printed), Relation)
         own = (
-            space.equation(self.printed)
+            equation(on, space, self.printed)
             if is_equation
-            else vanishes(expression(self.printed, space))
+            else vanishes(expression(on, space, self.printed))
         )
-        stated = (*equations(self.together, space), own)
+        stated = (*equations(on, space, self.together), own)
         conclusions = [stated]
         if self.root is not None:
             root = space.formula(self.root)
             other = ((_flipped(a, root), _flipped(b, root)) for a, b in stated)
             conclusions.append(tuple(other))
-        given = equations(self.given, space)
+        given = equations(on, space, self.given)
         yield Follows(space, tuple(conclusions), given, self.main)
 
 
@@ -53,5 +53,3 @@ def _flipped(formula: Formula, root: Formula) -> Formula:
         if (new := _flipped(child, root)) is not child:
             formula = replace(formula, (place,), new)
     return formula
-
-

@@ -39,7 +39,7 @@ class InvariantRelations(Claim):
 
     def functions(self, on: Elaborations) -> list[Formula]:
         """The left minus the right sides of the equations."""
-        return [minus(sides) for sides in equations(self.relations, on(self.scene))]
+        return [minus(sides) for sides in equations(on, on(self.scene), self.relations)]
 
     def moves_by(self, cofactors: Matrix, on: Elaborations) -> Follows:
         """The goal that the functions move by this matrix."""
@@ -50,9 +50,7 @@ class InvariantRelations(Claim):
 
     def inhabited(self, on: Elaborations) -> Fails:
         """The goal that the set has a real point."""
-        return Fails(on(self.scene), (), equations(self.relations, on(self.scene)))
+        return Fails(on(self.scene), (), equations(on, on(self.scene), self.relations))
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.relations
-
-

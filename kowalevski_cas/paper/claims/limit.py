@@ -45,8 +45,8 @@ class Limit(Claim):
         size = len(self.special.relations)
         m, n, t, s = (matrix(letter, size, size) for letter in "MNTS")
         space = on(self.scene)
-        special = equations(self.special.relations, space)
-        general = [minus(sides) for sides in equations(self.general.relations, space)]
+        special = equations(on, space, self.special.relations)
+        general = [minus(sides) for sides in equations(on, space, self.general.relations)]
         through = applied(t, [minus(sides) for sides in special])
         inverse = [
             (entry, ONE if i == j else ZERO)
@@ -69,10 +69,7 @@ class Limit(Claim):
         scale = space.plain(on.texts.time_scale(self.scene.clock))
         left, right = product(t, n), product(m, t)
         return [
-            [
-                total((rate(a), b, Negative(times(scale, c))))
-                for a, b, c in zip(*rows, strict=True)
-            ]
+            [total((rate(a), b, Negative(times(scale, c)))) for a, b, c in zip(*rows, strict=True)]
             for rows in zip(t, left, right, strict=True)
         ]
 
@@ -81,5 +78,3 @@ class Limit(Claim):
             for edit in edits(texts.statement(printed), texts.vocabulary):
                 if edit.kind == "sign":
                     yield Neighbour(edit.words, self, texts.edited(printed, edit), printed, edit)
-
-

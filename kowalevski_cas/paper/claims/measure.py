@@ -44,7 +44,7 @@ class LastMultiplier(Claim):
         cofactors = matrix("M", size, size)
         trace = vanishes(total(cofactors[k][k] for k in range(size)))
         there = on(self.relations.scene)
-        on_set = Follows(there, ((trace,),), equations(self.relations.relations, there))
+        on_set = Follows(there, ((trace,),), equations(on, there, self.relations.relations))
         yield Exists((self.relations.moves_by(cofactors, on), on_set), names_in(cofactors))
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:

@@ -32,7 +32,7 @@ class Scaling(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         assert self.printed is not None
         space, simple = on(self.scene), on(self.simple)
-        time = expression(self.printed, space)
+        time = expression(on, space, self.printed)
         measured = {
             name: Quotient(Name(name), self._unit(time, power, space.formula(rest)))
             for names, power, rest in self.measures
@@ -64,5 +64,3 @@ def _measured(formula: Formula, values: dict[str, Formula], simple: Elaboration)
         if (new := _measured(child, values, simple)) is not child:
             formula = replace(formula, (place,), new)
     return formula
-
-

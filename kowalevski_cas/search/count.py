@@ -1,0 +1,392 @@
+"""All solutions of equations: solved by the roots of one equation, or listed for some constants.
+
+The equations have to be solved for some variables at once; what is left has to set homogeneous
+polynomials in the other variables equal to expressions in the constants.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from flint import fmpq_mpoly
+
+from kowalevski_cas.arithmetic.hermite import hermite_minors
+from kowalevski_cas.arithmetic.numbers import square_root
+from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.arithmetic.present import formula_in, fraction_formula, polynomial_formula
+from kowalevski_cas.arithmetic.tower import Element, Ring
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Product
+from kowalevski_cas.problem.count import eliminant_value
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence import Evidence, Factor, Point, Roots, Solutions
+from kowalevski_cas.problem.goals import Count
+from kowalevski_cas.problem.space import Space
+from kowalevski_cas.search.cofactors import cofactors
+from kowalevski_cas.search.eliminants import Eliminant, eliminant
+from kowalevski_cas.search.exact_solutions import many, small_points, value
+from kowalevski_cas.search.find import Finder
+from kowalevski_cas.search.points import eliminate
+from kowalevski_cas.search.squares import sum_of_squares
+
+Values = tuple[Fraction, ...]
+
+
+@dataclass
+class System:
+    """Levels :math:`P_j(x) = p_j`: polynomials in the unknowns, and values in the constants.
+
+    ``solved`` gives the other variables through the unknowns.
+    """
+
+    at: Evaluation
+    unknowns: list[str]
+    levels: list[fmpq_mpoly]
+    values: list[Element]
+    solved: list[tuple[str, fmpq_mpoly]]
+
+    def terms(self, polynomial: fmpq_mpoly) -> Terms:
+        """A polynomial in neutral form, in the unknowns."""
+        places = [self.at.names.index(name) for name in self.unknowns]
+        terms = self.at.ring.polynomials.terms(polynomial)
+        return {tuple(e[k] for k in places): v for e, v in terms.items()}
+
+
+def system_of(goal: Count, at: Evaluation) -> System | None:
+    """The system for the unknowns; ``None`` if the equations are of another form."""
+    elements = at.differences(goal.equations)
+    if any(e.denominator or e.parts.keys() - {0} for e in elements):
+        return None
+    polynomials = [e.parts[0] for e in elements if not e.is_zero]
+    places = {name: at.names.index(name) for name in goal.names}
+    rest, solved = eliminate(polynomials, list(places.values()))
+    gone = {place for place, _ in solved}
+    unknowns = [name for name, place in places.items() if place not in gone]
+    levels, values = [], []
+    own = {places[name] for name in unknowns}
+    for polynomial in rest:
+        inner, outer = {}, {}
+        for exponents, coefficient in polynomial.to_dict().items():
+            inside = any(exponents[k] for k in own)
+            if inside and any(e for k, e in enumerate(exponents) if k not in own):
+                return None
+            (inner if inside else outer)[exponents] = coefficient
+        context = polynomial.context()
+        levels.append(context.from_dict(inner))
+        values.append(at.ring.element({0: -context.from_dict(outer)}, {}))
+    back = [(at.names[place], expression) for place, expression in solved]
+    return System(at, unknowns, levels, values, _through(back, at))
+
+
+def _through(solved: list[tuple[str, fmpq_mpoly]], at: Evaluation) -> list[tuple[str, fmpq_mpoly]]:
+    """Variables that were solved for in turn, all through the unknowns."""
+    images = list(at.ring.polynomials.context.gens())
+    found = []
+    for name, expression in reversed(solved):
+        images[at.names.index(name)] = expression.compose(*images)
+        found.append((name, images[at.names.index(name)]))
+    return found[::-1]
+
+
+class Builder:
+    """The evidence for one system and its eliminant, in formulas."""
+
+    def __init__(self, goal: Count, system: System, found: Eliminant, finder: Finder) -> None:
+        self.goal, self.system, self.found, self.finder = goal, system, found, finder
+        self.at = system.at
+        taken = {*self.at.names, *self.at.setting.roots}
+        self.root = next(n for n in "srnpquvwxyz" if n not in taken)
+        self.parameters = [formula_in(value) for value in system.values]
+        names = (*self.at.setting.constants, self.root)
+        self.inner = Evaluation(Space((), names), self.at.polynomials)
+        self.known = self.at.differences(goal.equations)
+
+    def formula(self, terms: Terms) -> Formula:
+        """A polynomial in the form and the parameters."""
+        return polynomial_formula(terms, [Name(self.root), *self.parameters])
+
+    def roots(self) -> Roots | None:
+        """The evidence; ``None`` if not all minors are sums of squares, or a step fails."""
+        size = max(key[0] for key in self.found.equation)
+        rows: list[Terms] = [{} for _ in range(size + 1)]
+        for (power, *others), coefficient in self.found.equation.items():
+            rows[power][(0, *others)] = coefficient
+        form = polynomial_formula(
+            {
+                tuple(int(j == k) for j in range(len(self.system.unknowns))): Fraction(c)
+                for k, c in enumerate(self.found.form)
+                if c
+            },
+            [Name(name) for name in self.system.unknowns],
+        )
+        draft = Roots(
+            root=self.root,
+            form=form,
+            eliminant=tuple(map(self.formula, rows[:-1])),
+            solved=tuple(self._solved()),
+            rows=(),
+            quotients=(),
+            factors=(),
+            minors=(),
+            point=Point({}),
+        )
+        rows_found = self._rows(draft)
+        quotients = self._quotients(draft)
+        split = self._split(draft)
+        if rows_found is None or quotients is None or split is None:
+            return None
+        factors, minors = split
+        point = self._point([self.at.scalar(factor.factor) for factor in factors])
+        if point is None:
+            return None
+        return Roots(
+            draft.root, form, draft.eliminant, draft.solved, rows_found, quotients,
+            factors, minors, point,
+        )  # fmt: skip
+
+    def _solved(self) -> list[tuple[str, Formula, Formula]]:
+        """Each variable by numerator and denominator."""
+        found = {
+            name: (self.formula(above), self.formula(below))
+            for name, above, below in zip(
+                self.system.unknowns, self.found.numerators, self.found.denominators, strict=True
+            )
+        }
+        for name, expression in self.system.solved:
+            found[name] = self._expressed(self.system.terms(expression), found)
+        return [(name, *found[name]) for name in self.goal.names]
+
+    def _expressed(
+        self, terms: Terms, found: dict[str, tuple[Formula, Formula]]
+    ) -> tuple[Formula, Formula]:
+        """A variable that is zero, or plus or minus an unknown."""
+        if not terms:
+            return Number(0), Number(1)
+        ((exponents, sign),) = terms.items()
+        above, below = found[self.system.unknowns[exponents.index(1)]]
+        factor = fraction_formula(abs(sign))
+        above = above if abs(sign) == 1 else Product((factor, above))
+        return (Negative(above) if sign < 0 else above), below
+
+    def _rows(self, draft: Roots) -> tuple[tuple[Formula, ...], ...] | None:
+        """What shows from the equations that a solution is a root."""
+        bound = self.at.binding({draft.root: self.at.scalar(draft.form)})
+        goals = [eliminant_value(draft, bound)]
+        for name, above, below in draft.solved:
+            goals.append(bound.scalar(below) * bound.scalar(Name(name)) - bound.scalar(above))
+        solved = tuple(name for name, _ in self.system.solved)
+        main = [(*self.at.setting.constants, *solved), solved]
+        found = []
+        for goal in goals:
+            zero = [goal] * len(self.known)
+            row = zero if goal.is_zero else cofactors(goal, self.known, main)
+            if row is None:
+                return None
+            found.append(tuple(map(formula_in, row)))
+        return tuple(found)
+
+    def _quotients(self, draft: Roots) -> tuple[Formula, ...] | None:
+        """What shows that a root gives a solution."""
+        inner = self.inner
+        solved = {n: inner.scalar(a) / inner.scalar(b) for n, a, b in draft.solved}
+
+        def of(name: str) -> Element:
+            return solved[name] if name in solved else inner.scalar(Name(name))
+
+        rests = [inner.image(element, of) for element in self.known]
+        form = inner.image(self.at.scalar(draft.form), of)
+        rests.append(form - inner.scalar(Name(draft.root)))
+        equation = eliminant_value(draft, inner).parts[0]
+        found = []
+        for rest in rests:
+            part = rest.parts.get(0, inner.ring.polynomials.zero)
+            quotient, left = divmod(part, equation)
+            if not left.is_zero():
+                return None
+            found.append(formula_in(inner.ring.element({0: quotient}, {})))
+        return tuple(found)
+
+    def _split(
+        self, draft: Roots
+    ) -> tuple[tuple[Factor, ...], tuple[tuple[Formula, tuple[int, ...]], ...]] | None:
+        """The minors of Hermite as products of factors, each a sum of squares."""
+        size = len(draft.eliminant)
+        ring = Ring(self.at.polynomials(("s", *(f"p{k}" for k in range(len(self.parameters))))))
+        rows: list[Terms] = [{} for _ in range(size + 1)]
+        for (power, *others), coefficient in self.found.equation.items():
+            rows[power][(0, *others)] = coefficient
+        minors = hermite_minors([ring.from_terms({0: row}) for row in rows[:-1]])
+        below = [ring.from_terms({0: terms}) for terms in self.found.denominators]
+        factors: list[fmpq_mpoly] = []
+        products = []
+        for index, element in enumerate([*minors, *below]):
+            if element.is_zero:
+                return None
+            content, parts = element.parts[0].factor()
+            powers = {}
+            for factor, exponent in parts:
+                if factor not in factors:
+                    factors.append(factor)
+                powers[factors.index(factor)] = int(exponent)
+            if index < len(minors):
+                products.append((Fraction(int(content.p), int(content.q)), powers))
+        terms = [ring.polynomials.terms(factor) for factor in factors]
+        found = [self._factor(one) for one in terms]
+        used = {k for _, powers in products for k in powers}
+        if any(found[k] is None for k in used) or any(number <= 0 for number, _ in products):
+            return None
+        shown = tuple(
+            (fraction_formula(number), tuple(powers.get(k, 0) for k in range(len(factors))))
+            for number, powers in products
+        )
+        whole = [f or Factor(self.formula(t)) for f, t in zip(found, terms, strict=True)]
+        return tuple(whole), shown
+
+    def _factor(self, terms: Terms) -> Factor | None:
+        """A factor as a sum of squares: in the parameters, or in the variables."""
+        written = self.formula(terms)
+        if squares := sum_of_squares(terms):
+            return Factor(
+                written, tuple((fraction_formula(r), self.formula(b)) for r, b in squares)
+            )
+        parameters = self._in_variables(written)
+        if parameters is None or not (squares := sum_of_squares(parameters.terms().get(0, {}))):
+            return None
+        own: list[Formula] = [Name(n) for n in self.at.names]
+        pairs = tuple((fraction_formula(r), polynomial_formula(b, own)) for r, b in squares)
+        rest = self.at.scalar(written) - parameters
+        row = cofactors(rest, self.known, [tuple(self.at.setting.constants)])
+        if row is None:
+            return None
+        bases = [self.at.scalar(base) for _, base in pairs]
+        return Factor(written, pairs, tuple(map(formula_in, row)), self._granted(bases))
+
+    def _in_variables(self, factor: Formula) -> Element | None:
+        """A factor in the constants, these being what the original equations set equal to them."""
+        rest = self.at.scalar(factor)
+        constants = {self.at.names.index(name) for name in self.at.setting.constants}
+        for element in self.known:
+            inner, outer = {}, {}
+            for exponents, v in element.terms()[0].items():
+                inside = any(exponents[k] for k in constants)
+                (inner if inside else outer)[exponents] = v
+            if len(inner) != 1:
+                continue
+            ((exponents, lead),) = inner.items()
+            rest = self._replaced(rest, exponents, {e: -v / lead for e, v in outer.items()})
+        terms = rest.terms().get(0, {})
+        return None if any(e[k] for e in terms for k in constants) else rest
+
+    def _replaced(self, element: Element, monomial: Sequence[int], by: Terms) -> Element:
+        """An element with a polynomial in place of a monomial in the constants."""
+        image = self.at.ring.from_terms({0: by})
+        total = self.at.ring.zero
+        for exponents, coefficient in element.terms().get(0, {}).items():
+            power = min(e // m for e, m in zip(exponents, monomial, strict=True) if m)
+            left = tuple(e - power * m for e, m in zip(exponents, monomial, strict=True))
+            total = total + self.at.ring.from_terms({0: {left: coefficient}}) * image**power
+        return total
+
+    def _granted(self, bases: Sequence[Element]) -> tuple[int, tuple[Formula, ...]] | None:
+        """Something granted that would vanish where all bases do."""
+        for place, formula in enumerate(self.at.setting.nonzero):
+            target = self.at.scalar(formula)
+            main = [tuple(self.at.setting.constants)]
+            row = cofactors(target, [*bases, *self.known], main)
+            if row is not None and not any(entry.denominator for entry in row):
+                return place, tuple(map(formula_in, row))
+        return None
+
+    def _point(self, factors: Sequence[Element]) -> Point | None:
+        """A solution in small whole numbers, with its constants."""
+        levels = [self.system.terms(level) for level in self.system.levels]
+        for point, values in small_points(levels, len(self.system.unknowns)):
+            constants = self._constants(values)
+            if constants is None:
+                continue
+            found = _solution(self.system, point, constants)
+            at = {n: found.get(n, Fraction(0)) for n in self.at.names}
+            numbers = [value(f.terms().get(0, {}), [at[n] for n in self.at.names]) for f in factors]
+            if all(numbers):
+                return _written_point(found)
+        return None
+
+    def _constants(self, values: Values) -> dict[str, Fraction] | None:
+        return constants_for(self.system, values)
+
+
+def constants_for(system: System, values: Values) -> dict[str, Fraction] | None:
+    """Constants for which the levels have these values: each names one constant, or its square."""
+    found = {}
+    for element, number in zip(system.values, values, strict=True):
+        ((exponents, lead),) = element.terms()[0].items()
+        name, power = next((system.at.names[k], e) for k, e in enumerate(exponents) if e)
+        size = number / lead
+        root = size if power == 1 else square_root(size) if power == 2 else None
+        if root is None or sum(exponents) != power:
+            return None
+        found[name] = root
+    return found
+
+
+def _solution(system: System, point: Values, constants: dict[str, Fraction]) -> dict[str, Fraction]:
+    own = dict(zip(system.unknowns, point, strict=True))
+    for name, expression in system.solved:
+        own[name] = value(system.terms(expression), point)
+    return own | constants
+
+
+def _written_point(values: dict[str, Fraction]) -> Point:
+    return Point({name: fraction_formula(number) for name, number in values.items()})
+
+
+def roots(goal: Count, finder: Finder) -> Evidence | None:
+    """The solutions by the roots of an eliminant, if they are as many as claimed."""
+    found = _by_roots(goal, finder)
+    return found if found is not None and len(found.eliminant) == goal.number else None
+
+
+def others(goal: Count, finder: Finder) -> Evidence | None:
+    """Another number of roots, or more solutions than there should be."""
+    found = _by_roots(goal, finder)
+    if found is not None and len(found.eliminant) != goal.number:
+        return found
+    return more_solutions(goal, finder)
+
+
+def _by_roots(goal: Count, finder: Finder) -> Roots | None:
+    at = finder.of(goal.space)
+    system = system_of(goal, at)
+    if system is None or not system.levels:
+        return None
+    gens = [at.ring.polynomials.generator(at.names.index(name)) for name in system.unknowns]
+    found = eliminant(system.levels, gens)
+    return None if found is None else Builder(goal, system, found, finder).roots()
+
+
+def more_solutions(goal: Count, finder: Finder, zero: Sequence[Element] = ()) -> Solutions | None:
+    """One solution too many, all in small whole numbers, for constants where ``zero`` vanish."""
+    at = finder.of(goal.space)
+    system = system_of(goal, at)
+    if system is None:
+        return None
+    granted = [at.scalar(formula) for formula in at.setting.nonzero]
+
+    def usable(values: Values) -> bool:
+        constants = constants_for(system, values)
+        if constants is None:
+            return False
+        row = [constants.get(name, Fraction(0)) for name in at.names]
+        return all(value(g.terms().get(0, {}), row) for g in granted) and not any(
+            value(z.terms().get(0, {}), row) for z in zero
+        )
+
+    levels = [system.terms(level) for level in system.levels]
+    points = many(levels, len(system.unknowns), goal.number + 1, usable)
+    if points is None:
+        return None
+    values = tuple(value(level, points[0]) for level in levels)
+    constants = constants_for(system, values)
+    assert constants is not None
+    return Solutions(tuple(_written_point(_solution(system, p, constants)) for p in points))
