@@ -17,8 +17,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-FORMATS = ("svg", "pdf", "png")
-
 INK = "#1a1a1a"
 FAINT = "#9a9a9a"
 """Grids, guides, and what is shown for comparison only."""
@@ -34,6 +32,16 @@ class Mark:
     colour: str
     marker: str
     dashes: str | tuple[int, tuple[float, ...]]
+
+    @property
+    def line(self) -> dict[str, Any]:
+        """What Matplotlib has to be told to draw a line with its points."""
+        return {"color": self.colour, "marker": self.marker, "linestyle": self.dashes}
+
+    def points(self, full: bool = True) -> dict[str, Any]:
+        """The same for points alone, full or hollow."""
+        fill = self.colour if full else "white"
+        return {**self.line, "linestyle": "none", "markerfacecolor": fill}
 
 
 MARKS = (
@@ -70,19 +78,9 @@ _STYLE: dict[Any, Any] = {
     "legend.frameon": False,
     "legend.fontsize": 8,
     "figure.constrained_layout.use": True,
-    "savefig.dpi": 200,
-    "svg.hashsalt": "kowalevski_cas",
-    "svg.fonttype": "path",
-    "pdf.fonttype": 42,
+    "savefig.dpi": 250,
     "path.simplify": True,
 }
-
-_METADATA: dict[str, dict[str, str | None]] = {
-    "svg": {"Date": None, "Creator": None},
-    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
-    "png": {"Software": None},
-}
-
 
 @contextmanager
 def style() -> Iterator[None]:
@@ -146,17 +144,13 @@ def label_column(
         label.set_in_layout(False)
 
 
-def save(
-    figure: Figure, folder: Path, name: str, formats: Sequence[str] = FORMATS
-) -> tuple[Path, ...]:
-    """Write a figure as ``folder/name.svg``, ``.pdf`` and ``.png``; the files' paths.
+def save(figure: Figure, folder: Path, name: str) -> Path:
+    """Write a figure as ``folder/name.png``, the one format that README, LaTeX and Typst all show.
 
     The bytes depend on the figure and on the version of Matplotlib, on nothing else.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    paths = tuple(folder / f"{name}.{suffix}" for suffix in formats)
+    path = folder / f"{name}.png"
     with style():
-        for path in paths:
-            suffix = path.suffix[1:]
-            figure.savefig(path, format=suffix, metadata=_METADATA.get(suffix))
-    return paths
+        figure.savefig(path, metadata={"Software": None})
+    return path

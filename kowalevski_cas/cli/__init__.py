@@ -21,12 +21,14 @@ COMMANDS = {
     "export": "write certificates in the language of another program",
     "witness": "let another program confirm the certificates",
     "mutants": "change one token at a time, and count what an audit notices",
-    "study": "measure what each way of checking costs, how sure it is, and where it fails",
     "motion": "follow a motion on N⁴ by its closed form, or by an integrator",
     "pictures": "draw a motion on N⁴: hodographs, traces, torus, bifurcation diagrams",
     "animation": "show the body as it moves on N⁴, as an animated GIF",
     "record": "write the record of verdicts, and the evidence behind them, anew",
 }
+
+EXTRAS = {"numpy": "motion", "scipy": "motion", "matplotlib": "motion", "heyoka": "taylor"}
+"""Libraries that a plain install leaves out, and the extra that brings each."""
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -38,22 +40,35 @@ def main(argv: Sequence[str] | None = None) -> int:
             stream.reconfigure(encoding="utf-8", errors="backslashreplace")
     if not arguments or arguments[0] not in COMMANDS:
         return _overview(arguments)
+    name, *rest = arguments
+    return run(f"kowalevski-cas {name}", f"{__name__}.{name}", rest)
+
+
+def run(prog: str, name: str, arguments: Sequence[str]) -> int:
+    """Run the command in the module with this name, called ``prog``; return its exit code."""
     sys.unraisablehook = _unraisable
     try:
-        module = import_module(f"{__name__}.{arguments[0]}")
+        module = import_module(name)
         parser = argparse.ArgumentParser(
-            prog=f"kowalevski-cas {arguments[0]}",
+            prog=prog,
             description=module.__doc__,
             epilog=EXIT_CODES,
             formatter_class=_Help,
         )
         module.add_arguments(parser)
-        code: int = module.run(parser.parse_args(arguments[1:]))
+        code: int = module.run(parser.parse_args(arguments))
         sys.stdout.flush()
         gc.freeze()  # the process ends: nobody need look for cycles in what is left
     except CommandError as error:
-        print(f"kowalevski-cas {arguments[0]}: {error}", file=sys.stderr)
+        print(f"{prog}: {error}", file=sys.stderr)
         return error.code
+    except ModuleNotFoundError as error:
+        library = (error.name or "").partition(".")[0]
+        if library not in EXTRAS:
+            raise
+        install = f"pip install 'kowalevski-cas[{EXTRAS[library]}]'"
+        print(f"{prog} needs {library}: {install}", file=sys.stderr)
+        return USAGE
     except KeyboardInterrupt:
         print("\ninterrupted: files written earlier are as they were", file=sys.stderr)
         return INTERRUPTED
@@ -64,7 +79,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         if error.filename is None:
             _silence()
         place = error.filename or "the output"
-        print(f"kowalevski-cas {arguments[0]}: {place}: {error.strerror}", file=sys.stderr)
+        print(f"{prog}: {place}: {error.strerror}", file=sys.stderr)
         return USAGE
     return code
 

@@ -1,4 +1,4 @@
-"""Draw a motion on N⁴ as SVG, PDF and PNG; reports of the derivation show the pictures.
+"""Draw a motion on N⁴; reports of the derivation show the pictures.
 
 A motion is given as for `kowalevski-cas motion`; if none is given, an example is drawn.
 
@@ -26,9 +26,6 @@ if TYPE_CHECKING:
 
 EXAMPLE = ("1.2", "0.7", "-1.2", "0.3")
 """The constants a, b, m, ℓ of the motion that is drawn if none is given."""
-
-DERIVATION = "kharlamov_savushkin2004"
-"""The derivation whose report shows the pictures."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -61,8 +58,10 @@ def run(arguments: argparse.Namespace) -> int:
         for done, name in enumerate(names):
             progress(name, done, len(names))
             _write(name, motion, arguments.output)
+    from kowalevski_cas.motion.formulas import source
+
     plates = [{"name": name, "caption": load(name).caption} for name in PICTURES]
-    content = {"derivation": DERIVATION, "plates": plates}
+    content = {"derivation": source().name, "plates": plates}
     text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
     session.write_whole({arguments.output / LIST: text})
     print(f"{arguments.output}: {', '.join(names)}")
@@ -79,13 +78,13 @@ def chosen(arguments: argparse.Namespace) -> Motion:
 
 
 def _write(name: str, motion: Motion, folder: Path) -> None:
-    """Draw a picture; its files appear whole or not at all."""
+    """Draw a picture; its file appears whole or not at all."""
     from kowalevski_cas.pictures import save, style
 
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=folder) as unfinished, style():
-            for file in save(load(name).draw(motion), Path(unfinished), name):
-                os.replace(file, folder / file.name)
+            file = save(load(name).draw(motion), Path(unfinished), name)
+            os.replace(file, folder / file.name)
     except OSError as error:
         raise CommandError(f"{folder} cannot be written to: {error.strerror}") from None

@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.arithmetic import load
-from kowalevski_cas.study.direct import direct, recorded
-from kowalevski_cas.study.growing import growth, steps
-from kowalevski_cas.study.growth_chart import chart, table
-from kowalevski_cas.study.growth_programs import WORDS, growth_program
-from kowalevski_cas.study.race import race
+from study.direct import direct, recorded
+from study.growing import growth, steps
+from study.growth_chart import chart, table
+from study.growth_programs import WORDS, growth_program
+from study.race import race
 
 
 @pytest.mark.parametrize("claim", ["eq15", "eq16.invariance"])

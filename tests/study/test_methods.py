@@ -4,10 +4,10 @@ import json
 
 import pytest
 
-from kowalevski_cas.study.labelled import TRUE, labelled
-from kowalevski_cas.study.methods import ACCEPTED, NONE, REJECTED, methods
-from kowalevski_cas.study.methods.certificates import answer, certificate
-from kowalevski_cas.study.methods.typed import decide
+from study.labelled import TRUE, labelled
+from study.methods import ACCEPTED, NONE, REJECTED, methods
+from study.methods.certificates import answer, certificate
+from study.methods.typed import decide
 
 FOUND = {method.name: method for method in methods()}
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from kowalevski_cas.motion.methods import Missing
-from kowalevski_cas.study import STEPS, load
-from kowalevski_cas.study.motion import leaving, limits, precision
-from kowalevski_cas.study.motion import long as long_times
-from kowalevski_cas.study.motion.cases import INTEGRATORS, MOTIONS, forecast
+from study import STEPS, load
+from study.motion import leaving, limits, precision
+from study.motion import long as long_times
+from study.motion.cases import INTEGRATORS, MOTIONS, forecast
 
 STABLE, UNSTABLE = MOTIONS["m > 0"], MOTIONS["m < 0"]
 
@@ -99,7 +99,7 @@ def test_steps_have_tasks_of_different_names_and_draw_what_they_have(name, tmp_p
 
 
 def test_an_error_is_relative_to_the_state():
-    from kowalevski_cas.study.motion.cases import relative_error
+    from study.motion.cases import relative_error
 
     exact = np.ones((2, 9))
     assert relative_error(exact * (1 + 1e-8), exact) == pytest.approx(1e-8)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kowalevski_cas.study import phase_point
+from study import phase_point
 
 
 def tasks(case):

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from kowalevski_cas.report.plates import plates
-from kowalevski_cas.study.plates import PLATES, write_plates
+from study.plates import PLATES, write_plates
 
 
 def test_a_report_shows_the_charts_that_are_there(tmp_path):

@@ -5,9 +5,9 @@ import io
 
 import pytest
 
-from kowalevski_cas.study.speed_accuracy import draw
-from kowalevski_cas.study.speed_accuracy_chart import chart, seconds
-from kowalevski_cas.study.summary import pareto, summaries, table
+from study.speed_accuracy import draw
+from study.speed_accuracy_chart import chart, seconds
+from study.summary import pareto, summaries, table
 
 
 def row(method, case, verdict, truth=True, seconds=0.01, reason="", **more):

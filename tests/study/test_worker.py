@@ -4,8 +4,8 @@ import subprocess
 
 import pytest
 
-from kowalevski_cas.study.race import race
-from kowalevski_cas.study.worker import Worker
+from study.race import race
+from study.worker import Worker
 
 TOYS = "tests.study.toys"
 

@@ -6,7 +6,7 @@ import time
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from kowalevski_cas.study import Measured, Row, Task
+from study import Measured, Row, Task
 
 TITLE = "toys"
 

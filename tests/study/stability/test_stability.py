@@ -6,9 +6,9 @@ import pytest
 
 from kowalevski_cas.arithmetic import load_points
 from kowalevski_cas.claims.points import AtPoint
-from kowalevski_cas.study import load
-from kowalevski_cas.study.stability import branch, degenerate, precision, primes, swell, theta
-from kowalevski_cas.study.stability.material import bench, claim
+from study import load
+from study.stability import branch, degenerate, precision, primes, swell, theta
+from study.stability.material import bench, claim
 
 SLOW = ("theta", "degenerate", "primes", "precision")
 NAMES = ["branch", *(pytest.param(name, marks=pytest.mark.slow) for name in SLOW)]

@@ -1,0 +1,82 @@
+"""How cost grows: the k-th derivatives of the relations (15), (16), in each arithmetic, by k."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from collections.abc import Iterable, Sequence
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from kowalevski_cas.arithmetic import EXACT
+from study.race import race
+from study.step import Measured, Row, Task
+
+TITLE = "how cost grows"
+
+CASES = {"complex": "eq15", "real": "eq16.invariance"}
+"""The variables, and the claim about the set whose relations are differentiated in them."""
+
+DIRECT = "python-flint"
+OWN = (*EXACT, "modular", DIRECT)
+PROGRAMS = ("singular", "pari")
+
+SECONDS = 12.0
+MEBIBYTES = 3072
+MOST = 24
+
+QUICK_SECONDS = 2.0
+QUICK_MOST = 3
+
+PREPARED = 6.0
+"""How long the work is recorded for the programs to which it is given as a list, in seconds."""
+
+
+def measure(quick: bool) -> Iterable[Task]:
+    """Each method in each case, until a limit stops it."""
+    seconds, most = (QUICK_SECONDS, QUICK_MOST) if quick else (SECONDS, MOST)
+    for case in CASES:
+        for method in OWN:
+            yield Task(method, case, partial(_own, method, CASES[case], seconds, most))
+        for program in PROGRAMS:
+            if shutil.which(_command(program)[0]):
+                yield Task(program, case, partial(_program, program, CASES[case], seconds, most))
+
+
+def _own(method: str, claim: str, seconds: float, most: int) -> Measured:
+    arithmetic = "direct" if method == DIRECT else method
+    module = "study.growing"
+    path = os.pathsep.join(path for path in sys.path if path)
+    command = [sys.executable, "-m", module, arithmetic, claim, str(most)]
+    # What is timed alone has been recorded in the same process, which takes as long again.
+    limit = 2 * seconds if method == DIRECT else seconds
+    return race(command, Path.cwd(), limit, MEBIBYTES, {"PYTHONPATH": path})
+
+
+def _command(program: str) -> tuple[str, ...]:
+    from study.growth_programs import WORDS
+
+    return WORDS[program].command
+
+
+def _program(program: str, claim: str, seconds: float, most: int) -> Measured:
+    from study.direct import recorded
+    from study.growth_programs import WORDS, growth_program
+
+    words = WORDS[program]
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / f"growth{words.suffix}"
+        steps = recorded(claim, most, min(PREPARED, seconds))
+        file.write_text(growth_program(program, steps), encoding="utf-8")
+        return race([*words.command, file.name], Path(folder), seconds, MEBIBYTES)
+
+
+def draw(rows: Sequence[Row], folder: Path) -> None:
+    """The chart, and the table that it shows."""
+    from kowalevski_cas import pictures
+    from study.growth_chart import chart, table
+
+    (folder / "growth.csv").write_text(table(rows), encoding="utf-8")
+    pictures.save(chart(rows, tuple(CASES)), folder, "growth")
