@@ -4,4 +4,5 @@ import sys
 
 from kowalevski_cas.cli import run
 
-sys.exit(run("python -m study", "study.command", sys.argv[1:]))
+if __name__ == "__main__":  # a worker imports the module as well
+    sys.exit(run("python -m study", "study.command", sys.argv[1:]))

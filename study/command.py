@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections import Counter
 from pathlib import Path
 
 from kowalevski_cas.cli import exits, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
+from kowalevski_cas.pictures import save, style
 from study import STEPS, load
 from study.plates import write_plates
-from study.run import data_file, measure, stored
 from study.step import DISAGREEMENT
+from study.store import data_file, measure, stored
 
 FULL, QUICK = Path("reports/study"), Path("build/study")
 
@@ -60,14 +62,16 @@ def run(arguments: argparse.Namespace) -> int:
             with session.progress_bar() as progress:
                 rows = measure(name, step, folder, arguments.quick, progress, arguments.afresh)
         try:
-            step.draw(rows, folder)
+            with style():
+                for chart, figure in step.draw(rows).items():
+                    save(figure, folder, chart)
         except KeyError as missing:
             raise CommandError(
                 f"“{name}” cannot be drawn: {missing} is missing in {data_file(folder, name)}; "
-                f"measure it: kowalevski-cas study {name} -o {folder}"
+                f"measure it: python -m study {name} -o {folder}"
             ) from None
-        failed = sum(row["verdict"] == "error" for row in rows)
-        note = f", {failed} with an error" if failed else ""
+        counts = Counter(row["verdict"] for row in rows)
+        note = "".join(f", {counts[v]} {v}" for v in ("left out", "timeout", "error") if counts[v])
         print(f"{name}: {step.TITLE}: {len(rows)} measurements{note}")
         sys.stdout.flush()
         for row in rows:

@@ -9,10 +9,17 @@ from collections.abc import Iterable, Sequence
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.arithmetic import EXACT
+from study.direct import recorded
+from study.growth_chart import chart
+from study.growth_programs import WORDS, growth_program
 from study.race import race
 from study.step import Measured, Row, Task
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 TITLE = "how cost grows"
 
@@ -21,7 +28,6 @@ CASES = {"complex": "eq15", "real": "eq16.invariance"}
 
 DIRECT = "python-flint"
 OWN = (*EXACT, "modular", DIRECT)
-PROGRAMS = ("singular", "pari")
 
 SECONDS = 12.0
 MEBIBYTES = 3072
@@ -40,8 +46,8 @@ def measure(quick: bool) -> Iterable[Task]:
     for case in CASES:
         for method in OWN:
             yield Task(method, case, partial(_own, method, CASES[case], seconds, most))
-        for program in PROGRAMS:
-            if shutil.which(_command(program)[0]):
+        for program in WORDS:
+            if shutil.which(WORDS[program].command[0]):
                 yield Task(program, case, partial(_program, program, CASES[case], seconds, most))
 
 
@@ -55,16 +61,7 @@ def _own(method: str, claim: str, seconds: float, most: int) -> Measured:
     return race(command, Path.cwd(), limit, MEBIBYTES, {"PYTHONPATH": path})
 
 
-def _command(program: str) -> tuple[str, ...]:
-    from study.growth_programs import WORDS
-
-    return WORDS[program].command
-
-
 def _program(program: str, claim: str, seconds: float, most: int) -> Measured:
-    from study.direct import recorded
-    from study.growth_programs import WORDS, growth_program
-
     words = WORDS[program]
     with TemporaryDirectory() as folder:
         file = Path(folder) / f"growth{words.suffix}"
@@ -73,10 +70,6 @@ def _program(program: str, claim: str, seconds: float, most: int) -> Measured:
         return race([*words.command, file.name], Path(folder), seconds, MEBIBYTES)
 
 
-def draw(rows: Sequence[Row], folder: Path) -> None:
-    """The chart, and the table that it shows."""
-    from kowalevski_cas import pictures
-    from study.growth_chart import chart, table
-
-    (folder / "growth.csv").write_text(table(rows), encoding="utf-8")
-    pictures.save(chart(rows, tuple(CASES)), folder, "growth")
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
+    """Time and memory against k."""
+    return {"growth": chart(rows)}

@@ -2,64 +2,56 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from kowalevski_cas import pictures
-from study.names import shown
-from study.speed_accuracy_chart import seconds
+from study.charts import marked, names, seconds, shown, size
 from study.step import Row
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-WORDS = {
-    "complex": "complex variables: (15)",
-    "real": "real variables: (16)",
+WORDS = {"complex": "complex variables: (15)", "real": "real variables: (16)"}
+PANELS = {
+    "times": ("time until step $k$ is decided", seconds, (2e-4, 30.0)),
+    "memory": ("most memory so far", size, (6e6, 4e9)),
 }
-KEYS = {"times": "time until step $k$ is decided", "memory": "most memory so far"}
-LIMITS = {"times": (2e-4, 30.0), "memory": (6e6, 4e9)}
+"""The words, the units and the limits of each axis, by what is drawn along it."""
 
 
-def chart(rows: Sequence[Row], cases: Sequence[str]) -> Figure:
+def chart(rows: Sequence[Row]) -> Figure:
     """A column a case: above the time until the k-th identity is decided, below the memory."""
     from matplotlib.ticker import FuncFormatter, MaxNLocator
 
-    methods = list(dict.fromkeys(row["method"] for row in rows))
-    marks = {method: pictures.mark(k) for k, method in enumerate(methods)}
-    with pictures.style():
-        figure = pictures.new_figure(pictures.WIDTH, 7.0)
-        grid = figure.add_gridspec(3, len(cases), height_ratios=[3, 3, 1.35])
-        notes = figure.add_subplot(grid[2, :])
-        for column, case in enumerate(cases):
-            own = [row for row in rows if row["case"] == case]
-            for line, (key, words) in enumerate(KEYS.items()):
-                axes = figure.add_subplot(grid[line, column])
-                for row in own:
+    marks = {method: mark for mark, method in marked(names(rows, "method"))}
+    figure = pictures.new_figure(height=7.0)
+    grid = figure.add_gridspec(3, len(WORDS), height_ratios=[3, 3, 1.35])
+    notes = figure.add_subplot(grid[2, :])
+    for column, case in enumerate(WORDS):
+        for line, (key, (words, units, limits)) in enumerate(PANELS.items()):
+            axes = figure.add_subplot(grid[line, column])
+            for row in rows:
+                if row["case"] == case:
                     _line(axes, row, key, marks[row["method"]])
-                axes.set_yscale("log")
-                axes.set_ylim(LIMITS[key])
-                axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-                axes.yaxis.set_major_formatter(FuncFormatter(UNITS[key]))
-                if column == 0:
-                    axes.set_ylabel(words)
-                else:
-                    axes.yaxis.set_tick_params(labelleft=False)
-                if line == 0:
-                    axes.set_title(WORDS[case], size=8.5)
-                    found = axes.get_legend_handles_labels()
-                    notes.legend(
-                        *found, loc="upper center", ncols=4, borderaxespad=0
-                    ).set_in_layout(False)
-            axes.set_xlabel("$k$")
-        notes.axis("off")
-        stops = (_stops([row for row in rows if row["case"] == case], case) for case in cases)
-        said = notes.text(0, 0.5, "\n".join(stops), size=7.3, va="top")
-        said.set_in_layout(False)
+            axes.set(yscale="log", ylim=limits)
+            axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+            axes.yaxis.set_major_formatter(FuncFormatter(units))
+            if column == 0:
+                axes.set_ylabel(words)
+            else:
+                axes.yaxis.set_tick_params(labelleft=False)
+            if line == 0:
+                axes.set_title(WORDS[case], size=8.5)
+                found = axes.get_legend_handles_labels()
+                legend = notes.legend(*found, loc="upper center", ncols=4, borderaxespad=0)
+                legend.set_in_layout(False)
+        axes.set_xlabel("$k$")
+    notes.axis("off")
+    stops = "\n".join(_stops(rows, case) for case in WORDS)
+    notes.text(0, 0.5, stops, size=7.3, va="top").set_in_layout(False)
     return figure
 
 
@@ -69,15 +61,7 @@ def _line(axes: Axes, row: Row, key: str, mark: pictures.Mark) -> None:
     if not pairs:
         return
     xs, ys = zip(*pairs, strict=True)
-    axes.plot(
-        xs,
-        ys,
-        color=mark.colour,
-        marker=mark.marker,
-        ls=mark.dashes,
-        ms=3.6,
-        label=shown(row["method"]),
-    )
+    axes.plot(xs, ys, ms=3.6, label=shown(row["method"]), **mark.line)
     if row["verdict"] != "reached":
         axes.plot(xs[-1:], ys[-1:], color=pictures.INK, marker="x", ms=7, ls="none", mew=1.1)
 
@@ -88,32 +72,7 @@ def _stops(rows: Sequence[Row], case: str) -> str:
         f"{shown(row['method'])} {max(row['steps'], default=0)}"
         + (f" ({row['reason']})" if row["verdict"] != "reached" else "")
         for row in rows
+        if row["case"] == case
     ]
     words = f"Last k in {case} variables (× where a limit stopped it): {', '.join(parts)}."
     return textwrap.fill(words, 106)
-
-
-def size(value: float, _: object = None) -> str:
-    """Bytes in words.
-
-    >>> [size(value) for value in (1e6, 1e8, 1e10)]
-    ['1 MB', '100 MB', '10 GB']
-    """
-    return f"{value / 1e9:.3g} GB" if value >= 1e9 else f"{value / 1e6:.3g} MB"
-
-
-UNITS = {"times": seconds, "memory": size}
-
-
-def table(rows: Sequence[Row]) -> str:
-    """Every step of every method as CSV."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["variables", "method", "k", "seconds", "bytes", "stopped by"])
-    for row in rows:
-        for k, time, memory in zip(row["steps"], row["times"], row["memory"], strict=True):
-            stop = row["reason"] if k == row["steps"][-1] else ""
-            writer.writerow([row["case"], row["method"], k, time, memory or "", stop])
-        if not row["steps"]:
-            writer.writerow([row["case"], row["method"], 0, "", "", row["reason"]])
-    return text.getvalue()

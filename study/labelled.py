@@ -22,8 +22,8 @@ from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.proof.verify import Session
 from kowalevski_cas.stage import StageError
-from study.near_misses import near_misses
 from kowalevski_cas.texts import Texts
+from study.near_misses import near_misses
 
 
 class Disagreement(Exception):

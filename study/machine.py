@@ -4,21 +4,15 @@ from __future__ import annotations
 
 import os
 import platform
-import shutil
-import subprocess
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-LIBRARIES = ("python-flint", "symengine", "sympy", "numpy", "scipy", "matplotlib", "heyoka")
+from kowalevski_cas.export import FORMATS, load
+from kowalevski_cas.export.witness import MissingProgram, command
+from kowalevski_cas.export.witness import version as program_version
 
-PROGRAMS = {
-    "coqc": ("coqc", "--print-version"),
-    "singular": ("Singular", "--version"),
-    "pari": ("gp", "--version-short"),
-    "maxima": ("maxima", "--version"),
-}
-"""The programs that are compared with, and how each tells its version."""
+LIBRARIES = ("python-flint", "symengine", "sympy", "numpy", "scipy", "matplotlib", "heyoka")
 
 
 @cache
@@ -36,25 +30,12 @@ def machine() -> dict[str, str]:
             found[library] = version(library)
         except PackageNotFoundError:
             continue
-    for name in PROGRAMS:
-        if shown := program_version(name):
-            found[name] = shown
+    for name in FORMATS:
+        try:
+            found[name] = program_version(load(name), command(load(name)))
+        except MissingProgram:
+            continue
     return found
-
-
-def program_version(name: str) -> str:
-    """The version of a program; empty if it is not installed."""
-    command = PROGRAMS[name]
-    if shutil.which(command[0]) is None:
-        return ""
-    try:
-        done = subprocess.run(
-            command, capture_output=True, text=True, timeout=20, stdin=subprocess.DEVNULL
-        )
-    except (OSError, subprocess.TimeoutExpired):
-        return ""
-    words = done.stdout.replace("\n", " ").split()
-    return next((word for word in words if word[0].isdigit()), "")
 
 
 def _processor() -> str:

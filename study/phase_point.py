@@ -10,18 +10,23 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Sequence
-from functools import cache
-from pathlib import Path
+from functools import cache, partial
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.library import find, load
+from kowalevski_cas.pictures import new_figure
 from kowalevski_cas.proof.committed import FOLDER
-from study.methods.by_hand import CALLS, MEBIBYTES, TARGET
+from study.charts import legend_below, list_cases, marked, names, split
+from study.methods.certificates import CALLS, MEBIBYTES, TARGET
 from study.step import Measured, Row, Task
-from study.worker import Worker
+from study.worker import asked
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 TITLE = "the phase point on N⁴: a tower of roots against square roots in SymPy"
 
@@ -41,9 +46,9 @@ def measure(quick: bool) -> Iterable[Task]:
     """Each method on each claim."""
     for id in CLAIMS[:3] if quick else CLAIMS:
         for method in EXACT:
-            yield Task(method, id, lambda m=method, i=id: _proved(m, i))  # type: ignore[misc]
+            yield Task(method, id, partial(_proved, method, id))
         for call in CALLS[:3] if quick else CALLS:
-            yield Task(f"SymPy {call}", id, lambda c=call, i=id: _typed(c, i))  # type: ignore[misc]
+            yield Task(f"SymPy {call}", id, partial(_typed, call, id))
 
 
 @cache
@@ -66,42 +71,25 @@ def _proved(method: str, id: str) -> Measured:
 def _typed(call: str, id: str) -> Measured:
     path = find(PAPER) / FOLDER / f"{id}.json"
     certificate = json.loads(path.read_text(encoding="utf-8"))
-    with Worker(TARGET, SECONDS, MEBIBYTES) as worker:
-        return worker.ask({"method": call, "certificate": certificate})
+    return asked(TARGET, SECONDS, MEBIBYTES, {"method": call, "certificate": certificate})
 
 
-def draw(rows: Sequence[Row], folder: Path) -> None:
-    """Time for each claim, a mark a method; open marks where the truth was not recognised."""
-    from kowalevski_cas import pictures
-
-    methods = list(dict.fromkeys(row["method"] for row in rows))
-    cases = list(dict.fromkeys(row["case"] for row in rows))
-    with pictures.style():
-        figure = pictures.new_figure(height=3.7)
-        axes = figure.subplots()
-        for index, method in enumerate(methods):
-            mark = pictures.mark(index)
-            mine = [row for row in rows if row["method"] == method and row["seconds"] is not None]
-            places = [cases.index(row["case"]) + 0.08 * (index - len(methods) / 2) for row in mine]
-            fills = [mark.colour if row["verdict"] in TRUE else "white" for row in mine]
-            total = sum(row["seconds"] for row in mine)
-            axes.scatter(
-                [], [], c=mark.colour, marker=mark.marker, label=f"{method}, {total:.2g} s"
-            )
-            axes.scatter(
-                [row["seconds"] for row in mine],
-                places,
-                c=fills,
-                edgecolors=mark.colour,
-                marker=mark.marker,
-                s=20,
-                linewidths=1,
-            )
-        axes.set_xscale("log")
-        axes.set_yticks(range(len(cases)), cases)
-        axes.invert_yaxis()
-        axes.set_xlabel("seconds; open where the method does not see that the statement is true")
-        figure.legend(
-            loc="outside lower center", ncols=3, title="each method, and its time for all"
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
+    """Time for each claim, a mark a method; hollow where the truth was not recognised."""
+    methods, cases = names(rows, "method"), names(rows, "case")
+    figure = new_figure(height=3.7)
+    axes = figure.subplots()
+    for index, (mark, method) in enumerate(marked(methods)):
+        mine = [row for row in rows if row["method"] == method and row["seconds"] is not None]
+        apart = 0.08 * (index - len(methods) / 2)
+        total = sum(row["seconds"] for row in mine)
+        split(
+            axes,
+            mark,
+            [(r["seconds"], cases.index(r["case"]) + apart, r["verdict"] in TRUE) for r in mine],
+            f"{method}, {total:.2g} s",
         )
-        pictures.save(figure, folder, "phase-point")
+    xlabel = "seconds; hollow where the method does not see that the statement is true"
+    list_cases(axes, cases, xlabel)
+    legend_below(figure, axes, 3, title="each method, and its time for all")
+    return {"phase-point": figure}

@@ -34,7 +34,7 @@ def write_plates(folder: Path) -> None:
     plates = [
         {"name": name, "caption": caption}
         for name, caption in PLATES.items()
-        if (folder / f"{name}.pdf").is_file()
+        if (folder / f"{name}.png").is_file()
     ]
     if plates:
         listed = {"derivation": DERIVATION, "plates": plates}

@@ -9,14 +9,12 @@ scenes and once more in the ring of all generators of the paper.
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import cache
-from pathlib import Path
+from functools import cache, partial
 from statistics import median
 from time import perf_counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.arithmetic.programs import Op, Program, field_of
 from kowalevski_cas.claims import (
@@ -29,12 +27,17 @@ from kowalevski_cas.claims import (
     LastMultiplier,
 )
 from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.pictures import FAINT, new_figure
 from kowalevski_cas.proof.verify import DECIDED
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage.programs import ProgramStage, programs
+from study.charts import list_cases, marked, names, split
 from study.stability.material import bench, claim, paper
 from study.step import Measured, Row, Task
-from study.worker import Worker
+from study.worker import asked
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 TITLE = "no more than a scene needs"
 
@@ -49,17 +52,20 @@ SPACE = (CriticalSet, Dimension, Equilibria, Independence, InvertibleChange, Las
 
 TARGET = f"{__name__}:prove"
 
+BOTH = ("own scene", "general scene")
+
 
 def measure(quick: bool) -> Iterable[Task]:
     """The generators of every claim; the cost of proving those of Section 3 on two scenes."""
     derivation, _ = paper()
     for one in derivation.claims:
-        yield Task("generators", one.id, lambda c=one: generators(c))  # type: ignore[misc]
+        yield Task("generators", one.id, partial(generators, one))
     section = next(s for s in derivation.sections if s.number == SECTION)
     chosen = section.claims[:2] if quick else section.claims
     for one in chosen:
-        for method in ("own scene", "general scene"):
-            yield Task(method, one.id, lambda m=method, i=one.id: _asked(m, i))  # type: ignore[misc]
+        for method in BOTH:
+            question = {"claim": one.id, "general": method == BOTH[1], "repeats": REPEATS}
+            yield Task(method, one.id, partial(asked, TARGET, SECONDS, MEBIBYTES, question))
 
 
 # -- generators --------------------------------------------------------------------
@@ -67,14 +73,12 @@ def measure(quick: bool) -> Iterable[Task]:
 
 def generators(one: Claim) -> Measured:
     """The generators of the scene of a claim and of its statement, and why they differ."""
-    start = perf_counter()
     stage = bench("modular").stage(one.scene)
     assert isinstance(stage, ProgramStage)
     scene = [*stage.programs.generators, *stage.programs.roots]
     used = statement(one.id)
     reasons = {name: reason(name, one, stage, used) for name in scene if name not in used}
     return {
-        "seconds": perf_counter() - start,
         "verdict": "equal" if not reasons else "justified" if all(reasons.values()) else "more",
         "scene": scene,
         "statement": [name for name in scene if name in used],
@@ -192,68 +196,27 @@ def prove(question: Mapping[str, Any]) -> Measured:
     }
 
 
-def _asked(method: str, id: str) -> Measured:
-    question = {"claim": id, "general": method == "general scene", "repeats": REPEATS}
-    with Worker(TARGET, SECONDS, MEBIBYTES) as worker:
-        return worker.ask(question)
+# -- the chart --------------------------------------------------------------------------
 
 
-# -- the table and the chart ------------------------------------------------------------
-
-
-def draw(rows: Sequence[Row], folder: Path) -> None:
-    """The list of generators as a table; times on both scenes as a chart."""
-    from kowalevski_cas import pictures
-
-    folder.mkdir(parents=True, exist_ok=True)
-    with (folder / "scenes.csv").open("w", encoding="utf-8", newline="") as file:
-        table = csv.writer(file)
-        table.writerow(["claim", "generators of the scene", "of the statement", "the difference"])
-        for row in rows:
-            if row["method"] == "generators":
-                lines = dict.fromkeys(row["reasons"].values())
-                words = [
-                    f"{' '.join(n for n, r in row['reasons'].items() if r == line)}: {line}"
-                    for line in lines
-                ]
-                cells = [" ".join(row["scene"]), " ".join(row["statement"]), "; ".join(words)]
-                table.writerow([row["case"], *cells])
-    timed = [row for row in rows if row["method"] != "generators"]
-    cases = list(dict.fromkeys(row["case"] for row in timed))
-    found = {(row["method"], row["case"]): row for row in timed}
-    with pictures.style():
-        figure = pictures.new_figure(height=1.2 + 0.22 * len(cases))
-        axes = figure.subplots()
-        for index, method in enumerate(("own scene", "general scene")):
-            mark = pictures.mark(index)
-            for whole, fill in ((True, mark.colour), (False, "white")):
-                places = [
-                    k for k, case in enumerate(cases)
-                    if (method, case) in found
-                    and (found[method, case]["verdict"] in DECIDED) is whole
-                ]  # fmt: skip
-                axes.plot(
-                    [found[method, cases[k]]["seconds"] for k in places],
-                    places,
-                    linestyle="none",
-                    marker=mark.marker,
-                    color=mark.colour,
-                    markerfacecolor=fill,
-                    label=method if whole else None,
-                )
-        for k, case in enumerate(cases):
-            ends = [
-                found[m, case]["seconds"]
-                for m in ("own scene", "general scene")
-                if (m, case) in found
-            ]
-            axes.plot(ends, [k] * len(ends), color=pictures.FAINT, linewidth=0.8, zorder=0)
-        axes.set_xscale("log")
-        axes.set_yticks(range(len(cases)), cases)
-        axes.invert_yaxis()
-        axes.set_xlabel(
-            f"seconds with FLINT, searches included (hollow: none in {SECONDS:g} s, or undecided)"
-        )
-        axes.set_title("proving Section 3 on its own scenes, and among all generators")
-        axes.legend(loc="best")
-        pictures.save(figure, folder, "scenes")
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
+    """The times on both scenes."""
+    timed = [row for row in rows if row["method"] in BOTH]
+    cases = names(timed, "case")
+    figure = new_figure(height=1.2 + 0.22 * len(cases))
+    axes = figure.subplots()
+    for mark, method in marked(BOTH):
+        points = [
+            (row["seconds"], cases.index(row["case"]), row["verdict"] in DECIDED)
+            for row in timed
+            if row["method"] == method
+        ]
+        split(axes, mark, points, method)
+    for place, case in enumerate(cases):
+        ends = [row["seconds"] for row in timed if row["case"] == case]
+        axes.plot(ends, [place] * len(ends), color=FAINT, linewidth=0.8, zorder=0)
+    xlabel = f"seconds with FLINT, searches included (hollow: none in {SECONDS:g} s, or undecided)"
+    list_cases(axes, cases, xlabel)
+    axes.set_title("proving Section 3 on its own scenes, and among all generators")
+    axes.legend(loc="best")
+    return {"scenes": figure}

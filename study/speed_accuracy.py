@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import partial
 from itertools import zip_longest
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.library import available
 from study.labelled import TRUE, Disagreement, Labelled, labelled, spread
 from study.methods import Method, methods
+from study.speed_accuracy_chart import chart
 from study.step import DISAGREEMENT, Measured, Row, Task
-from study.summary import COLD, summaries, table
+from study.summary import COLD, summaries
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 TITLE = "speed against accuracy"
-NAME = "speed-accuracy"
 
 MUTANTS = 3
 """How many mutants are taken of each statement."""
@@ -62,11 +65,6 @@ def _cold(method: Method, statement: Labelled) -> Measured:
     return {"seconds": method.cold(statement), "verdict": COLD, "reason": ""}
 
 
-def draw(rows: Sequence[Row], folder: Path) -> None:
-    """The chart, and the table that it shows."""
-    from kowalevski_cas import pictures
-    from study.speed_accuracy_chart import chart
-
-    found = summaries(rows)
-    (folder / f"{NAME}.csv").write_text(table(found), encoding="utf-8")
-    pictures.save(chart(found), folder, NAME)
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
+    """The chart of all methods."""
+    return {"speed-accuracy": chart(summaries(rows))}

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas import pictures
-from study.names import shown
+from study.charts import seconds, shown
 from study.summary import Summary, pareto
 
 if TYPE_CHECKING:
@@ -85,18 +85,6 @@ def _times(axes: Axes, timed: Sequence[Summary]) -> None:
     axes.xaxis.set_major_locator(FixedLocator([t for t in powers if low <= t <= 2 * high]))
     axes.xaxis.set_minor_locator(NullLocator())
     axes.xaxis.set_major_formatter(FuncFormatter(seconds))
-
-
-def seconds(value: float, _: object = None) -> str:
-    """A time in words.
-
-    >>> [seconds(value) for value in (1e-5, 0.01, 1, 100)]
-    ['10 µs', '10 ms', '1 s', '100 s']
-    """
-    for unit, size in (("s", 1.0), ("ms", 1e-3), ("µs", 1e-6)):
-        if value >= 0.999 * size:
-            return f"{value / size:.3g} {unit}"
-    return f"{value * 1e9:.3g} ns"
 
 
 def _errors(axes: Axes, methods: Sequence[Summary], room: tuple[float, float]) -> None:

@@ -3,59 +3,70 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from study.step import Row
+from study.machine import machine
+from study.step import Row, Step
 
+Progress = Callable[[str, int, int], None]
 Key = tuple[str, str]
 
 
-class Store:
-    """The rows of one step in a file, whose first line says where they were measured.
+def data_file(folder: Path, name: str) -> Path:
+    """Where the rows of a step are stored: a first line says where they were measured."""
+    return folder / "data" / f"{name}.jsonl"
 
-    Rows of another machine, or of other versions, are no part of this study:
-    ``header`` has to be the same for a file to be continued.
+
+def measure(
+    name: str, step: Step, folder: Path, quick: bool, progress: Progress, afresh: bool = False
+) -> list[Row]:
+    """The rows of a step: those that are stored, and those that were missing, measured now.
+
+    Rows of another machine, or of other versions, are no part of this study. ``afresh``
+    forgets what is stored.
     """
+    path = data_file(folder, name)
+    found = list(step.measure(quick))
+    tasks = {(task.method, task.case): task for task in found}
+    if len(tasks) < len(found):
+        raise ValueError(f"two tasks of the step “{name}” have the same method and case")
+    header: Mapping[str, Any] = {"step": name, "quick": quick, "machine": machine()}
+    before, known = _read(path)
+    rows = {key: known[key] for key in tasks if key in known and before == header and not afresh}
+    path.parent.mkdir(parents=True, exist_ok=True)
+    whole = path.with_suffix(".new")
+    whole.write_text("".join(map(_line, (header, *rows.values()))), encoding="utf-8")
+    whole.replace(path)
+    for done, (key, task) in enumerate(tasks.items()):
+        if key not in rows:
+            progress(f"{name}: {task.method}, {task.case}", done, len(tasks))
+            with path.open("a", encoding="utf-8") as file:
+                file.write(_line(task.row()))
+    return stored(name, folder)
 
-    def __init__(self, path: Path, header: Mapping[str, Any] | None = None) -> None:
-        self.path = path
-        self.header: Mapping[str, Any] = {}
-        self.rows: dict[Key, Row] = {}
-        self._read()
-        self.continued = header is None or self.header == header
-        if header is not None and not self.continued:
-            self.header, self.rows = header, {}
 
-    def _read(self) -> None:
+def stored(name: str, folder: Path) -> list[Row]:
+    """The rows of a step that were measured before."""
+    return list(_read(data_file(folder, name))[1].values())
+
+
+def _read(path: Path) -> tuple[Mapping[str, Any], dict[Key, Row]]:
+    """The header of a file and its rows; none if there is no file."""
+    header: Mapping[str, Any] = {}
+    rows: dict[Key, Row] = {}
+    lines = path.read_bytes().splitlines() if path.is_file() else []
+    for number, line in enumerate(lines):
         try:
-            lines = self.path.read_bytes().splitlines()
-        except FileNotFoundError:
-            return
-        for number, line in enumerate(lines):
-            try:
-                entry = json.loads(line)
-                if number == 0:
-                    self.header = dict(entry)
-                elif entry.keys() >= {"method", "case", "verdict"}:
-                    self.rows[entry["method"], entry["case"]] = entry
-            except (ValueError, TypeError, AttributeError, RecursionError):
-                continue  # torn when the study was interrupted, or damaged: it is measured again
-
-    def begin(self) -> None:
-        """Write what is kept, without torn lines, and make ready for more."""
-        self.path.parent.mkdir(parents=True, exist_ok=True)
-        lines = [_line(self.header), *map(_line, self.rows.values())]
-        whole = self.path.with_suffix(".new")
-        whole.write_text("".join(lines), encoding="utf-8")
-        whole.replace(self.path)
-
-    def add(self, row: Row) -> None:
-        """Keep a row, on disk at once."""
-        self.rows[row["method"], row["case"]] = row
-        with self.path.open("a", encoding="utf-8") as file:
-            file.write(_line(row))
+            entry = json.loads(line)
+            if number == 0:
+                header = dict(entry)
+            elif entry.keys() >= {"method", "case", "verdict"}:
+                rows[entry["method"], entry["case"]] = entry
+        except (ValueError, TypeError, AttributeError, RecursionError):
+            continue  # torn when the study was interrupted, or damaged: it is measured again
+    return header, rows
 
 
 def _line(entry: Mapping[str, Any]) -> str:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
@@ -26,7 +24,6 @@ class Summary:
     method: str
     proves: bool = False
     seconds: list[float] = field(default_factory=list)
-    cold: list[float] = field(default_factory=list)
     answers: int = 0
     false_accepts: int = 0
     false_rejects: int = 0
@@ -37,7 +34,6 @@ class Summary:
         """Count one measurement."""
         verdict = row["verdict"]
         if row["case"].startswith(f"{COLD} "):
-            self.cold += [row["seconds"]] if verdict == COLD else []
             return
         self.proves = self.proves or bool(row.get("proves"))
         if row.get("seconds") is not None:
@@ -129,31 +125,3 @@ def _reason(row: Row) -> str:
     if row["verdict"] == NONE:
         return "without answer"
     return f"over {row['reason']}" if row["verdict"] == "timeout" else "failed"
-
-
-HEAD = (
-    "method", "statements", "median s", "10 % s", "90 % s", "cold s", "false accepted",
-    "true rejected", "no answer", "why", "error rate", "is",
-)  # fmt: skip
-
-
-def table(found: Sequence[Summary]) -> str:
-    """The summaries as CSV."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(HEAD)
-    for s in found:
-        low, high = s.spread if s.seconds else (None, None)
-        kind = "proof" if s.is_proof else "measured" if s.errors else "guaranteed"
-        writer.writerow([
-            s.method, s.answers + s.reasons.total(), _number(s.time if s.seconds else None),
-            _number(low), _number(high), _number(median(s.cold) if s.cold else None),
-            s.false_accepts, s.false_rejects, s.reasons.total(),
-            "; ".join(f"{count} {reason}" for reason, count in sorted(s.reasons.items())),
-            0 if s.is_proof else _number(s.rate), "at most" if s.is_estimate else kind,
-        ])  # fmt: skip
-    return text.getvalue()
-
-
-def _number(value: float | None) -> str:
-    return "" if value is None else f"{value:.3g}"

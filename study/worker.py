@@ -6,13 +6,13 @@ no method can stop the study, and what it costs is measured where it runs.
 
 from __future__ import annotations
 
-import json
 import os
 import resource
-import select
-import subprocess
 import sys
 from importlib import import_module
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from multiprocessing.context import SpawnProcess
 from time import perf_counter
 from typing import Any, Self
 
@@ -22,7 +22,7 @@ MEBIBYTE = 2**20
 
 
 class Worker:
-    """A process in which ``target``, as ``module:function``, answers questions given as JSON.
+    """A process in which ``target``, as ``module:function``, answers questions.
 
     The function takes one value and returns a mapping, to which the time that it
     took (``seconds``) and the most memory that the process has had (``memory``,
@@ -33,57 +33,46 @@ class Worker:
         self.target = target
         self.seconds = seconds
         self.mebibytes = mebibytes
-        self._process: subprocess.Popen[str] | None = None
+        self._running: tuple[SpawnProcess, Connection] | None = None
 
     def ask(self, question: Any) -> Measured:
         """The answer; a limit that is reached is the verdict ``timeout``, with its reason."""
-        process = self._process or self._start()
-        assert process.stdin is not None and process.stdout is not None
+        process, pipe = self._running = self._running or self._start()
         start = perf_counter()
         try:
-            process.stdin.write(json.dumps(question) + "\n")
-            process.stdin.flush()
-            ready = select.select([process.stdout], [], [], self.seconds)[0]
-            line = process.stdout.readline() if ready else None
-        except BrokenPipeError:
-            line = ""
+            pipe.send(question)
+            if pipe.poll(self.seconds):
+                answer: Measured = pipe.recv()
+                return answer
+            found = {"verdict": "timeout", "reason": f"{self.seconds:g} s"}
+        except (EOFError, OSError):
+            process.join()
+            reason = f"the process ended with {process.exitcode}"
+            found = {"verdict": "error", "reason": reason}
         except BaseException:
             self.close()  # an interruption reaches the process only if it comes from a terminal
             raise
-        if line:
-            answer: Measured = json.loads(line)
-            return answer
-        waited = perf_counter() - start
-        code = self.close()
-        if line is None:
-            return {"seconds": waited, "verdict": "timeout", "reason": f"{self.seconds:g} s"}
-        return {"seconds": waited, "verdict": "error", "reason": f"the process ended with {code}"}
+        self.close()
+        return {"seconds": perf_counter() - start, **found}
 
-    def close(self) -> int | None:
-        """End the process, if there is one; its exit code."""
-        process, self._process = self._process, None
-        if process is None:
-            return None
-        process.kill()
-        assert process.stdin is not None and process.stdout is not None
-        for stream in (process.stdin, process.stdout):
-            try:
-                stream.close()
-            except BrokenPipeError:
-                continue
-        return process.wait()
+    def close(self) -> None:
+        """End the process, if there is one."""
+        if self._running is not None:
+            process, pipe = self._running
+            self._running = None
+            process.kill()
+            process.join()
+            pipe.close()
 
-    def _start(self) -> subprocess.Popen[str]:
-        command = [sys.executable, "-m", __name__, self.target, str(self.mebibytes)]
-        self._process = subprocess.Popen(
-            command,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            text=True,
-            env={**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p)},
+    def _start(self) -> tuple[SpawnProcess, Connection]:
+        context = get_context("spawn")
+        pipe, other = context.Pipe()
+        process = context.Process(
+            target=serve, args=(other, self.target, self.mebibytes), daemon=True
         )
-        return self._process
+        process.start()
+        other.close()
+        return process, pipe
 
     def __enter__(self) -> Self:
         return self
@@ -92,20 +81,29 @@ class Worker:
         self.close()
 
 
+def asked(target: str, seconds: float, mebibytes: int, question: Any) -> Measured:
+    """The answer of a process of its own."""
+    with Worker(target, seconds, mebibytes) as worker:
+        return worker.ask(question)
+
+
 def peak() -> int:
     """The most memory that this process has had, in bytes."""
     most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return most if sys.platform == "darwin" else 1024 * most
 
 
-def serve(target: str, mebibytes: int) -> None:
-    """Answer questions from standard input until it ends."""
+def serve(pipe: Connection, target: str, mebibytes: int) -> None:
+    """Answer questions until there are no more."""
     resource.setrlimit(resource.RLIMIT_AS, (mebibytes * MEBIBYTE, mebibytes * MEBIBYTE))
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # a library may print
     name, _, attribute = target.partition(":")
     answer = getattr(import_module(name), attribute)
-    answers, sys.stdout = sys.stdout, sys.stderr  # what a library prints is no answer
-    for line in sys.stdin:
-        question = json.loads(line)
+    while True:
+        try:
+            question = pipe.recv()
+        except EOFError:
+            return
         start = perf_counter()
         try:
             found = dict(answer(question))
@@ -114,9 +112,4 @@ def serve(target: str, mebibytes: int) -> None:
         except Exception as error:
             found = {"verdict": "error", "reason": f"{type(error).__name__}: {error}"[:300]}
         found.setdefault("seconds", perf_counter() - start)
-        found["memory"] = peak()
-        print(json.dumps(found), file=answers, flush=True)
-
-
-if __name__ == "__main__":
-    serve(sys.argv[1], int(sys.argv[2]))
+        pipe.send({**found, "memory": peak()})

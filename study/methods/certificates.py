@@ -1,4 +1,4 @@
-"""What reads certificates: the checker, and the programs to which they are exported."""
+"""What reads certificates: the checker, the programs to which they are exported, SymPy by hand."""
 
 from __future__ import annotations
 
@@ -8,34 +8,29 @@ import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import perf_counter
+from typing import Any
 
-from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.export import Format, Inexpressible
+from kowalevski_cas.export import Format
 from kowalevski_cas.export.witness import command
 from kowalevski_cas.proof import checker
-from kowalevski_cas.proof.certificate import stated
-from kowalevski_cas.proof.limits import time_limit
-from kowalevski_cas.proof.trees import CertificateError
 from study.labelled import Labelled
-from study.methods.method import ACCEPTED, NONE, REJECTED, Method
+from study.methods.method import ACCEPTED, NONE, REJECTED, Method, certificate
 from study.step import Measured
-
-SECONDS = 20
+from study.worker import Worker, asked
 
 REFUSALS = ("the two sides are not equal", "fails: ")
 """How a reader that decides says no; of others, no proof is no answer."""
 
+TARGET = "study.methods.typed:decide"
+CALLS = ("simplify", "expand", "cancel", "ratsimp", "equals")
+SECONDS, MEBIBYTES = 10.0, 2048
+"""The limits of SymPy, for a statement."""
 
-def answer(seconds: float, reason: str) -> Measured:
+
+def answer(reason: str) -> Measured:
     """The verdict of a reader that has nothing against a certificate, or a reason."""
     refused = any(words in reason for words in REFUSALS)
-    verdict = REJECTED if refused else NONE if reason else ACCEPTED
-    return {"seconds": seconds, "verdict": verdict, "reason": reason}
-
-
-def certificate(statement: Labelled) -> str:
-    """What the certificate of a statement would be, were it true; made with FLINT."""
-    return stated(statement.claim, Bench("flint", statement.texts, refute=False))
+    return {"verdict": REJECTED if refused else NONE if reason else ACCEPTED, "reason": reason}
 
 
 class Checker(Method):
@@ -43,21 +38,15 @@ class Checker(Method):
 
     proves = True
 
-    def decide(self, statement: Labelled) -> Measured:
+    def prepare(self, statement: Labelled) -> str:
+        return certificate(statement)
+
+    def answer(self, prepared: str) -> Measured:
         try:
-            text = certificate(statement)
-        except (CertificateError, checker.Rejected) as error:
-            return {"seconds": None, "verdict": NONE, "reason": str(error.args[0])}
-        start = perf_counter()
-        reason = ""
-        try:
-            with time_limit(SECONDS):
-                checker.check(text)
+            checker.check(prepared)
         except checker.Rejected as error:
-            reason = str(error.args[0])
-        except TimeoutError:
-            return {"seconds": SECONDS, "verdict": "timeout", "reason": f"{SECONDS} s"}
-        return answer(perf_counter() - start, reason)
+            return answer(str(error.args[0]))
+        return answer("")
 
     def cold(self, statement: Labelled) -> float:
         with TemporaryDirectory() as folder:
@@ -94,22 +83,20 @@ class Program(Method):
                 self._run(path)
         return Path(self._folder.name)
 
-    def decide(self, statement: Labelled) -> Measured:
-        try:
-            text = self.format.translate(json.loads(certificate(statement)))
-        except (CertificateError, Inexpressible, checker.Rejected) as error:
-            return {"seconds": None, "verdict": NONE, "reason": str(error.args[0])}
-        path = self.folder / f"claim{self.format.suffix}"
-        path.write_text(text, encoding="utf-8")
-        start = perf_counter()
-        try:
-            done = self._run(path)
-        except subprocess.TimeoutExpired:
-            return {"seconds": SECONDS, "verdict": "timeout", "reason": f"{SECONDS} s"}
-        seconds = perf_counter() - start
+    def prepare(self, statement: Labelled) -> str:
+        text = self.format.translate(json.loads(certificate(statement)))
+        self._path.write_text(text, encoding="utf-8")
+        return text
+
+    def answer(self, prepared: str) -> Measured:
+        done = self._run(self._path)
         said = done.stdout.decode("utf-8", "replace")
-        reason = said.strip()[-80:] if done.returncode else self.format.objection(text, said)
-        return answer(seconds, reason)
+        failed = said.strip()[-80:]
+        return answer(failed if done.returncode else self.format.objection(prepared, said))
+
+    @property
+    def _path(self) -> Path:
+        return self.folder / f"claim{self.format.suffix}"
 
     def _run(self, path: Path) -> subprocess.CompletedProcess[bytes]:
         return subprocess.run(
@@ -118,9 +105,28 @@ class Program(Method):
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
-            timeout=SECONDS,
             check=False,
         )
 
     def cold(self, statement: Labelled) -> float:
         return float(self.decide(statement)["seconds"])
+
+
+class ByHand(Method):
+    """One of the calls with which people ask SymPy whether something is zero."""
+
+    def __init__(self, call: str, share: int | None = None) -> None:
+        super().__init__(f"SymPy {call}", share)
+        self.call = call
+        self._worker = Worker(TARGET, SECONDS, MEBIBYTES)
+
+    def prepare(self, statement: Labelled) -> dict[str, Any]:
+        return {"method": self.call, "certificate": json.loads(certificate(statement))}
+
+    def answer(self, prepared: dict[str, Any]) -> Measured:
+        return self._worker.ask(prepared)
+
+    def cold(self, statement: Labelled) -> float:
+        start = perf_counter()
+        asked(TARGET, 4 * SECONDS, MEBIBYTES, self.prepare(statement))
+        return perf_counter() - start

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from time import process_time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,10 @@ from kowalevski_cas.motion.formulas import INTEGRALS, integrals
 from kowalevski_cas.motion.methods import taylor
 from kowalevski_cas.motion.methods.integrators import integrate
 from kowalevski_cas.pictures import Mark, mark
+from study.step import Row
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 Array = NDArray[np.float64]
 Integrator = Callable[[Array, Array, float], Array]
@@ -37,9 +41,13 @@ SLOWEST = "radau"
 """The integrator that a quick study leaves out."""
 
 LOOK: dict[str, Mark] = {
-    name: mark(index) for index, name in enumerate(("closed", *INTEGRATORS, "ball"))
+    name: mark(index)
+    for index, name in enumerate(("closed", *INTEGRATORS, "ball", "phase rounded once"))
 }
 """The mark of each method, in all charts of motions."""
+
+FLOOR = 1e-17
+"""Where an error is drawn that is smaller still, or zero."""
 
 
 def relative_error(found: Array, exact: Array) -> float:
@@ -69,6 +77,20 @@ def forecast(run: Callable[[float], Any], pilot: float, span: float) -> float:
     short, _ = timed(lambda: run(pilot))
     longer, _ = timed(lambda: run(3 * pilot))
     return longer + max(longer - short, 0.0) * (span - 3 * pilot) / (2 * pilot)
+
+
+def draw_errors(
+    axes: Axes, rows: Iterable[Row], method: str, x: str, y: str = "error", label: str = ""
+) -> None:
+    """Draw what a method measured, those rows that have it; what is exact is at the floor."""
+    chosen = [row for row in rows if row["method"] == method and y in row]
+    if chosen:
+        axes.plot(
+            [row[x] for row in chosen],
+            [max(row[y], FLOOR) for row in chosen],
+            label=label or method,
+            **LOOK[method].line,
+        )
 
 
 def left_out(reason: str) -> Mapping[str, Any]:

@@ -9,17 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kowalevski_cas.motion import Motion, load
-from kowalevski_cas.motion.methods import Missing
 from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.motion.transverse import distance, exponent
-from kowalevski_cas.pictures import INK, new_figure, save, style
+from kowalevski_cas.pictures import INK, new_figure
+from study.charts import label_outer, legend_below
 from study.motion.cases import (
+    FLOOR,
     INTEGRATORS,
     LOOK,
     MOTIONS,
@@ -69,7 +69,7 @@ def _run(method: str, motion: Motion, shift: float) -> Measured:
     start[2] += shift
     try:
         seconds, states = timed(lambda: INTEGRATORS[method](start, _times(), TOLERANCES[method]))
-    except Missing as error:
+    except ModuleNotFoundError as error:
         return left_out(str(error))
     return {"seconds": seconds, "tolerance": TOLERANCES[method], **_followed(motion, states)}
 
@@ -84,7 +84,6 @@ def _followed(motion: Motion, states: Array) -> dict[str, Any]:
     if np.count_nonzero(growing) >= 3:
         rate = float(np.polyfit(middles[growing], np.log(found[growing]), 1)[0])
     return {
-        "verdict": "measured",
         "times": middles.tolist(),
         "distances": found.tolist(),
         "rate": rate,
@@ -96,54 +95,23 @@ def _followed(motion: Motion, states: Array) -> dict[str, Any]:
 # -- the chart ----------------------------------------------------------------------
 
 
-def draw(rows: Sequence[Row], folder: Path) -> None:
-    """The distance from N⁴ against time, with the predicted slope; a table of the rates."""
-    with style():
-        save(_chart(rows), folder, "motion-leaving")
-    (folder / "motion-leaving.md").write_text(_table(rows), encoding="utf-8")
-
-
-def _chart(rows: Sequence[Row]) -> Figure:
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
+    """The distance from N⁴ against time, with the predicted slope."""
     figure = new_figure(height=4.6)
     panels = figure.subplots(2, 2, sharex=True, sharey=True)
     for line, name in zip(panels, MOTIONS, strict=True):
         for axes, place in zip(line, ("on", "beside"), strict=True):
             chosen = [r for r in rows if r["case"] == f"{name}, {place} N⁴" and "times" in r]
             for row in chosen:
-                look = LOOK[row["method"]]
-                axes.plot(
-                    row["times"], row["distances"], label=row["method"],
-                    color=look.colour, marker=look.marker, ls=look.dashes, ms=3.5, lw=1.0,
-                )  # fmt: skip
+                look = {**LOOK[row["method"]].line, "ms": 3.5, "lw": 1.0}
+                axes.plot(row["times"], row["distances"], label=row["method"], **look)
             if chosen and (slope := chosen[-1]["predicted"]):
                 times = np.array([42.0, 74.0])  # below the measured ones
                 axes.plot(times, 2e-14 * np.exp(slope * (times - times[0])), color=INK, lw=2.2)
                 axes.text(55, 6e-14, rf"$e^{{\lambda t}}$, $\lambda={slope:.3f}$")
+            axes.set(yscale="log", ylim=(FLOOR, 10))
             words = "on $N^4$" if place == "on" else r"$\omega_3+10^{-12}$"
-            axes.set(yscale="log", ylim=(1e-17, 10))
             axes.set_title(f"${name}$, {words}")
-    for axes in panels[1]:
-        axes.set_xlabel("$t$")
-    for axes in panels[:, 0]:
-        axes.set_ylabel("distance from $N^4$")
-    figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=5)
-    return figure
-
-
-def _table(rows: Sequence[Row]) -> str:
-    lines = [
-        "| method | case | tolerance | rate measured | rate predicted | last distance | verdict |",
-        "|---|---|---:|---:|---:|---:|---|",
-    ]
-    for row in rows:
-        if "times" not in row:
-            words = f"{row['verdict']}: {row['reason']}"
-            lines.append(f"| {row['method']} | {row['case']} | | | | | {words} |")
-            continue
-        rate = "none" if row["rate"] is None else f"{row['rate']:.3f}"
-        tolerance = f"{row['tolerance']:g}" if "tolerance" in row else ""
-        lines.append(
-            f"| {row['method']} | {row['case']} | {tolerance} | {rate} | {row['predicted']:.3f} "
-            f"| {row['distances'][-1]:.0e} | {row['verdict']} |"
-        )
-    return "\n".join([*lines, ""])
+    label_outer(panels, "$t$", "distance from $N^4$")
+    legend_below(figure, panels[0, 0], 5)
+    return {"motion-leaving": figure}

@@ -8,19 +8,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from kowalevski_cas.motion import Motion, Parameters, load
-from kowalevski_cas.motion.methods import Missing
 from kowalevski_cas.motion.methods.integrators import initial_state
-from kowalevski_cas.pictures import FAINT, new_figure, save, style
+from kowalevski_cas.pictures import FAINT, new_figure
+from study.charts import label_outer, legend_below
 from study.motion.cases import (
+    FLOOR,
     INTEGRATORS,
-    LOOK,
     Array,
+    draw_errors,
     forecast,
     left_out,
     relative_error,
@@ -88,7 +88,7 @@ def _closed(limit: Limit, epsilon: Fraction) -> Measured:
     times = np.concatenate([[0.0], np.geomspace(0.1, LAST, 29)])
     seconds, found = timed(lambda: load("closed")(motion, times))
     error = relative_error(found, load("ball")(motion, times))
-    return {"seconds": seconds, "verdict": "measured", "error": error, "epsilon": float(epsilon)}
+    return {"seconds": seconds, "error": error, "epsilon": float(epsilon)}
 
 
 def _run(method: str, limit: Limit, epsilon: Fraction) -> Measured:
@@ -101,58 +101,32 @@ def _run(method: str, limit: Limit, epsilon: Fraction) -> Measured:
 
     try:
         needed = forecast(run, min(PILOT / fastest, SPAN / 3), SPAN)
-    except Missing as missing:
+    except ModuleNotFoundError as missing:
         return left_out(str(missing))
     if needed > MOST:
         return left_out(f"it would take about {needed:.1g} s, more than {MOST:g} s")
     seconds, found = timed(lambda: run(SPAN))
     error = relative_error(found, load("ball")(motion, np.array([SPAN])))
-    return {"seconds": seconds, "verdict": "measured", "error": error, "epsilon": float(epsilon)}
+    return {"seconds": seconds, "error": error, "epsilon": float(epsilon)}
 
 
 # -- the chart ----------------------------------------------------------------------
 
 
-def draw(rows: Sequence[Row], folder: Path) -> None:
-    """The error against ε, a panel for each limit; a table of everything."""
-    with style():
-        save(_chart(rows), folder, "motion-limits")
-    (folder / "motion-limits.md").write_text(_table(rows), encoding="utf-8")
-
-
-def _chart(rows: Sequence[Row]) -> Figure:
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
+    """The error against ε, a panel for each limit."""
     figure = new_figure(height=5.6)
     panels = figure.subplots(3, 3, sharex=True, sharey=True)
+    times = {"closed": "t ≤ 10⁶", **dict.fromkeys(TOLERANCES, f"t = {SPAN:g}")}
     for axes, (name, limit) in zip(panels.flat, LIMITS.items(), strict=True):
-        for method in ("closed", *TOLERANCES):
-            chosen = [
-                row for row in rows
-                if row["method"] == method and row["case"].startswith(f"{name},")
-                and "error" in row
-            ]  # fmt: skip
-            look = LOOK[method]
-            words = f"{method}, t = {SPAN:g}" if method in INTEGRATORS else f"{method}, t ≤ 10⁶"
-            axes.plot(
-                [row["epsilon"] for row in chosen],
-                [max(row["error"], 1e-17) for row in chosen],
-                color=look.colour, marker=look.marker, ls=look.dashes, ms=3.5, lw=1.0, label=words,
-            )  # fmt: skip
+        chosen = [row for row in rows if row["case"].startswith(f"{name},")]
+        for method, time in times.items():
+            draw_errors(axes, chosen, method, "epsilon", label=f"{method}, {time}")
+        for line in axes.lines:
+            line.set(ms=3.5, lw=1.0)
         axes.axvline(2.0**-53, color=FAINT, lw=0.8, zorder=0)
-        axes.set(xscale="log", yscale="log", xlim=(1, 1e-42), ylim=(1e-17, 30))
+        axes.set(xscale="log", yscale="log", xlim=(1, 1e-42), ylim=(FLOOR, 30))
         axes.set_title(limit.words, size=8)
-    for axes in panels[-1]:
-        axes.set_xlabel(r"$\varepsilon$")
-    for axes in panels[:, 0]:
-        axes.set_ylabel("relative error")
-    figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
-    return figure
-
-
-def _table(rows: Sequence[Row]) -> str:
-    lines = ["| method | case | seconds | relative error | verdict |", "|---|---|---:|---:|---|"]
-    for row in rows:
-        error = f"{row['error']:.1e}" if "error" in row else ""
-        seconds = "" if row["seconds"] is None else f"{row['seconds']:.2g}"
-        words = f"{row['verdict']}: {row['reason']}" if row.get("reason") else row["verdict"]
-        lines.append(f"| {row['method']} | {row['case']} | {seconds} | {error} | {words} |")
-    return "\n".join([*lines, ""])
+    label_outer(panels, r"$\varepsilon$", "relative error")
+    legend_below(figure, panels[0, 0], 4)
+    return {"motion-limits": figure}

@@ -11,7 +11,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,8 +18,9 @@ import numpy as np
 from kowalevski_cas.motion import Motion, load
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.phases import as_fraction
-from kowalevski_cas.pictures import mark, new_figure, save, style
-from study.motion.cases import LOOK, MOTIONS, Array, relative_error, timed
+from kowalevski_cas.pictures import new_figure
+from study.charts import legend_below
+from study.motion.cases import FLOOR, MOTIONS, Array, draw_errors, relative_error, timed
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def _closed(motion: Motion, power: int) -> Measured:
     times = _times(power)
     seconds, found = timed(lambda: load("closed")(motion, times))
     error = relative_error(found, load("ball")(motion, times))
-    return {"seconds": seconds, "verdict": "measured", "error": error, "time": times[0]}
+    return {"seconds": seconds, "error": error, "time": times[0]}
 
 
 def _rounded(motion: Motion, power: int) -> Measured:
@@ -65,31 +65,19 @@ def _rounded(motion: Motion, power: int) -> Measured:
         moved = replace(motion, origins=(lags[0], lags[1]))
         rows.append(load("ball")(moved, np.array([time])))
     error = relative_error(np.concatenate(rows), load("ball")(motion, times))
-    return {"seconds": None, "verdict": "measured", "error": error, "time": times[0]}
+    return {"seconds": None, "error": error, "time": times[0]}
 
 
-def draw(rows: Sequence[Row], folder: Path) -> None:
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
     """The error against time."""
-    with style():
-        save(_chart(rows), folder, "motion-long")
-
-
-def _chart(rows: Sequence[Row]) -> Figure:
     figure = new_figure(height=3.0)
     panels = figure.subplots(1, 2, sharey=True)
     for axes, name in zip(panels, MOTIONS, strict=True):
-        for method, look in (("closed", LOOK["closed"]), (ROUNDED, mark(6))):
-            chosen = [
-                row for row in rows
-                if row["method"] == method and row["case"].startswith(name) and "error" in row
-            ]  # fmt: skip
-            axes.plot(
-                [row["time"] for row in chosen],
-                [max(row["error"], 1e-17) for row in chosen],
-                color=look.colour, marker=look.marker, ls=look.dashes, label=method,
-            )  # fmt: skip
-        axes.set(xscale="log", yscale="log", ylim=(1e-17, 30), xlabel="$t$")
+        chosen = [row for row in rows if row["case"].startswith(name)]
+        for method in ("closed", ROUNDED):
+            draw_errors(axes, chosen, method, "time")
+        axes.set(xscale="log", yscale="log", ylim=(FLOOR, 30), xlabel="$t$")
         axes.set_title(f"${name}$")
     panels[0].set_ylabel("relative error of the state")
-    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
-    return figure
+    legend_below(figure, panels[0], 2)
+    return {"motion-long": figure}

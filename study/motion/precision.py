@@ -6,26 +6,27 @@ The reference is the closed form in balls. An integrator that would take longer 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
-from pathlib import Path
 from statistics import median
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from kowalevski_cas.motion import Motion, load
-from kowalevski_cas.motion.methods import Missing
 from kowalevski_cas.motion.methods.closed import Closed
 from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.motion.transverse import distance
-from kowalevski_cas.pictures import FAINT, new_figure, save, style
+from kowalevski_cas.pictures import FAINT, new_figure
+from study.charts import label_outer, legend_below
 from study.motion.cases import (
+    FLOOR,
     INTEGRATORS,
     LOOK,
     MOTIONS,
     SLOWEST,
     Array,
+    draw_errors,
     drift,
     forecast,
     left_out,
@@ -35,7 +36,7 @@ from study.motion.cases import (
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 TITLE = "Motions on N⁴: work and precision of the methods"
 
@@ -104,7 +105,7 @@ def _run(method: str, motion: Motion, span: float, tolerance: float) -> Measured
 
     try:
         needed = forecast(run, PILOT, span) if span > 3 * PILOT else forecast(run, 1.0, span)
-    except Missing as error:
+    except ModuleNotFoundError as error:
         return left_out(str(error))
     if needed > LIMIT:
         return left_out(f"it would take about {needed:.0f} s, more than {LIMIT:g} s")
@@ -116,7 +117,6 @@ def _judged(motion: Motion, span: float, found: Array) -> dict[str, Any]:
     """The error of a state, and how far it is from the levels of the integrals and from N⁴."""
     exact = load("ball")(motion, np.array([0.0, span]))
     return {
-        "verdict": "measured",
         "span": span,
         "error": relative_error(found, exact[1:]),
         "drift": drift(exact[0], found[0]),
@@ -131,150 +131,75 @@ def _many(motion: Motion, count: int) -> Measured:
     seconds, states = timed(lambda: load("closed")(motion, times))
     chosen = random.choice(count, CHECKED, replace=False)
     error = relative_error(states[chosen], load("ball")(motion, times[chosen]))
-    return {
-        "seconds": seconds,
-        "verdict": "measured",
-        "error": error,
-        "states": count,
-        "rate": count / seconds,
-    }
+    return {"seconds": seconds, "error": error, "states": count, "rate": count / seconds}
 
 
 # -- charts -------------------------------------------------------------------------
 
+DRIFTS = {
+    "$H$": ("H",), "$K$": ("K",), "(4)": ("a^2", "b^2", "c"), "$F_1$, $F_2$": ("F_1", "F_2"),
+}  # fmt: skip
+"""The integrals whose largest drift is drawn in one panel."""
 
-def draw(rows: Sequence[Row], folder: Path) -> None:
-    """Error against time, work against precision, and drift; a table of what was left out."""
+
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
+    """Error against time, work against precision, and drift."""
     over_time = [row for row in rows if ", t = " in row["case"] and "work" not in row["case"]]
-    with style():
-        save(_errors(over_time), folder, "motion-errors")
-        save(_work(rows), folder, "motion-work")
-        save(_drifts(over_time), folder, "motion-drift")
-    (folder / "motion-precision.md").write_text(_table(rows), encoding="utf-8")
+    return {
+        "motion-errors": _errors(over_time),
+        "motion-work": _work(rows),
+        "motion-drift": _drifts(over_time),
+    }
 
 
-def _series(rows: Sequence[Row], name: str, key: str) -> Iterator[tuple[str, list[Any], list[Any]]]:
-    """For each method the times and what was measured there, on the torus with this name."""
-    for method in LOOK:
-        chosen = [
-            row
-            for row in rows
-            if row["method"] == method and row["case"].startswith(name) and key in row
-        ]
-        if chosen:
-            yield method, [row["span"] for row in chosen], [row[key] for row in chosen]
-
-
-def _plot(axes: Axes, method: str, x: Sequence[float], y: Sequence[float]) -> None:
-    look = LOOK[method]
-    axes.plot(x, y, color=look.colour, marker=look.marker, ls=look.dashes, label=method)
-
-
-def _errors(rows: Sequence[Row]) -> Any:
+def _errors(rows: Sequence[Row]) -> Figure:
     figure = new_figure(height=3.6)
     panels = figure.subplots(1, 2, sharex=True, sharey=True)
     for axes, name in zip(panels, MOTIONS, strict=True):
-        for method, spans, errors in _series(rows, name, "error"):
-            _plot(axes, method, spans, np.maximum(errors, 1e-17).tolist())
+        chosen = [row for row in rows if row["case"].startswith(name)]
+        for method in LOOK:
+            draw_errors(axes, chosen, method, "span")
         axes.axhline(1e-13, color=FAINT, lw=0.8, zorder=0)
         kind = "elliptic" if name == "m > 0" else "hyperbolic"
-        axes.set(xscale="log", yscale="log", ylim=(2e-17, 30), xlabel="$t$")
+        axes.set(xscale="log", yscale="log", ylim=(2 * FLOOR, 30), xlabel="$t$")
         axes.set_title(f"${name}$: {kind} torus")
     panels[0].set_ylabel("relative error of the state at $t$")
     panels[0].annotate("$10^{-13}$", (9e5, 1.5e-13), color=FAINT, ha="right")
-    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=6)
+    legend_below(figure, panels[0], 6)
     return figure
 
 
-def _work(rows: Sequence[Row]) -> Any:
+def _work(rows: Sequence[Row]) -> Figure:
     figure = new_figure(4.6, 3.6)
     axes = figure.subplots()
     work = [row for row in rows if row["case"].startswith("work") and "error" in row]
     span = work[0]["span"] if work else AT
+    work += [
+        row
+        for row in rows
+        if row["method"] in ("closed", "ball") and row["case"] == f"m > 0, t = {span:g}"
+    ]
     for method in LOOK:
-        chosen = [row for row in work if row["method"] == method] or [
-            row for row in rows
-            if method in ("closed", "ball") and row["method"] == method
-            and row.get("span") == span and row["case"].startswith("m > 0")
-        ]  # fmt: skip
-        if chosen:
-            _plot(
-                axes, method, [max(row["error"], 1e-17) for row in chosen],
-                [row["seconds"] for row in chosen],
-            )  # fmt: skip
-    axes.set(xscale="log", yscale="log", xlim=(30, 1e-17))
+        chosen = [{**row, "error": max(row["error"], FLOOR)} for row in work]
+        draw_errors(axes, chosen, method, "error", "seconds")
+    axes.set(xscale="log", yscale="log", xlim=(30, FLOOR))
     axes.set_xlabel(f"relative error of the state at $t={span:g}$")
     axes.set_ylabel("seconds")
-    if axes.lines:
-        axes.legend()
+    axes.legend()
     return figure
 
 
-def _drifts(rows: Sequence[Row]) -> Any:
+def _drifts(rows: Sequence[Row]) -> Figure:
     figure = new_figure(height=4.4)
-    kinds = {
-        "$H$": ("H",), "$K$": ("K",), "(4)": ("a^2", "b^2", "c"), "$F_1$, $F_2$": ("F_1", "F_2"),
-    }  # fmt: skip
     panels = figure.subplots(2, 4, sharex=True, sharey=True)
     for line, name in zip(panels, MOTIONS, strict=True):
-        for axes, (title, names) in zip(line, kinds.items(), strict=True):
-            for method, spans, values in _series(rows, name, "drift"):
-                worst = [max(value[one] for one in names) for value in values]
-                _plot(axes, method, spans, np.maximum(worst, 1e-17).tolist())
-            axes.set(xscale="log", yscale="log", ylim=(5e-18, 30))
+        chosen = [row for row in rows if row["case"].startswith(name) and "drift" in row]
+        for axes, (title, names) in zip(line, DRIFTS.items(), strict=True):
+            worst = [{**row, "worst": max(row["drift"][one] for one in names)} for row in chosen]
+            for method in LOOK:
+                draw_errors(axes, worst, method, "span", "worst")
+            axes.set(xscale="log", yscale="log", ylim=(FLOOR / 2, 30))
             axes.set_title(f"{title}, ${name}$")
-    for axes in panels[1]:
-        axes.set_xlabel("$t$")
-    for axes in panels[:, 0]:
-        axes.set_ylabel("drift")
-    figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=6)
+    label_outer(panels, "$t$", "drift")
+    legend_below(figure, panels[0, 0], 6)
     return figure
-
-
-def _table(rows: Sequence[Row]) -> str:
-    """Every row as Markdown, with the reason where nothing was measured."""
-    lines = [
-        "| method | case | seconds | relative error | drift of H, K, (4), (16) | verdict |",
-        "|---|---|---:|---:|---|---|",
-    ]
-    for row in rows:
-        seconds = "" if row["seconds"] is None else f"{row['seconds']:.2g}"
-        error = f"{row['error']:.1e}" if "error" in row else ""
-        lost = row.get("drift", {})
-        groups = (("H",), ("K",), ("a^2", "b^2", "c"), ("F_1", "F_2"))
-        moved = ", ".join(f"{max(lost[n] for n in g):.0e}" for g in groups) if lost else ""
-        words = f"{row['verdict']}: {row['reason']}" if row.get("reason") else row["verdict"]
-        if "rate" in row:
-            words += f", {row['rate']:.2g} states a second"
-        if "prepared" in row:
-            words += f"; {row['prepared']:.1g} s if prepared"
-        lines.append(
-            f"| {row['method']} | {row['case']} | {seconds} | {error} | {moved} | {words} |"
-        )
-    return "\n".join([*lines, *_compared(rows), ""])
-
-
-def _compared(rows: Sequence[Mapping[str, Any]]) -> list[str]:
-    """By how much the closed form is faster than each integrator at its sharpest."""
-    span = next(
-        (row["span"] for row in rows if row["case"].startswith("work") and "span" in row), 0
-    )
-    closed = [
-        row for row in rows if row["method"] == "closed" and row["case"] == f"m > 0, t = {span:g}"
-    ]
-    lines = []
-    for method in INTEGRATORS if closed else ():
-        work = [
-            row
-            for row in rows
-            if row["method"] == method and row["case"].startswith("work") and "error" in row
-        ]
-        if work:
-            best = min(work, key=lambda row: row["error"])
-            ratio = best["seconds"] / closed[0]["seconds"]
-            lines.append(
-                f"- {method}: at best {best['error']:.1e} in {best['seconds']:.2g} s, "
-                f"{ratio:.0f} times the time of the closed form, whose error is "
-                f"{closed[0]['error']:.1e}."
-            )
-    return ["", f"The state at t = {span:g} on the elliptic torus:", "", *lines] if lines else []

@@ -13,17 +13,22 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import partial
 from itertools import pairwise
-from pathlib import Path
-from time import perf_counter
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.arithmetic import load_points
 from kowalevski_cas.arithmetic.points import Question
 from kowalevski_cas.arithmetic.programs import Program
+from kowalevski_cas.pictures import INK, new_figure
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import StageError, scalar
+from study.charts import by_place, marked
 from study.stability.material import bench, claim, paper
 from study.step import Measured, Row, Task
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 TITLE = "the branch of √(x₁x₂)"
 
@@ -34,9 +39,9 @@ ROOT = r"\sqrt{x_1x_2}"
 def measure(quick: bool) -> Iterable[Task]:
     """Signs on a grid of angles, a loop, and what the tool says."""
     number = 16 if quick else 64
-    yield Task("floating", "products of roots", lambda: products(number))
-    yield Task("exact", "products of roots", lambda: rule(number))
-    yield Task("floating", "loop", lambda: loop(8 * number))
+    yield Task("floating", "products of roots", partial(products, number))
+    yield Task("exact", "products of roots", partial(rule, number))
+    yield Task("floating", "loop", partial(loop, 8 * number))
     yield Task("modular", "claims for both roots", both_roots)
     yield Task("exact", "the root of a factor", undeclared)
 
@@ -48,33 +53,28 @@ def angles(number: int) -> list[Fraction]:
 
 def products(number: int) -> Measured:
     """Signs of √x₁·√x₂ against √(x₁x₂), by the principal values of floating point."""
-    start = perf_counter()
     points = [cmath.rect(1.0, float(a) * cmath.pi) for a in angles(number)]
     signs = []
     for x in points:
         ratios = [cmath.sqrt(x) * cmath.sqrt(y) / cmath.sqrt(x * y) for y in points]
         signs.append([1 if ratio.real > 0 else -1 for ratio in ratios])
-    return {"seconds": perf_counter() - start, "verdict": "measured", "signs": signs}
+    return {"signs": signs}
 
 
 def rule(number: int) -> Measured:
     """The same signs by adding the angles, exactly."""
-    start = perf_counter()
     grid = angles(number)
     signs = [[1 if -1 < a + b <= 1 else -1 for b in grid] for a in grid]
-    return {"seconds": perf_counter() - start, "verdict": "measured", "signs": signs}
+    return {"signs": signs}
 
 
 def loop(number: int) -> Measured:
     """√θ for θ twice around zero: the principal value, and the one that is continued."""
-    start = perf_counter()
     turns = [4 * k / number for k in range(number + 1)]  # in units of π
     principal = [cmath.sqrt(cmath.rect(1.0, turn * cmath.pi)) for turn in turns]
     continued = [cmath.rect(1.0, turn * cmath.pi / 2) for turn in turns]
     jumps = sum(abs(b - a) > 1 for a, b in pairwise(principal))
     return {
-        "seconds": perf_counter() - start,
-        "verdict": "measured",
         "turns": turns,
         "principal": [value.real for value in principal],
         "continued": [value.real for value in continued],
@@ -84,7 +84,6 @@ def loop(number: int) -> Measured:
 
 def both_roots() -> Measured:
     """Which claims about √θ stay true when the sign of the root is changed; F1 itself does not."""
-    start = perf_counter()
     points, work = load_points("modular"), bench("modular")
     same: dict[str, bool] = {}
     for one in paper()[0].claims:
@@ -108,7 +107,6 @@ def both_roots() -> Measured:
     assert isinstance(f1, Program)
     bit = stage.ring.roots.index(ROOT)
     return {
-        "seconds": perf_counter() - start,
         "verdict": "probable" if all(same.values()) else "refuted",
         "claims": same,
         "F1 changes its sign": (f1 + f1.conjugate_root(bit)).is_zero,
@@ -117,69 +115,54 @@ def both_roots() -> Measured:
 
 def undeclared() -> Measured:
     """What the tool says when the root is written as a product of roots: there is no such root."""
-    start = perf_counter()
     scene: Scene = claim("F1-prime").scene
     stage = bench("flint").stage(scene)
     try:
         scalar(stage.formula(NAIVE), stage)
     except StageError as error:
-        return {"seconds": perf_counter() - start, "verdict": "refused", "reason": str(error)}
-    return {"seconds": perf_counter() - start, "verdict": "accepted"}
+        return {"verdict": "refused", "reason": str(error)}
+    return {"verdict": "accepted"}
 
 
-def draw(rows: Sequence[Row], folder: Path) -> None:
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
     """The loop on the left, the signs of the products on the right."""
-    from kowalevski_cas import pictures
-
-    found = {(row["method"], row["case"]): row for row in rows}
+    found = by_place(rows)
     around = found["floating", "loop"]
-    computed = found["floating", "products of roots"]["signs"]
-    exact = found["exact", "products of roots"]["signs"]
-    with pictures.style():
-        figure = pictures.new_figure(height=3.2)
-        left, right = figure.subplots(1, 2)
-        for index, (name, label) in enumerate(
-            (("continued", "continued along the loop"), ("principal", "principal value"))
-        ):
-            mark = pictures.mark(index)
-            left.plot(
-                around["turns"], around[name], label=label, color=mark.colour, linestyle=mark.dashes
-            )
-        left.set_title(r"$\mathrm{Re}\sqrt{\theta}$ on $\theta=e^{i\varphi}$")
-        left.set_xlabel(r"$\varphi/\pi$")
-        left.set_ylim(-1.1, 1.9)
-        left.legend(loc="upper center")
-        count = len(computed)
-        for sign, index, label in ((1, 0, "equal"), (-1, 1, "opposite")):
-            mark = pictures.mark(index)
-            places = [(i, j) for i in range(count) for j in range(count) if computed[i][j] == sign]
-            right.plot(
-                [(2 * i + 1 - count) / count for i, _ in places],
-                [(2 * j + 1 - count) / count for _, j in places],
-                linestyle="none",
-                marker="." if sign > 0 else "x",
-                markersize=1.6,
-                color=mark.colour,
-                label=label,
-            )
-        for offset in (-1, 1):
-            right.plot(
-                [offset, 0] if offset > 0 else [-1, 0], [0, offset], color=pictures.INK, lw=1
-            )
-        agree = sum(
-            a == b for r, s in zip(computed, exact, strict=True) for a, b in zip(r, s, strict=True)
-        )
-        right.set_title(r"$\sqrt{x_1}\sqrt{x_2}$ against $\sqrt{x_1x_2}$")
-        right.set_xlabel(r"$\arg x_1/\pi$")
-        right.set_ylabel(r"$\arg x_2/\pi$")
-        right.set_aspect("equal")
-        right.set_xlim(-1, 1)
-        right.set_ylim(-1, 1)
-        figure.legend(
-            *right.get_legend_handles_labels(), loc="outside lower right", ncols=2, markerscale=4
-        )
-        figure.suptitle(
-            f"floating point agrees with the exact rule at {agree} of {count**2} places",
-            fontsize=7.5,
-        )
-        pictures.save(figure, folder, "stability-branch")
+    computed, exact = (
+        found[method, "products of roots"]["signs"] for method in ("floating", "exact")
+    )
+    figure = new_figure(height=3.2)
+    left, right = figure.subplots(1, 2)
+    ways = {"continued": "continued along the loop", "principal": "principal value"}
+    for mark, (name, label) in marked(ways.items()):
+        left.plot(around["turns"], around[name], label=label, color=mark.colour, ls=mark.dashes)
+    left.set_title(r"$\mathrm{Re}\sqrt{\theta}$ on $\theta=e^{i\varphi}$")
+    left.set(xlabel=r"$\varphi/\pi$", ylim=(-1.1, 1.9))
+    left.legend(loc="upper center")
+    places = [float(angle) for angle in angles(len(computed))]
+    for mark, (sign, label, marker) in marked(((1, "equal", "."), (-1, "opposite", "x"))):
+        points = [
+            (x, y)
+            for x, row in zip(places, computed, strict=True)
+            for y, seen in zip(places, row, strict=True)
+            if seen == sign
+        ]
+        right.plot(
+            *zip(*points, strict=True), ls="none", marker=marker, ms=1.6, color=mark.colour,
+            label=label,
+        )  # fmt: skip
+    for ends in ((0, 1), (-1, 0)):
+        right.plot(ends, ends[::-1], color=INK, lw=1)
+    pairs = [
+        a == b for r, s in zip(computed, exact, strict=True) for a, b in zip(r, s, strict=True)
+    ]
+    right.set_title(r"$\sqrt{x_1}\sqrt{x_2}$ against $\sqrt{x_1x_2}$")
+    right.set(xlabel=r"$\arg x_1/\pi$", ylabel=r"$\arg x_2/\pi$", aspect="equal")
+    right.set(xlim=(-1, 1), ylim=(-1, 1))
+    handles = right.get_legend_handles_labels()
+    figure.legend(*handles, loc="outside lower right", ncols=2, markerscale=4)
+    figure.suptitle(
+        f"floating point agrees with the exact rule at {sum(pairs)} of {len(pairs)} places",
+        fontsize=7.5,
+    )
+    return {"stability-branch": figure}

@@ -14,8 +14,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
-from time import perf_counter
+from functools import partial
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.arithmetic import load_points
 from kowalevski_cas.arithmetic.derivation import gradient
@@ -28,9 +28,11 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.dimension import Dimension
 from kowalevski_cas.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.claims.points import AtPoint
+from kowalevski_cas.pictures import new_figure
 from kowalevski_cas.stage import Stage, StageError
 from kowalevski_cas.stage.programs import ProgramStage
 from kowalevski_cas.stage.programs import programs as programs_of
+from study.charts import by_place, marked, split
 from study.stability.material import (
     Gaussian,
     as_complex,
@@ -40,6 +42,9 @@ from study.stability.material import (
     stages,
 )
 from study.step import Measured, Row, Task
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 TITLE = "degenerate fields"
 
@@ -65,10 +70,10 @@ def measure(quick: bool) -> Iterable[Task]:
     """Singular values and exact ranks along each family; the claims at each degeneration."""
     exponents = list(range(0, LARGEST + 1, 8 if quick else 1))
     for family in FAMILIES:
-        yield Task("floating", family, lambda f=family: singular_values(f, exponents))  # type: ignore[misc]
-        yield Task("exact", family, lambda f=family: exact_ranks(f, exponents))  # type: ignore[misc]
+        yield Task("floating", family, partial(singular_values, family, exponents))
+        yield Task("exact", family, partial(exact_ranks, family, exponents))
     for place in AT:
-        yield Task("modular", place, lambda p=place: claims_at(p, quick))  # type: ignore[misc]
+        yield Task("modular", place, partial(claims_at, place, quick))
 
 
 # -- near a degeneration ---------------------------------------------------------
@@ -111,7 +116,6 @@ def singular_values(family: str, exponents: Sequence[int]) -> Measured:
 
     from kowalevski_cas.arithmetic.floating import at
 
-    start = perf_counter()
     _, programs = stages(claim("eq16.invariance").scene)
     assert isinstance(programs, ProgramStage)
     points = [point_near(family, Fraction(1, 10**k)) for k in exponents]
@@ -124,8 +128,6 @@ def singular_values(family: str, exponents: Sequence[int]) -> Measured:
     matrices = np.moveaxis(matrix, 2, 0)
     spectra = np.linalg.svd(matrices, compute_uv=False)
     return {
-        "seconds": perf_counter() - start,
-        "verdict": "measured",
         "exponents": list(exponents),
         "smallest": [float(s[-1] / s[0]) for s in spectra],
         "ranks": [int(r) for r in np.linalg.matrix_rank(matrices)],
@@ -134,7 +136,6 @@ def singular_values(family: str, exponents: Sequence[int]) -> Measured:
 
 def exact_ranks(family: str, exponents: Sequence[int]) -> Measured:
     """The exact rank at exact points of the set, for each ε and, last, for ε = 0."""
-    start = perf_counter()
     stage = bench("flint").stage(claim("eq16.invariance").scene)
     relations = claim("eq16.invariance")
     assert isinstance(relations, InvariantRelations)
@@ -145,7 +146,6 @@ def exact_ranks(family: str, exponents: Sequence[int]) -> Measured:
         on_set = on_set and all(at(function).is_zero for function in functions)
         ranks.append(rank([[at(entry) for entry in row] for row in rows]))
     return {
-        "seconds": perf_counter() - start,
         "verdict": "measured" if on_set else "error",
         "exponents": list(exponents),
         "ranks": ranks,
@@ -162,11 +162,10 @@ def claims_at(place: str, quick: bool) -> Measured:
     ``empty`` (no point was found on the set), or ``elsewhere`` (the scene does not
     know the fields).
     """
-    start = perf_counter()
     work, points = bench("modular"), load_points("modular")
     chosen = [c for c in paper()[0].claims if not quick or c.id in ("eq15", "N4-dimension")]
     said = {one.id: _at(one, place, work, points) for one in chosen}
-    return {"seconds": perf_counter() - start, "verdict": "measured", "claims": said}
+    return {"claims": said}
 
 
 def _at(one: Claim, place: str, work: Bench, points: Points) -> str:
@@ -204,63 +203,51 @@ def _known(stage: ProgramStage, equations: Sequence[str]) -> list[Program] | Non
     return [e for e in found if e.number != 0] or None
 
 
-# -- the pictures ----------------------------------------------------------------
+# -- the picture -----------------------------------------------------------------
 
-MARKS = {"holds": "✓", "fails": "✗", "undefined": "÷0", "empty": "∅"}
+SIGNS = {"holds": "✓", "fails": "✗", "undefined": "÷0", "empty": "∅"}
+
+LEGEND = (
+    "✗ false there    ÷0 divided by zero at every point\n"
+    "∅ no point of the set was found    – not asked there"
+)
 
 
-def draw(rows: Sequence[Row], folder: Path) -> None:
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
     """Singular values on the left; on the right the claims that are not simply true there."""
-    from kowalevski_cas import pictures
-
-    found = {(row["method"], row["case"]): row for row in rows}
-    at = {place: found["modular", place]["claims"] for place in AT if ("modular", place) in found}
+    found = by_place(rows)
+    figure = new_figure(height=4.2)
+    left, right = figure.subplots(1, 2, width_ratios=(1.25, 1))
+    for mark, family in marked(FAMILIES):
+        row, exact = found["floating", family], found["exact", family]
+        xs = [10.0**-k for k in row["exponents"]]
+        ys = [max(value, 1e-25) for value in row["smallest"]]
+        full = [rank == exact["ranks"][0] for rank in row["ranks"]]
+        label = f"{family}: exact rank {exact['ranks'][0]}, at 0: {exact['ranks'][-1]}"
+        left.plot(xs, ys, label=label, color=mark.colour, ls=mark.dashes)
+        split(left, mark, zip(xs, ys, full, strict=True), "")
+    left.set(xscale="log", yscale="log", xlabel="ε, the distance from the degeneration")
+    left.set_title("smallest singular value (hollow: rank lost)")
+    left.invert_xaxis()
+    left.legend(loc="lower left", fontsize=6.5)
+    right.set_axis_off()
+    right.set_title("claims at a degeneration")
+    right.text(0.0, 0.0, LEGEND, fontsize=6.5, transform=right.transAxes)
+    at = {place: found["modular", place]["claims"] for place in AT}
     changed = [
         id
-        for id in next(iter(at.values()), {})
-        if {at[place][id] for place in at} & {"fails", "undefined", "empty"}
+        for id in at[next(iter(AT))]
+        if {said[id] for said in at.values()} & {"fails", "undefined", "empty"}
     ]
-    with pictures.style():
-        figure = pictures.new_figure(height=4.2)
-        left, right = figure.subplots(1, 2, width_ratios=(1.25, 1))
-        for index, family in enumerate(FAMILIES):
-            row, exact = found["floating", family], found["exact", family]
-            mark = pictures.mark(index)
-            xs = [10.0**-k for k in row["exponents"]]
-            label = f"{family}: exact rank {exact['ranks'][0]}, at 0: {exact['ranks'][-1]}"
-            ys = [max(value, 1e-25) for value in row["smallest"]]
-            left.loglog(xs, ys, label=label, color=mark.colour, linestyle=mark.dashes)
-            full = [r == exact["ranks"][0] for r in row["ranks"]]
-            for whole, fill in ((True, mark.colour), (False, "white")):
-                places = [k for k, f in enumerate(full) if f is whole]
-                left.plot(
-                    [xs[k] for k in places],
-                    [ys[k] for k in places],
-                    linestyle="none",
-                    marker=mark.marker,
-                    color=mark.colour,
-                    markerfacecolor=fill,
-                )
-        left.set_xlabel("ε, the distance from the degeneration")
-        left.set_title("smallest singular value (hollow: rank lost)")
-        left.invert_xaxis()
-        left.legend(loc="lower left", fontsize=6.5)
-        right.set_axis_off()
-        right.set_title("claims at a degeneration")
-        table = right.table(
-            [[MARKS.get(at[place][id], "–") for place in at] for id in changed],
-            rowLabels=changed,
-            colLabels=list(at),
-            cellLoc="center",
-            bbox=(0.42, 0.12, 0.6, 0.88),
-        )
-        words = (
-            "✗ false there    ÷0 divided by zero at every point\n"
-            "∅ no point of the set was found    – not asked there"
-        )
-        right.text(0.0, 0.0, words, fontsize=6.5, transform=right.transAxes)
-        table.auto_set_font_size(False)
-        table.set_fontsize(6.5)
-        for cell in table.get_celld().values():
-            cell.set_linewidth(0.3)
-        pictures.save(figure, folder, "stability-degenerate")
+    table = right.table(
+        [[SIGNS.get(said[id], "–") for said in at.values()] for id in changed],
+        rowLabels=changed,
+        colLabels=list(at),
+        cellLoc="center",
+        bbox=(0.42, 0.12, 0.6, 0.88),
+    )
+    table.auto_set_font_size(False)
+    table.set_fontsize(6.5)
+    for cell in table.get_celld().values():
+        cell.set_linewidth(0.3)
+    return {"stability-degenerate": figure}

@@ -13,10 +13,11 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.library import find, load
+from kowalevski_cas.notation import Relation
 from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.proof.verify import Session
 from kowalevski_cas.scene import Scene
-from kowalevski_cas.stage import Stage
+from kowalevski_cas.stage import Stage, scalar
 from kowalevski_cas.texts import Texts
 
 PAPER = "kharlamov2002"
@@ -41,6 +42,15 @@ def claim(id: str) -> Claim:
 def bench(arithmetic: str) -> Bench:
     """A bench for the corrected texts."""
     return Bench(arithmetic, paper()[1])
+
+
+def sides(one: Claim, stage: Stage) -> tuple[Any, Any]:
+    """Both sides of the equation that a claim is about, as corrected."""
+    assert one.printed is not None
+    formula = paper()[1].formula(one.printed)
+    assert isinstance(formula, Relation)
+    left, right = (scalar(member, stage) for member in formula.members[:2])
+    return left, right
 
 
 def stages(scene: Scene) -> tuple[Stage, Stage]:

@@ -8,18 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from itertools import islice
-from pathlib import Path
+from functools import partial
+from math import log2
 from random import Random
-from time import perf_counter
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.arithmetic import load_points
 from kowalevski_cas.arithmetic.points import ExactPoint, Question
 from kowalevski_cas.arithmetic.programs import Program
-from kowalevski_cas.notation import Relation
-from kowalevski_cas.stage import scalar
-from study.stability.material import bench, claim, paper, stages
+from kowalevski_cas.pictures import FAINT, new_figure
+from study.charts import curve, marked
+from study.stability.material import bench, claim, sides, stages
 from study.step import Measured, Row, Task
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 TITLE = "bits that a near miss takes"
 
@@ -37,20 +40,16 @@ def measure(quick: bool) -> Iterable[Task]:
     """For each identity: bits for balls, and the verdicts of the others, over the exponents e."""
     exponents = [5, 40] if quick else list(range(2, 20)) + list(range(20, LARGEST + 1, 10))
     for id in IDENTITIES[:2] if quick else IDENTITIES:
-        yield Task("ball", id, lambda i=id: bits(i, exponents))  # type: ignore[misc]
+        yield Task("ball", id, partial(bits, id, exponents))
         for method in ("floating", "modular"):
-            yield Task(method, id, lambda m=method, i=id: verdicts(m, i, exponents))  # type: ignore[misc]
-        yield Task("exact", id, lambda i=id: exactly(i, exponents))  # type: ignore[misc]
+            yield Task(method, id, partial(verdicts, method, id, exponents))
+        yield Task("exact", id, partial(exactly, id, exponents))
 
 
 def near_miss(id: str, exponent: int) -> Question:
     """The identity, as corrected, with one side off by a little."""
-    printed = claim(id).printed
-    assert printed is not None
     _, stage = stages(claim(id).scene)
-    formula = paper()[1].formula(printed)
-    assert isinstance(formula, Relation)
-    left, right = (scalar(member, stage) for member in formula.members[:2])
+    left, right = sides(claim(id), stage)
     factor = stage.ring.number(1 + Fraction(1, 10**exponent))
     residual = left * factor - right
     assert isinstance(residual, Program)
@@ -63,7 +62,6 @@ def bits(id: str, exponents: Sequence[int]) -> Measured:
 
     from kowalevski_cas.arithmetic.ball import ball_point, exact_balls, random_point
 
-    start = perf_counter()
     needed: list[int | None] = []
     for exponent in exponents:
         question = near_miss(id, exponent)
@@ -76,79 +74,53 @@ def bits(id: str, exponents: Sequence[int]) -> Measured:
                     break
         else:
             needed.append(None)
-    return _row(start, exponents, bits=needed)
+    return {"exponents": list(exponents), "bits": needed}
 
 
 def verdicts(method: str, id: str, exponents: Sequence[int]) -> Measured:
     """Whether a method refutes the near miss."""
-    start = perf_counter()
     points = load_points(method)
     answers = [points.answer(near_miss(id, exponent)).holds for exponent in exponents]
-    return _row(start, exponents, refuted=[answer is False for answer in answers])
+    return {"exponents": list(exponents), "refuted": [answer is False for answer in answers]}
 
 
 def exactly(id: str, exponents: Sequence[int]) -> Measured:
     """The exact arithmetic refutes every near miss: the difference is not the zero polynomial."""
-    start = perf_counter()
-    printed = claim(id).printed
-    assert printed is not None
     stage = bench("flint").stage(claim(id).scene)
-    formula = paper()[1].formula(printed)
-    assert isinstance(formula, Relation)
-    left, right = (scalar(member, stage) for member in islice(formula.members, 2))
+    left, right = sides(claim(id), stage)
     refuted = []
     for exponent in exponents:
         factor = stage.ring.number(1 + Fraction(1, 10**exponent))
         refuted.append(not (left * factor - right).is_zero)
-    return _row(start, exponents, refuted=refuted)
+    return {"exponents": list(exponents), "refuted": refuted}
 
 
-def _row(start: float, exponents: Sequence[int], **found: object) -> Measured:
-    seconds = perf_counter() - start
-    return {"seconds": seconds, "verdict": "measured", "exponents": list(exponents), **found}
-
-
-def draw(rows: Sequence[Row], folder: Path) -> None:
-    """Bits against e; hollow marks below show where floating point accepts what is false."""
-    from math import log2
-
-    from kowalevski_cas import pictures
-
-    with pictures.style():
-        figure = pictures.new_figure(height=3.6)
-        axes = figure.subplots()
-        balls = [row for row in rows if row["method"] == "ball"]
-        for index, row in enumerate(balls):
-            mark = pictures.mark(index)
-            pairs = zip(row["exponents"], row["bits"], strict=True)
-            known = [(e, b) for e, b in pairs if b is not None]
-            axes.plot(
-                [e for e, _ in known],
-                [b for _, b in known],
-                color=mark.colour,
-                marker=mark.marker,
-                linestyle=mark.dashes,
-                markersize=3.5,
-                label=row["case"],
-            )
-        if balls:
-            ends = min(balls[0]["exponents"]), max(balls[0]["exponents"])
-            axes.plot(
-                ends, [e * log2(10) for e in ends], color=pictures.FAINT, label=r"$e\,\log_2 10$"
-            )
-        floats = [row for row in rows if row["method"] == "floating"]
-        seen = [
-            e for row in floats for e, r in zip(row["exponents"], row["refuted"], strict=True) if r
-        ]
-        if seen:
-            axes.axvspan(max(seen) + 0.5, LARGEST, color=pictures.FAINT, alpha=0.2, linewidth=0)
-            words = f"beyond $10^{{-{max(seen)}}}$ floating point accepts them all"
-            axes.text(max(seen) + 2, 8, words, fontsize=7)
-        axes.set_xlabel(r"$e$: one side is off by the factor $1+10^{-e}$")
-        axes.set_ylabel("bits at which a ball refutes")
-        sure = [row["refuted"] for row in rows if row["method"] in ("exact", "modular")]
-        denied = sum(map(sum, sure))
-        words = f"exact and modular arithmetic refute {denied} of {sum(map(len, sure))}"
-        axes.set_title(words)
-        axes.legend(loc="upper left")
-        pictures.save(figure, folder, "stability-precision")
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
+    """Bits against e; the shade covers where floating point accepts what is false."""
+    figure = new_figure(height=3.6)
+    axes = figure.subplots()
+    balls = [row for row in rows if row["method"] == "ball"]
+    for mark, row in marked(balls):
+        look = {**mark.line, "markersize": 3.5, "label": row["case"]}
+        curve(axes, row["exponents"], row["bits"], **look)
+    if balls:
+        ends = min(balls[0]["exponents"]), max(balls[0]["exponents"])
+        axes.plot(ends, [e * log2(10) for e in ends], color=FAINT, label=r"$e\,\log_2 10$")
+    seen = [
+        e
+        for row in rows
+        if row["method"] == "floating"
+        for e, refuted in zip(row["exponents"], row["refuted"], strict=True)
+        if refuted
+    ]
+    if seen:
+        axes.axvspan(max(seen) + 0.5, LARGEST, color=FAINT, alpha=0.2, linewidth=0)
+        words = f"beyond $10^{{-{max(seen)}}}$ floating point accepts them all"
+        axes.text(max(seen) + 2, 8, words, fontsize=7)
+    axes.set_xlabel(r"$e$: one side is off by the factor $1+10^{-e}$")
+    axes.set_ylabel("bits at which a ball refutes")
+    sure = [row["refuted"] for row in rows if row["method"] in ("exact", "modular")]
+    denied = sum(map(sum, sure))
+    axes.set_title(f"exact and modular arithmetic refute {denied} of {sum(map(len, sure))}")
+    axes.legend(loc="upper left")
+    return {"stability-precision": figure}

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from pathlib import Path
+from functools import partial
 from random import Random
-from time import perf_counter
+from typing import TYPE_CHECKING
 
 from flint import fmpz
 
@@ -22,8 +22,13 @@ from kowalevski_cas.arithmetic.modular import primes, residue_point
 from kowalevski_cas.arithmetic.points import NoPoint, Question
 from kowalevski_cas.arithmetic.programs import Programs
 from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.pictures import FAINT, new_figure
+from study.charts import curve, legend_below, marked
 from study.stability.material import claim, paper
 from study.step import Measured, Row, Task
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 TITLE = "unlucky primes and too few points"
 
@@ -39,7 +44,7 @@ def measure(quick: bool) -> Iterable[Task]:
     sizes = (2, 7, 16) if quick else (2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14)
     moduli = [small_prime(2**k) for k in sizes]
     for id in FALSE:
-        yield Task("modular", id, lambda i=id: accepted(i, moduli, 100 if quick else POINTS))  # type: ignore[misc]
+        yield Task("modular", id, partial(accepted, id, moduli, 100 if quick else POINTS))
     yield Task("modular", "coefficients that vanish modulo the prime", bad_reduction)
     yield Task("modular", "a denominator that vanishes modulo the prime", denominator)
 
@@ -63,7 +68,6 @@ def question(id: str) -> Question:
 
 def accepted(id: str, moduli: Sequence[int], number: int) -> Measured:
     """For each prime: the share of points that accept, the share that are lost, and the bound."""
-    start = perf_counter()
     asked = question(id)
     sizes = Sizes()
     degree = max(sizes(program).degree for program in asked.residuals)
@@ -83,8 +87,6 @@ def accepted(id: str, moduli: Sequence[int], number: int) -> Measured:
         shares.append(accepts / found if found else None)
         lost.append(1 - found / number)
     return {
-        "seconds": perf_counter() - start,
-        "verdict": "measured",
         "primes": list(moduli),
         "accepted": shares,
         "lost": lost,
@@ -95,7 +97,6 @@ def accepted(id: str, moduli: Sequence[int], number: int) -> Measured:
 
 def bad_reduction() -> Measured:
     """A claim that is false by a multiple of both primes of one seed; other seeds refute it."""
-    start = perf_counter()
     seeds = range(1, 9)
     product = 1
     for prime in primes(Random(1), 2):
@@ -103,59 +104,38 @@ def bad_reduction() -> Measured:
     ring = Programs(("x",))
     asked = Question(ring, [ring.number(product) * ring.generator("x")])
     answers = [load_points("modular", seed).answer(asked).holds for seed in seeds]
-    return {
-        "seconds": perf_counter() - start,
-        "verdict": "measured",
-        "seeds": list(seeds),
-        "accepted": answers,
-    }
+    return {"seeds": list(seeds), "accepted": answers}
 
 
 def denominator() -> Measured:
     """A coefficient with a denominator has no value modulo its divisors: no point, no answer."""
-    start = perf_counter()
     ring = Programs(("x",))
     prime = small_prime(100)
     asked = Question(ring, [ring.number(Fraction(1, prime)) * ring.generator("x")])
     try:
         residue_point(asked, prime, Random(1))
     except NoPoint as error:
-        return {"seconds": perf_counter() - start, "verdict": "undecided", "reason": str(error)}
-    return {"seconds": perf_counter() - start, "verdict": "refuted"}
+        return {"verdict": "undecided", "reason": str(error)}
+    return {"verdict": "refuted"}
 
 
-def draw(rows: Sequence[Row], folder: Path) -> None:
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
     """The share of wrong acceptances against the prime, with the bound."""
-    from kowalevski_cas import pictures
-
-    with pictures.style():
-        figure = pictures.new_figure(height=3.4)
-        axes = figure.subplots()
-        mine = [row for row in rows if "bound" in row]
-        for index, row in enumerate(mine):
-            mark = pictures.mark(index)
-            known = [
-                (p, share)
-                for p, share in zip(row["primes"], row["accepted"], strict=True)
-                if share is not None
-            ]
-            floor = 0.3 / row["points"]
-            axes.loglog(
-                [p for p, _ in known],
-                [max(share, floor) for _, share in known],
-                linestyle="none",
-                marker=mark.marker,
-                color=mark.colour,
-                label=f"{row['case']} as printed, accepted",
-            )
-            line = {"color": mark.colour, "linestyle": mark.dashes, "label": "its bound"}
-            axes.loglog(row["primes"], row["bound"], **line)
-        if mine:
-            floor = 0.3 / mine[0]["points"]
-            axes.axhline(floor, color=pictures.FAINT, linewidth=0.8)
-            words = f"none of {mine[0]['points']} points"
-            axes.text(mine[0]["primes"][0], floor * 1.15, words, fontsize=7)
-        axes.set_xlabel("prime")
-        axes.set_title("share of points modulo a small prime that accept a false claim")
-        figure.legend(fontsize=6.5, loc="outside lower center", ncols=len(mine))
-        pictures.save(figure, folder, "stability-primes")
+    figure = new_figure(height=3.4)
+    axes = figure.subplots()
+    axes.set(xscale="log", yscale="log", xlabel="prime")
+    mine = [row for row in rows if "bound" in row]
+    for mark, row in marked(mine):
+        floor = 0.3 / row["points"]
+        shares = [None if share is None else max(share, floor) for share in row["accepted"]]
+        words = f"{row['case']} as printed, accepted"
+        curve(axes, row["primes"], shares, label=words, **mark.points())
+        curve(axes, row["primes"], row["bound"], label="its bound", **{**mark.line, "marker": ""})
+    if mine:
+        floor = 0.3 / mine[0]["points"]
+        axes.axhline(floor, color=FAINT, linewidth=0.8)
+        words = f"none of {mine[0]['points']} points"
+        axes.text(mine[0]["primes"][0], floor * 1.15, words, fontsize=7)
+    axes.set_title("share of points modulo a small prime that accept a false claim")
+    legend_below(figure, axes, len(mine), fontsize=6.5)
+    return {"stability-primes": figure}

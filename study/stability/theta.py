@@ -11,14 +11,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
-from time import perf_counter
-from typing import Any
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.arithmetic.programs import Program
-from kowalevski_cas.notation import Relation
+from kowalevski_cas.pictures import FAINT, INK, new_figure
 from kowalevski_cas.scene import Scene
 from kowalevski_cas.stage import Stage, scalar
+from study.charts import curve, legend_below, marked
 from study.stability.material import (
     Gaussian,
     as_complex,
@@ -26,11 +26,13 @@ from study.stability.material import (
     claim,
     exact_value,
     log10,
-    paper,
+    sides,
     stages,
 )
 from study.step import Measured, Row, Task
-from kowalevski_cas.texts import Printed
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 TITLE = "digits lost as θ → 0"
 
@@ -60,14 +62,13 @@ def measure(quick: bool) -> Iterable[Task]:
     exponents = [0, 4, 8, LARGEST] if quick else [*range(20), *range(20, LARGEST + 1, 5)]
     for case in CASES:
         for method in METHODS:
-            yield Task(method, case, lambda m=method, c=case: lost(m, c, exponents))  # type: ignore[misc]
+            yield Task(method, case, partial(lost, method, case, exponents))
     for name in ("E_1", "E_2"):
-        yield Task("exact", f"{name} on ξ₁=ξ₂=0", lambda n=name: order_of_leaving(n))  # type: ignore[misc]
+        yield Task("exact", f"{name} on ξ₁=ξ₂=0", partial(order_of_leaving, name))
 
 
 def lost(method: str, case: str, exponents: Sequence[int]) -> Measured:
     """The decimal logarithms of the relative errors; ``None`` where nothing is finite, or zero."""
-    start = perf_counter()
     id, kind = CASES[case]
     scene = scene_of(kind)
     exact, programs = stages(scene)
@@ -83,14 +84,15 @@ def lost(method: str, case: str, exponents: Sequence[int]) -> Measured:
             differences = [exact_value(exact, left - right, point) for point in points]
             errors = [0.0 if any(d) else None for d in differences]
             holds = not any(any(d) for d in differences)
-        return _row(exponents, errors, "proved" if holds else "refuted", start)
+        verdict = "proved" if holds else "refuted"
+        return {"verdict": verdict, "exponents": list(exponents), "errors": errors}
     one, other = _sides(id, programs)
     assert isinstance(one, Program)
     difference = one if other is None else one - other
     assert isinstance(difference, Program)
     find = _floating if method == "floating" else _ball
     errors = find(difference, points, None if other is not None else truth, sizes)
-    return _row(exponents, errors, "measured", start)
+    return {"exponents": list(exponents), "errors": errors}
 
 
 def _ratios(
@@ -106,17 +108,6 @@ def _ratios(
         size = re * re + im * im
         found.append((value * re / size, -value * im / size))
     return found
-
-
-def _row(
-    exponents: Sequence[int], errors: Sequence[float | None], verdict: str, start: float
-) -> Measured:
-    return {
-        "seconds": perf_counter() - start,
-        "verdict": verdict,
-        "exponents": list(exponents),
-        "errors": list(errors),
-    }
 
 
 def _floating(
@@ -215,11 +206,7 @@ def point_at(kind: str, root: Fraction) -> dict[str, Gaussian]:
 
 def _sides(id: str, stage: Stage) -> tuple[Any, Any]:
     """Both sides of an identity; the left side alone of an equation with zero."""
-    printed: Printed | None = claim(id).printed
-    assert printed is not None
-    formula = paper()[1].formula(printed)
-    assert isinstance(formula, Relation)
-    left, right = (scalar(member, stage) for member in formula.members[:2])
+    left, right = sides(claim(id), stage)
     return (left, None) if id.startswith("eq16") else (left, right)
 
 
@@ -228,7 +215,6 @@ def order_of_leaving(name: str) -> Measured:
 
     Both polynomials vanish there with their first derivatives, and are left all the same.
     """
-    start = perf_counter()
     stage = bench("flint").stage(scene_of("real"))
     point = point_at("real", Fraction(0))
     element, _ = _sides("eq16.1" if name == "E_1" else "eq16.2", stage)
@@ -238,65 +224,39 @@ def order_of_leaving(name: str) -> Measured:
         if derivatives[-1]:
             break
         element = stage.derivative(element)
-    return {
-        "seconds": perf_counter() - start,
-        "verdict": "measured",
-        "order": len(derivatives) - 1,
-        "value": str(derivatives[-1]),
-    }
+    return {"order": len(derivatives) - 1, "value": str(derivatives[-1])}
 
 
 # -- the picture ---------------------------------------------------------------
 
+TICKS = [0, -5, -10, -30, -100, -300]
 
-def draw(rows: Sequence[Row], folder: Path) -> None:
+
+def draw(rows: Sequence[Row]) -> dict[str, Figure]:
     """Relative errors against θ: floating point on the left, radii of balls on the right."""
-    from kowalevski_cas import pictures
-
-    with pictures.style():
-        figure = pictures.new_figure(height=3.8)
-        axes = figure.subplots(1, 2, sharey=True)
-        panels = (("floating", "floating point, 53 bits"), ("ball", f"balls, {BITS} bits"))
-        for place, (method, title) in zip(axes, panels, strict=True):
-            mine = [row for row in rows if row["method"] == method]
-            for index, row in enumerate(mine):
-                mark = pictures.mark(index)
-                known = [
-                    (-2 * k, error)
-                    for k, error in zip(row["exponents"], row["errors"], strict=True)
-                    if error is not None
-                ]
-                place.plot(
-                    [x for x, _ in known],
-                    [min(y, 2.0) for _, y in known],
-                    label=row["case"],
-                    color=mark.colour,
-                    marker=mark.marker,
-                    linestyle=mark.dashes,
-                    markevery=4,
-                )
-            place.axhline(0, color=pictures.FAINT, linewidth=0.8)
-            place.text(4, 0.3, "nothing is left", color=pictures.INK, fontsize=7, ha="left")
-            place.set_title(title)
-            place.set_xlabel(r"$\log_{10}\theta$")
-            place.set_xscale("symlog", linthresh=10)
-            place.set_xticks(
-                [0, -5, -10, -30, -100, -300], ["0", "-5", "-10", "-30", "-100", "-300"]
-            )
-            place.set_xlim(5, -330)
-            place.set_ylim(-21, 3)
-        axes[0].set_ylabel(r"$\log_{10}$ of the relative error")
-        lines = axes[0].get_legend_handles_labels()
-        figure.legend(*lines, loc="outside lower center", ncols=3, fontsize=7)
-        leaving = ", ".join(
-            f"${row['case'].split()[0]}$ with order {row['order']}"
-            for row in rows
-            if "order" in row
-        )
-        exact = [row["verdict"] for row in rows if row["method"] == "exact" and "order" not in row]
-        figure.suptitle(
-            f"exactly, {exact.count('proved')} of {len(exact)} hold at every θ; "
-            rf"on $\xi_1=\xi_2=0$ motions leave (16): {leaving}",
-            fontsize=7.5,
-        )
-        pictures.save(figure, folder, "stability-theta")
+    figure = new_figure(height=3.8)
+    left, right = figure.subplots(1, 2, sharey=True)
+    titles = {"floating": "floating point, 53 bits", "ball": f"balls, {BITS} bits"}
+    for axes, (method, title) in zip((left, right), titles.items(), strict=True):
+        for mark, row in marked(row for row in rows if row["method"] == method):
+            errors = [None if error is None else min(error, 2.0) for error in row["errors"]]
+            exponents = [-2 * k for k in row["exponents"]]
+            curve(axes, exponents, errors, label=row["case"], markevery=4, **mark.line)
+        axes.axhline(0, color=FAINT, linewidth=0.8)
+        axes.text(4, 0.3, "nothing is left", color=INK, fontsize=7, ha="left")
+        axes.set_title(title)
+        axes.set_xscale("symlog", linthresh=10)
+        axes.set_xticks(TICKS, list(map(str, TICKS)))
+        axes.set(xlim=(5, -330), ylim=(-21, 3), xlabel=r"$\log_{10}\theta$")
+    left.set_ylabel(r"$\log_{10}$ of the relative error")
+    legend_below(figure, left, 3, fontsize=7)
+    leaving = ", ".join(
+        f"${row['case'].split()[0]}$ with order {row['order']}" for row in rows if "order" in row
+    )
+    exact = [row["verdict"] for row in rows if row["method"] == "exact" and "order" not in row]
+    figure.suptitle(
+        f"exactly, {exact.count('proved')} of {len(exact)} hold at every θ; "
+        rf"on $\xi_1=\xi_2=0$ motions leave (16): {leaving}",
+        fontsize=7.5,
+    )
+    return {"stability-theta": figure}

@@ -74,9 +74,7 @@ def test_taylor_follows_it_too_or_says_what_to_install(cli):
         ("numpy", ["verify", "kharlamov2002", "--arithmetic", "floating"], "motion"),
     ],
 )
-def test_a_library_that_is_not_installed_is_named_with_its_extra(
-    missing, command, extra, tmp_path
-):
+def test_a_library_that_is_not_installed_is_named_with_its_extra(missing, command, extra, tmp_path):
     blocked = "import sys; sys.modules[sys.argv.pop(1)] = None; import kowalevski_cas.cli as cli"
     done = subprocess.run(
         [sys.executable, "-c", f"{blocked}; sys.exit(cli.main())", missing, *command],

@@ -15,11 +15,11 @@ from kowalevski_cas.motion import (
     Parameters,
     all_regimes,
     coincidences,
+    formulas,
     load,
     regime_of,
     through,
 )
-from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.formulas import constants, integrals
 from kowalevski_cas.motion.parameters import ball, precision
 from kowalevski_cas.motion.regimes import coordinates, extreme_ell

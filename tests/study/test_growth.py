@@ -9,7 +9,7 @@ import pytest
 from kowalevski_cas.arithmetic import load
 from study.direct import direct, recorded
 from study.growing import growth, steps
-from study.growth_chart import chart, table
+from study.growth_chart import chart
 from study.growth_programs import WORDS, growth_program
 from study.race import race
 
@@ -87,13 +87,6 @@ ROWS = [
 
 
 def test_a_method_that_is_stopped_is_in_the_chart_with_its_limit():
-    figure = chart(ROWS, ("complex", "real"))
+    figure = chart(ROWS)
     words = " ".join(" ".join(t.get_text() for axes in figure.axes for t in axes.texts).split())
     assert "SymPy polynomials 1 (12 s)" in words and "PARI/GP 0 (exit code 1)" in words
-
-
-def test_the_table_has_every_step_and_what_stopped_it():
-    lines = table(ROWS).splitlines()
-    assert lines[1] == "complex,flint,1,0.1,10000000,"
-    assert "complex,sympy,1,3.0,100000000,12 s" in lines
-    assert "real,pari,0,,,exit code 1" in lines

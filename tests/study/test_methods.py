@@ -42,9 +42,9 @@ def test_expand_leaves_something_of_a_true_identity_with_a_root(statements):
 
 
 def test_an_objection_that_does_not_say_no_is_no_answer():
-    assert answer(1.0, "")["verdict"] == ACCEPTED
-    assert answer(1.0, "fails: 7 statement")["verdict"] == REJECTED
-    assert answer(1.0, "Attempt to save an incomplete proof")["verdict"] == NONE
+    assert answer("")["verdict"] == ACCEPTED
+    assert answer("fails: 7 statement")["verdict"] == REJECTED
+    assert answer("Attempt to save an incomplete proof")["verdict"] == NONE
 
 
 def test_a_method_starts_cold(statements):

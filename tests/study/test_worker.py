@@ -48,15 +48,21 @@ def test_an_error_is_said(worker):
 @pytest.mark.parametrize("worker", ["sleep"], indirect=True)
 def test_an_interruption_ends_the_process(worker, monkeypatch):
     worker.ask(0)
-    process = worker._process
+    process, pipe = worker._running
 
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("select.select", interrupted)
+    monkeypatch.setattr(pipe, "poll", interrupted)
     with pytest.raises(KeyboardInterrupt):
         worker.ask(30)
-    assert process.poll() is not None
+    assert process.exitcode < 0
+
+
+@pytest.mark.parametrize("worker", ["end"], indirect=True)
+def test_a_process_that_ends_is_an_error_and_the_next_question_is_answered(worker):
+    assert worker.ask(7)["reason"] == "the process ended with 7"
+    assert worker.ask(0)["verdict"] == "proved"
 
 
 def test_an_interruption_ends_a_race(tmp_path, monkeypatch):
