@@ -82,6 +82,7 @@ _STYLE: dict[Any, Any] = {
     "path.simplify": True,
 }
 
+
 @contextmanager
 def style() -> Iterator[None]:
     """The style, for whatever is drawn inside; the user's own settings do not show through."""

@@ -5,22 +5,22 @@ from __future__ import annotations
 import os
 import re
 import resource
-import select
 import shutil
 import subprocess
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from threading import Timer
 from time import perf_counter
 
 from study.step import Measured
 
 MEBIBYTE = 2**20
-_MEMORY = (b"MemoryError", b"out of memory", b"not enough memory", b"stack overflows")
+
+_MEMORY = ("MemoryError", "out of memory", "not enough memory", "stack overflows")
 """What programs say when there is no more memory."""
 
 _PATIENCE = 2.0
-"""How many seconds a program may be silent before what it said is taken for all of it."""
+"""How many seconds a program has to say all that is wrong."""
 
 _STEP = re.compile(r"^step (\d+) (\S+)$")
 
@@ -45,73 +45,59 @@ def race(
     steps: list[int] = []
     times: list[float] = []
     memory: list[int | None] = []
+    wrong: list[str] = []
     start = perf_counter()
     unbuffered = ["stdbuf", "-oL"] if shutil.which("stdbuf") else []
-    with (
-        subprocess.Popen(
-            [*unbuffered, *command],
-            cwd=folder,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            env=None if environment is None else {**os.environ, **environment},
-            preexec_fn=limit,
-        ) as process,
-        _ended(process),
-    ):
+    process = subprocess.Popen(
+        [*unbuffered, *command],
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        env=None if environment is None else {**os.environ, **environment},
+        encoding="utf-8",
+        errors="replace",
+        preexec_fn=limit,
+    )
+    ends: list[Timer] = []
+    try:
+        ends += [Timer(seconds, process.kill), Timer(_PATIENCE, process.kill)]
+        ends[0].start()
         assert process.stdout is not None
-        chunk, text, verdict, reason = b"", b"", "reached", ""
-        while verdict == "reached":
-            left = seconds - (perf_counter() - start)
-            ready = select.select([process.stdout], [], [], max(0.0, left))[0]
-            if not ready:
-                verdict, reason = "timeout", f"{seconds:g} s"
-                break
-            chunk = os.read(process.stdout.fileno(), 65536)
-            if not chunk:
-                break
-            *lines, text = (text + chunk).split(b"\n")
-            for line in lines:
-                words = line.decode("utf-8", "replace").strip()
-                if found := _STEP.match(words):
-                    steps.append(int(found[1]))
-                    times.append(float(found[2]))
-                    memory.append(_peak(process.pid))
-                elif words and "Warning: " not in words:
-                    verdict, reason = "stopped", words[:100]
-                    break
-        while verdict == "stopped":
-            if any(word in chunk for word in _MEMORY):
-                verdict, reason = "timeout", f"{mebibytes} MiB"
-            elif not select.select([process.stdout], [], [], _PATIENCE)[0]:
-                break
-            elif more := os.read(process.stdout.fileno(), 65536):
-                chunk += more
-            else:
-                break
-        if verdict != "reached":
-            process.kill()  # what it says after an error, or a limit, means nothing
+        for line in map(str.strip, process.stdout):
+            if wrong:
+                wrong.append(line)
+            elif found := _STEP.match(line):
+                steps.append(int(found[1]))
+                times.append(float(found[2]))
+                memory.append(_peak(process.pid))
+            elif line and "Warning: " not in line:
+                wrong.append(line)
+                ends[1].start()  # what it says after an error, or a limit, means nothing
         code = process.wait()
-    if verdict == "reached" and code:
+    finally:
+        for end in ends:
+            end.cancel()
+        process.kill()
+        process.communicate()
+    spent = perf_counter() - start
+    verdict, reason = "reached", ""
+    if any(word in line for word in _MEMORY for line in wrong):
+        verdict, reason = "timeout", f"{mebibytes} MiB"
+    elif wrong:
+        verdict, reason = "stopped", wrong[0][:100]
+    elif code and spent >= seconds:
+        verdict, reason = "timeout", f"{seconds:g} s"
+    elif code:
         verdict, reason = "stopped", f"exit code {code}"
     return {
-        "seconds": perf_counter() - start,
+        "seconds": spent,
         "verdict": verdict,
         "reason": reason,
         "steps": steps,
         "times": times,
         "memory": memory,
     }
-
-
-@contextmanager
-def _ended(process: subprocess.Popen[bytes]) -> Iterator[None]:
-    """End a process if its race is interrupted; only a terminal would interrupt it as well."""
-    try:
-        yield
-    except BaseException:
-        process.kill()
-        raise
 
 
 def _peak(pid: int) -> int | None:

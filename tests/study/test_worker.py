@@ -77,7 +77,7 @@ def test_an_interruption_ends_a_race(tmp_path, monkeypatch):
         return started[0]
 
     monkeypatch.setattr("subprocess.Popen", start)
-    monkeypatch.setattr("select.select", interrupted)
+    monkeypatch.setattr("study.race.Timer", interrupted)
     with pytest.raises(KeyboardInterrupt):
         race(["sleep", "30"], tmp_path, 20, 1000)
     assert started[0].wait(5) < 0
