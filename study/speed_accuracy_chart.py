@@ -38,38 +38,35 @@ def chart(found: Sequence[Summary]) -> Figure:
     others = [s for s in timed if not s.is_proof and s not in bounds]
     lost = [summary for summary in found if not summary.seconds]
     heights = [SEEN, BOUND, LINE * (len(proofs) + 1.2)]
-    with pictures.style():
-        figure = pictures.new_figure(pictures.WIDTH, sum(heights) + 1.05 + 0.15 * len(lost))
-        layout: Any = figure.get_layout_engine()
-        layout.set(hspace=0, h_pad=0.02)
-        seen, bound, rail = figure.subplots(
-            3, 1, sharex=True, gridspec_kw={"height_ratios": heights}
-        )
-        _times(seen, timed)
-        _errors(seen, others, (0.5, 3.0))
-        _errors(bound, bounds, (30.0, 30.0))
-        _proofs(rail, proofs)
-        for axes, methods in ((seen, others), (bound, bounds)):
-            ends = [(s.spread[1], rate, _label(s)) for s, rate in apart(methods)]
-            pictures.label_column(axes, ends, COLUMN)
-        ends = [(s.spread[1], line, _label(s)) for line, s in enumerate(proofs)]
-        pictures.label_column(rail, ends, COLUMN)
-        _front((seen, bound, rail), pareto(timed), proofs)
-        _broken(seen, bound)
-        figure.legend(
-            handles=_handles(),
-            loc="outside lower center",
-            ncols=5,
-            fontsize=7,
-            columnspacing=1.2,
-            handletextpad=0.1,
-        )
-        seen.set_ylabel("share of wrong answers")
-        bound.set_ylabel("bound")
-        rail.set_xlabel("time for a statement in a running process: median, and eight of ten")
-        seen.set_title("How wrong can it be, and how long does it take?")
-        for k, summary in enumerate(lost):
-            figure.text(0.02, 0.01 + 0.03 * k, _label(summary), size=7.5)
+    figure = pictures.new_figure(height=sum(heights) + 1.05 + 0.15 * len(lost))
+    layout: Any = figure.get_layout_engine()
+    layout.set(hspace=0, h_pad=0.02)
+    seen, bound, rail = figure.subplots(3, 1, sharex=True, gridspec_kw={"height_ratios": heights})
+    _times(seen, timed)
+    _errors(seen, others, (0.5, 3.0))
+    _errors(bound, bounds, (30.0, 30.0))
+    _proofs(rail, proofs)
+    for axes, methods in ((seen, others), (bound, bounds)):
+        ends = [(s.spread[1], rate, _label(s)) for s, rate in apart(methods)]
+        pictures.label_column(axes, ends, COLUMN)
+    ends = [(s.spread[1], line, _label(s)) for line, s in enumerate(proofs)]
+    pictures.label_column(rail, ends, COLUMN)
+    _front((seen, bound, rail), pareto(timed), proofs)
+    _broken(seen, bound)
+    figure.legend(
+        handles=_handles(),
+        loc="outside lower center",
+        ncols=5,
+        fontsize=7,
+        columnspacing=1.2,
+        handletextpad=0.1,
+    )
+    seen.set_ylabel("share of wrong answers")
+    bound.set_ylabel("bound")
+    rail.set_xlabel("time for a statement in a running process: median, and eight of ten")
+    seen.set_title("How wrong can it be, and how long does it take?")
+    for k, summary in enumerate(lost):
+        figure.text(0.02, 0.01 + 0.03 * k, _label(summary), size=7.5)
     return figure
 
 

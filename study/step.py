@@ -58,4 +58,4 @@ class Step(Protocol):
         """The tasks in their order; with ``quick`` a few that take seconds together."""
 
     def draw(self, rows: Sequence[Row]) -> Mapping[str, Figure]:
-        """The charts of these rows, by their names; the same for the same rows."""
+        """The charts of these rows, by their names; called inside the style of all pictures."""

@@ -1,5 +1,6 @@
 """Proving loads no library that the chosen arithmetic does not need."""
 
+import ast
 import subprocess
 import sys
 from pathlib import Path
@@ -7,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.arithmetic import EXACT, POINTS
+from kowalevski_cas.library import available
 
 LIBRARIES = {"flint", "symengine", "sympy", "numpy", "scipy", "matplotlib"}
 
@@ -55,3 +57,13 @@ def test_importing_loads_no_library():
 @pytest.mark.parametrize("name", [*EXACT, *POINTS])
 def test_proving_loads_what_its_arithmetic_needs_and_nothing_else(name):
     assert modules(PROVE, name, *ONLY) & LIBRARIES == NEEDED[name]
+
+
+def test_the_package_names_no_derivation():
+    named = [
+        (file.name, node.lineno)
+        for file in (Path(__file__).parents[1] / "kowalevski_cas").rglob("*.py")
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Constant) and node.value in available()
+    ]
+    assert named == []

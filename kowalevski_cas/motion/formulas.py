@@ -38,47 +38,39 @@ def _closed_form() -> ClosedForm:
     return offer()
 
 
-@cache
 def equations() -> Function:
     """The right-hand sides of the nine equations, by the state."""
     return _compiled(_closed_form().equations)
 
 
-@cache
 def integrals() -> Function:
     """The values of :data:`INTEGRALS`, all constant on N⁴, by the state."""
     return _compiled(_closed_form().integrals)
 
 
-@cache
 def constants() -> Function:
-    r"""The values of :attr:`ClosedForm.constants` by the state, all of them polynomials."""
+    """The polynomials from which m and ℓ are found, by the state."""
     return _compiled(_closed_form().constants)
 
 
-@cache
 def phase_point() -> Function:
     """The state by what the motion code supplies."""
     return _compiled(_closed_form().phase_point)
 
 
-@cache
 def jacobi_rates() -> Function:
     """The rates of sn, cn, dn of n·t, by sn, cn, dn, n and the modulus k."""
     return _compiled(_closed_form().jacobi_rates)
 
 
-@cache
 def across() -> tuple[Function, Function, Function]:
     """The complex variables, the functions that vanish on N⁴, and the rates of these."""
     form = _closed_form()
-    return (
-        _compiled(form.complex_variables),
-        _compiled(form.across),
-        _compiled(form.across_rates),
-    )
+    first, second, third = form.complex_variables, form.across, form.across_rates
+    return _compiled(first), _compiled(second), _compiled(third)
 
 
+@cache
 def _compiled(values: Values) -> Function:
     """The values, read on their scene, as a function of numbers."""
     words = vocabulary((*source().scenes(), values.scene))

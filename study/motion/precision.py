@@ -185,7 +185,8 @@ def _work(rows: Sequence[Row]) -> Figure:
     axes.set(xscale="log", yscale="log", xlim=(30, FLOOR))
     axes.set_xlabel(f"relative error of the state at $t={span:g}$")
     axes.set_ylabel("seconds")
-    axes.legend()
+    if axes.lines:
+        axes.legend()
     return figure
 
 

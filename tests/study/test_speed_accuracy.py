@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from kowalevski_cas.pictures import save
+from kowalevski_cas.pictures import save, style
 from study.charts import seconds
 from study.speed_accuracy import draw
 from study.speed_accuracy_chart import chart
@@ -24,6 +24,12 @@ ROWS = [
     row("broken", 1, "error", seconds=None, reason="ValueError: it cannot"),
     {"method": "flint", "case": "cold 1", "seconds": 0.2, "verdict": "cold", "reason": ""},
 ]
+
+
+@pytest.fixture(autouse=True)
+def styled():
+    with style():
+        yield
 
 
 @pytest.fixture
