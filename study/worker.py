@@ -37,15 +37,19 @@ class Worker:
 
     def ask(self, question: Any) -> Measured:
         """The answer; a limit that is reached is the verdict ``timeout``, with its reason."""
+        fresh = self._running is None
         process, pipe = self._running = self._running or self._start()
         start = perf_counter()
         try:
+            if fresh:
+                pipe.recv()  # it is ready: what the limit counts begins here
+                start = perf_counter()
             pipe.send(question)
             if pipe.poll(self.seconds):
                 answer: Measured = pipe.recv()
                 return answer
             found = {"verdict": "timeout", "reason": f"{self.seconds:g} s"}
-        except (EOFError, OSError):
+        except (EOFError, ConnectionError):
             process.join()
             reason = f"the process ended with {process.exitcode}"
             found = {"verdict": "error", "reason": reason}
@@ -99,6 +103,7 @@ def serve(pipe: Connection, target: str, mebibytes: int) -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # a library may print
     name, _, attribute = target.partition(":")
     answer = getattr(import_module(name), attribute)
+    pipe.send("ready")
     while True:
         try:
             question = pipe.recv()
