@@ -98,17 +98,10 @@ class Derivative(Formula):
 
 @dataclass(frozen=True)
 class Partial(Formula):
-<<<<<<< HEAD
-    """The partial derivative by a variable, all other variables and constants staying."""
-
-    name: str
-    argument: Formula
-=======
     r"""The partial derivative by a name, printed :math:`\partial f/\partial x`."""
 
     argument: Formula
     by: str
->>>>>>> wt-report
 
 
 @dataclass(frozen=True)

@@ -69,8 +69,8 @@ class Brackets:
     def _bracket(self, f: Formula, g: Formula) -> Formula:
         terms = []
         for (x, y), value in self.structure.items():
-            first = Product((Partial(x, f), Partial(y, g)))
-            second = Product((Partial(y, f), Partial(x, g)))
+            first = Product((Partial(f, x), Partial(g, y)))
+            second = Product((Partial(f, y), Partial(g, x)))
             terms.append(Product((value, Sum((first, Negative(second))))))
         return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
 

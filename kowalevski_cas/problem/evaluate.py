@@ -442,7 +442,7 @@ _RULES: dict[type[Formula], Callable[[Any, Evaluation, bool], Value]] = {
     Root: lambda f, at, bar: at.root(f.argument, bar),
     Derivative: _derivative,
     Partial: lambda f, at, bar: _each(
-        at(f.argument, bar), lambda element: at.partial(element, f.name)
+        at(f.argument, bar), lambda element: at.partial(element, f.by)
     ),
     Conjugate: lambda f, at, bar: at(f.argument, not bar),
     Vector: lambda f, at, bar: Triple(at.scalar(entry, bar) for entry in f.components),

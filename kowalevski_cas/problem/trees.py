@@ -50,7 +50,7 @@ def encode(formula: Formula) -> Tree:
             return ["^", encode(base), exponent]
         case Power(base, Negative(Number(exponent))):
             return ["/", 1, ["^", encode(base), exponent]]
-        case Partial(name, argument):
+        case Partial(argument, name):
             return ["d", name, encode(argument)]
     op = _OPS.get(type(formula))
     if op is None:
@@ -74,7 +74,7 @@ def decode(tree: Tree) -> Formula:
         case ["^", base, int(exponent)]:
             return Power(decode(base), Number(exponent))
         case ["d", str(name), argument]:
-            return Partial(name, decode(argument))
+            return Partial(decode(argument), name)
         case ["D", argument]:
             return Derivative(decode(argument), MARK)
         case ["/", above, *divisors] if divisors:

@@ -8,13 +8,8 @@ from time import perf_counter
 from kowalevski_cas.arithmetic import POINTS, load_points
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
-<<<<<<< HEAD
-from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.notation import NotationError, is_small_change, to_latex
-=======
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import Formula, NotationError, is_small_change
->>>>>>> wt-report
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.digest import Digester, combined
 from kowalevski_cas.proof.evidence import Evidence, Mended

@@ -5,19 +5,59 @@ by pseudo-division and factored. One of its factors has to vanish; factors that
 are granted not to vanish are dropped, and a factor that is a sum of squares
 vanishes over the reals only if each square does. Each factor opens a case with
 more known equations, until the equations of a given set follow, or nothing is
-left to follow. The tree is only found here; :mod:`kowalevski_cas.claims.cases` checks it.
+left to follow. The tree is only found here.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 from flint import fmpq_mpoly
 
 from kowalevski_cas.arithmetic.polynomials import Polynomial, Polynomials, Terms
-from kowalevski_cas.proof.cases import Case, Powers, Reduction, Squares
 from kowalevski_cas.search.cofactors import pseudo_divide
-from kowalevski_cas.search.squares import sum_of_squares
+from kowalevski_cas.search.squares import Squares, sum_of_squares
+
+Powers = tuple[int, ...]
+"""Exponents of the expressions that are granted not to vanish."""
+
+
+class Reduction(NamedTuple):
+    """``granted**unit * target = sum quotients * known + content * granted**dropped * factors``.
+
+    ``target`` is an index; ``factors`` come with exponents, and are empty if
+    the content is zero.
+    """
+
+    target: int
+    unit: Powers
+    quotients: tuple[Terms, ...]
+    content: Terms
+    dropped: Powers
+    factors: tuple[tuple[Terms, int], ...]
+
+
+class Case(NamedTuple):
+    """One case: the reductions that settle it, or the one that splits it.
+
+    ``kind`` is ``split`` (a consequence factors; ``children`` belong to its
+    factors, with the squares of which the factor is the sum), ``set`` (every
+    equation of the set follows), ``empty`` (something granted would vanish), or
+    ``open`` (nothing more follows).
+    """
+
+    kind: str
+    known: tuple[Terms, ...]
+    reductions: tuple[Reduction, ...] = ()
+    children: tuple[tuple[Squares, Case], ...] = ()
+
+    def nodes(self) -> Iterator[Case]:
+        """All cases of the tree."""
+        yield self
+        for _, child in self.children:
+            yield from child.nodes()
+
 
 DEPTH = 9
 """How many splits may follow one another."""

@@ -32,9 +32,12 @@ def cofactors(
     sets = [tuple(range(flat.size)), *(flat.indices(names) for names in main)]
     found = _divide_in_turn(dividend, numerators, sets, flat.relations(), depth=2)
     if found is None and len(numerators) > 1:
-        reduced, steps = _autoreduced(numerators)
+        order = sorted(range(len(numerators)), key=lambda k: len(numerators[k]))
+        reduced, steps = _autoreduced([numerators[k] for k in order])
         found = _divide_in_turn(dividend, reduced, sets, flat.relations(), depth=2)
-        found = None if found is None else (found[0], _unreduced(found[1], steps))
+        if found is not None:
+            ordered = dict(zip(order, _unreduced(found[1], steps), strict=True))
+            found = found[0], [ordered[k] for k in range(len(order))]
     if found is None:
         return None
     unit, quotients = found

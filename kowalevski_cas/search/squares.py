@@ -10,7 +10,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from kowalevski_cas.arithmetic.polynomials import Terms
-from kowalevski_cas.proof.cases import Squares
+
+Squares = tuple[tuple[Fraction, Terms], ...]
+"""Positive factors, and what is squared."""
 
 Monomial = tuple[int, ...]
 

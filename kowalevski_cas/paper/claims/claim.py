@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 
 from kowalevski_cas.notation import Edit, edits
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.problem.evidence import Evidence
 from kowalevski_cas.problem.goals import Goal
+from kowalevski_cas.problem.space import Setting
+
+Names = Callable[[Setting], Sequence[str]]
 
 
 @dataclass(frozen=True)
@@ -41,6 +45,15 @@ class Claim(ABC):
     @abstractmethod
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         """What is stated, in the settings that the scenes mean."""
+
+    def search(
+        self, goals: Sequence[Goal], on: Elaborations, names: Names
+    ) -> Mapping[int, Evidence]:
+        """Evidence for or against goals, by their places, where the kind has a search of its own.
+
+        It is made with FLINT; ``names`` are those to which a point of a space gives values.
+        """
+        return {}
 
     def places(self) -> Iterator[Printed]:
         """The places of the paper that the claim names, its own first; not those of its scenes."""

@@ -33,11 +33,11 @@ class Coefficient(Claim):
         sides = [space.plain(_written(member)) for member in chain]
         if self.derivative_of is None:
             if any(_written(member) is not member for member in chain):
-                sides = [Partial(self.variable, side) for side in sides]
+                sides = [Partial(side, self.variable) for side in sides]
             yield identity(space, (sides[0], sides[1]))
             return
-        generated = Partial(self.variable, rate(expression(self.derivative_of, space)))
-        linear = vanishes(Partial(self.variable, generated))
+        generated = Partial(rate(expression(self.derivative_of, space)), self.variable)
+        linear = vanishes(Partial(generated, self.variable))
         yield identity(space, *((generated, side) for side in sides), linear)
 
 

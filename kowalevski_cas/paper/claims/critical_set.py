@@ -2,16 +2,17 @@ r"""Critical sets: where all derivatives of a function along a level surface van
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
 from kowalevski_cas.notation import Formula, Negative, Partial, Product, Sum, edits
-from kowalevski_cas.paper.claims.claim import Claim, Neighbour
+from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
 from kowalevski_cas.paper.claims.forms import equations, expression, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.problem.evidence import Evidence
 from kowalevski_cas.problem.goals import Follows, Goal
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Equation
@@ -40,17 +41,37 @@ class CriticalSet(Claim):
         critical = self._critical(space, value, level[0])
         yield Follows(space, (critical,), (*goals, level), self.main)
         yield Follows(space, (goals,), (*critical, level))
-        slopes = (vanishes(Partial(name, level[0])) for name in _moving(space, level[0]))
+        slopes = (vanishes(Partial(level[0], name)) for name in _moving(space, level[0]))
         yield Follows(space, (), (level, *slopes))
+
+    def search(
+        self, goals: Sequence[Goal], on: Elaborations, names: Names
+    ) -> Mapping[int, Evidence]:
+        """Both directions by the homogeneous function; see :mod:`kowalevski_cas.search.critical`."""
+        from kowalevski_cas.search.critical import Critical
+
+        assert self.printed is not None
+        space = on(self.scene)
+        critical = Critical(
+            space.finder,
+            expression(self.printed, space),
+            space.equation(self.level),
+            equations(self.equations, space),
+            [space.formula(locus.condition) for locus in self.scene.loci],
+            self.zero_level,
+            names(space),
+        )
+        found = {0: critical.forward(self.main), 1: critical.converse()}
+        return {place: evidence for place, evidence in found.items() if evidence is not None}
 
     def _critical(
         self, space: Elaboration, function: Formula, surface: Formula
     ) -> tuple[Equation, ...]:
         on = _moving(space, surface)
-        rates: list[Formula] = [Partial(n, function) for n in space.variables if n not in on]
+        rates: list[Formula] = [Partial(function, n) for n in space.variables if n not in on]
         for a, b in combinations(on, 2):
-            one = Product((Partial(a, surface), Partial(b, function)))
-            other = Product((Partial(b, surface), Partial(a, function)))
+            one = Product((Partial(surface, a), Partial(function, b)))
+            other = Product((Partial(surface, b), Partial(function, a)))
             rates.append(Sum((one, Negative(other))))
         return tuple(map(vanishes, [*rates, *([function] if self.zero_level else [])]))
 

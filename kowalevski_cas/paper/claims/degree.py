@@ -31,5 +31,5 @@ class Degree(Claim):
 
     def _partial(self, formula: Formula) -> Formula:
         for _ in range(self.degree + 1):
-            formula = Partial(self.variable, formula)
+            formula = Partial(formula, self.variable)
         return formula

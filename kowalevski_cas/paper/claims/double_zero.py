@@ -23,5 +23,5 @@ class DoubleZero(Claim):
         assert self.printed is not None
         space = on(self.scene)
         value = expression(self.printed, space)
-        gradient = (vanishes(Partial(name, value)) for name in space.variables)
+        gradient = (vanishes(Partial(value, name)) for name in space.variables)
         yield Follows(space, ((vanishes(value), *gradient),), equations(self.given, space))

@@ -37,7 +37,7 @@ class SolvedExponents(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         values = equations(self.values, space)
-        coefficient = Partial(self.variable, rate(expression(self.ansatz, space)))
+        coefficient = Partial(rate(expression(self.ansatz, space)), self.variable)
         powers = [space.raised(name) for name in space.powers]
         bases = dict.fromkeys(power.base for power in powers)
         still = tuple(vanishes(rate(base)) for base in bases)

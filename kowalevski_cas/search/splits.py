@@ -1,22 +1,49 @@
-"""Trees of cases as proofs of a certificate: rows of cofactors, and products that split."""
+"""Trees of cases as proofs: rows of cofactors, and products that split."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 from math import isqrt
-from typing import Any
 
 from kowalevski_cas.arithmetic.polynomials import Terms
-from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.claims.cases import System
-from kowalevski_cas.proof.cases import Case, Powers, Reduction, Squares
-from kowalevski_cas.proof.trees import CertificateError, Tree
+from kowalevski_cas.arithmetic.present import formula_in
+from kowalevski_cas.arithmetic.tower import Element, Ring
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.problem.evidence import Proof
+from kowalevski_cas.search.cases import Case, Powers, Reduction
+from kowalevski_cas.search.squares import Squares
 
 Row = list[Element]
 Places = list[tuple[int, Fraction]]
-"""Where in the list of the checker each equation of a case stands, and its factor there."""
+"""Where in the list of what is known each equation of a case stands, and its factor there."""
+
+
+class Unsplit(ValueError):
+    """A tree of cases that is no proof; the message says why."""
+
+
+@dataclass(frozen=True)
+class System:
+    """``targets`` vanish by assumption, ``granted`` do not; all ``goals`` are to vanish."""
+
+    ring: Ring
+    targets: Sequence[Element]
+    goals: Sequence[Element]
+    granted: Sequence[Element]
+
+    def powers(self, exponents: Sequence[int]) -> Element:
+        """A product of powers of what is granted."""
+        result = self.ring.one
+        for expression, exponent in zip(self.granted, exponents, strict=True):
+            result = result * expression**exponent if exponent else result
+        return result
+
+    def element(self, terms: Terms) -> Element:
+        """A polynomial as an element."""
+        return self.ring.from_terms({0: terms})
 
 
 class Prover:
@@ -25,7 +52,6 @@ class Prover:
     ``targets`` are the rows that combine the targets of the system from the list.
     The last granted expression is the left side of a surface ``level``; the element
     at ``place`` is the difference of its sides, and ``value`` the right one.
-    ``write`` makes a tree of an element.
     """
 
     def __init__(
@@ -34,21 +60,20 @@ class Prover:
         targets: Sequence[Row],
         place: int,
         value: Element,
-        write: Callable[[Element], Tree],
     ) -> None:
-        self.system, self.targets, self.write = system, targets, write
+        self.system, self.targets = system, targets
         self.place, self.value, self.ring = place, value, system.ring
 
-    def proof(self, case: Case, size: int, places: Places) -> dict[str, Any]:
+    def proof(self, case: Case, size: int, places: Places) -> Proof:
         """The proof of a case, in which the list has ``size`` elements."""
         if case.kind == "open":
-            raise CertificateError("a case is left open")
+            raise Unsplit("a case is left open")
         if case.kind == "set":
             rows = [
                 self._divided(self._known(r, size, places), goal, r.unit)
                 for goal, r in zip(self.system.goals, sorted(case.reductions), strict=True)
             ]
-            return {"cofactors": [[self.write(entry) for entry in row] for row in rows]}
+            return Proof(_written(rows))
         (first, *_) = case.reductions
         row = self._known(first, size, places)
         if case.kind == "empty":
@@ -73,11 +98,8 @@ class Prover:
         for (group, _, added), (_, child) in zip(groups, case.children, strict=True):
             inside = places + [(size + k, factor) for k, factor in added]
             cases.append(self.proof(child, size + len(group), inside))
-        return {
-            "product": [[self.write(entry) for entry in group] for group, _, _ in groups],
-            "cofactors": [[self.write(entry) for entry in row]],
-            "cases": cases,
-        }
+        split = [group for group, _, _ in groups]
+        return Proof(_written([row]), _written(split), tuple(cases))
 
     def _known(self, reduction: Reduction, size: int, places: Places) -> Row:
         """The quotients of a reduction, each at the place of its equation."""
@@ -102,10 +124,10 @@ class Prover:
             result[self.place] = result[self.place] - rest
         return result
 
-    def _contradiction(self, row: Row) -> dict[str, Any]:
+    def _contradiction(self, row: Row) -> Proof:
         """Every goal, from a row that gives 1."""
         rows = [[goal * entry for entry in row] for goal in self.system.goals]
-        return {"cofactors": [[self.write(entry) for entry in one] for one in rows]}
+        return Proof(_written(rows))
 
     def _group(
         self, factor: Terms, exponent: int, squares: Squares
@@ -117,7 +139,7 @@ class Prover:
         if not squares and exponent <= 2:
             return [self.system.element(factor)] * exponent, Fraction(exponent), [(0, Fraction(1))]
         if exponent > 1 or len(squares) < 2:
-            raise CertificateError("a factor of a case is a higher power")
+            raise Unsplit("a factor of a case is a higher power")
         group: Row = []
         added: Places = []
         for number, base in squares:
@@ -134,6 +156,10 @@ class Prover:
         for entry in group:
             total = total + entry * entry
         return total
+
+
+def _written(rows: Sequence[Row]) -> tuple[tuple[Formula, ...], ...]:
+    return tuple(tuple(map(formula_in, row)) for row in rows)
 
 
 def _longer(row: Row, size: int, zero: Element) -> Row:

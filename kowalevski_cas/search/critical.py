@@ -1,0 +1,257 @@
+r"""Critical points along a surface: which equations define them, in both directions.
+
+Weights of the variables are found under which the equations of the set and the surface g = v
+are homogeneous, and the function is made homogeneous by powers of g/v, which is 1 there. On the
+surface the derivatives :math:`g_i\partial_j-g_j\partial_i`, and :math:`\partial_i` where g is
+free of the variable, do not see these powers.
+
+*Forward*: the homogeneous function is a combination of products of two of the equations, so
+that its derivatives vanish with them.
+
+*Converse*: a tree of cases. Its targets are the derivatives along the surface and the
+combinations of them along the gradients, and the cross product of the gradients, of the
+equations in the variables of which the surface is free.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations, combinations_with_replacement, islice, permutations
+
+from kowalevski_cas.arithmetic.derivation import gradient
+from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.arithmetic.present import formula_in
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
+from kowalevski_cas.problem.evidence import At, Evidence, Point, Proof, Shown
+from kowalevski_cas.problem.place import Misplaced
+from kowalevski_cas.problem.space import Equation
+from kowalevski_cas.search.cases import Case, Splitter
+from kowalevski_cas.search.cofactors import cofactors
+from kowalevski_cas.search.find import Candidate
+from kowalevski_cas.search.real import real_points
+from kowalevski_cas.search.splits import Prover, Row, System, Unsplit
+from kowalevski_cas.search.weights import weights
+
+PYTHAGOREAN = Fraction(3, 5)
+TRIES = 12
+
+
+class Critical:
+    """The critical points of ``function`` on the surface ``level``, and ``equations`` of a set.
+
+    ``granted`` are expressions that are assumed not to vanish; with ``zero_level`` the function
+    is to vanish, too. ``names`` are those to which a point gives values.
+    """
+
+    def __init__(
+        self,
+        at: Evaluation,
+        function: Formula,
+        level: Equation,
+        equations: Sequence[Equation],
+        granted: Sequence[Formula],
+        zero_level: bool,
+        names: Sequence[str],
+    ) -> None:
+        self.at, self.zero_level, self.names = at, zero_level, names
+        self.variables = at.setting.variables
+        self.function = at.scalar(function)
+        self.level, self.value = (at.scalar(side) for side in level)
+        self.beside = self.level - self.value
+        self.goals = at.differences(equations)
+        self.granted = [*map(at.scalar, granted), self.level]
+        self.slopes = gradient(self.level, self.variables)
+
+    # -- the two directions ----------------------------------------------------------
+
+    def forward(self, main: Sequence[tuple[str, ...]]) -> Shown | None:
+        """The derivatives vanish on the set: they are combinations of its equations."""
+        homogeneous = self._homogeneous()
+        if homogeneous is None:
+            return None
+        pairs = [a * b for a, b in combinations_with_replacement(self.goals, 2)]
+        row = cofactors(homogeneous, pairs, main)
+        excess = self._excess(homogeneous)
+        point = self._point_of_the_set()
+        if row is None or excess is None or point is None:
+            return None
+        zero = self.at.ring.zero
+        rows = [[zero] * len(self.goals) for _ in excess]
+        places = combinations_with_replacement(range(len(self.goals)), 2)
+        slopes = [self._derivatives(goal) for goal in self.goals]
+        for factor, (i, j) in zip(row, places, strict=True):
+            for k, change in enumerate(self._derivatives(factor)):
+                rows[k][j] = rows[k][j] + change * self.goals[i] + factor * slopes[i][k]
+                rows[k][i] = rows[k][i] + factor * slopes[j][k]
+            if self.zero_level:
+                rows[-1][j] = rows[-1][j] + factor * self.goals[i]
+        whole = [[*entries, -e] for entries, e in zip(rows, excess, strict=True)]
+        return Shown(Proof(tuple(tuple(map(formula_in, entries)) for entries in whole)), point)
+
+    def converse(self) -> Evidence | None:
+        """Critical points lie on the set: a proof by cases; or a point of an open case."""
+        homogeneous = self._homogeneous()
+        if homogeneous is None:
+            return None
+        excess = self._excess(homogeneous)
+        if excess is None:
+            return None
+        system = self._system(homogeneous)
+        polynomials = self.at.ring.polynomials
+        targets, goals, granted = (
+            [element.parts.get(0, polynomials.zero) for element in elements]
+            for elements in (system.targets, system.goals, system.granted)
+        )
+        case = Splitter(polynomials, targets, goals, granted).case()
+        if any(one.kind == "open" for one in case.nodes()):
+            point = self._point_off_the_set(case, system)
+            return None if point is None else At(point)
+        prover = Prover(system, self._rows(excess), len(excess), self.value)
+        try:
+            proof = prover.proof(case, len(excess) + 1, [])
+        except Unsplit:
+            return None
+        point = self._point_of_the_set()
+        return None if point is None else Shown(proof, point)
+
+    # -- the function and its derivatives ------------------------------------------------
+
+    def _homogeneous(self) -> Element | None:
+        """The function made homogeneous; ``None`` if that is impossible."""
+        terms = [element.terms().get(0, {}) for element in (*self.goals, self.level)]
+        found = weights(terms)
+        if found is None or not rational_terms(self.value) or self.function.denominator:
+            return None
+        parts: dict[int, Terms] = {}
+        for exponents, coefficient in self.function.terms().get(0, {}).items():
+            weight = sum(e * w for e, w in zip(exponents, found, strict=True))
+            parts.setdefault(weight, {})[exponents] = coefficient
+        (unit,) = {sum(e * w for e, w in zip(m, found, strict=True)) for m in terms[-1]}
+        ratio = self.level * self.value.inverse()
+        total = self.at.ring.zero
+        for weight, part in parts.items():
+            power, rest = divmod(max(parts) - weight, unit)
+            if rest:
+                return None
+            total = total + self.at.ring.from_terms({0: part}) * ratio**power
+        return total
+
+    def _derivatives(self, function: Element) -> Row:
+        """The derivatives along a frame of tangent fields, those free of the level first."""
+        partial = gradient(function, self.variables)
+        on = [k for k, slope in enumerate(self.slopes) if not slope.is_zero]
+        free = [partial[k] for k in range(len(self.variables)) if k not in on]
+        return free + [
+            self.slopes[i] * partial[j] - self.slopes[j] * partial[i]
+            for i, j in combinations(on, 2)
+        ]
+
+    def _rates(self, function: Element) -> Row:
+        """The derivatives along the surface; the function as well, if its zeros are meant."""
+        rates = self._derivatives(function)
+        return [*rates, function] if self.zero_level else rates
+
+    def _excess(self, homogeneous: Element) -> Row | None:
+        """By what the rates of the homogeneous function differ, over the equation of the surface."""
+        polynomials = self.at.ring.polynomials
+        found = []
+        pairs = zip(self._rates(self.function), self._rates(homogeneous), strict=True)
+        for own, other in pairs:
+            difference = other - own
+            part = difference.parts.get(0, polynomials.zero)
+            quotient, rest = divmod(part, self.beside.parts[0])
+            if not polynomials.is_zero(rest) or difference.denominator:
+                return None
+            found.append(self.at.ring.element({0: quotient}, {}))
+        return found
+
+    def _fields(self) -> list[Row]:
+        """Gradients of the equations, and their cross products, in the variables that are free."""
+        names = zip(self.variables, self.slopes, strict=True)
+        free = tuple(name for name, slope in names if slope.is_zero)
+        fields = [gradient(goal, free) for goal in self.goals]
+        if len(free) == 3:
+            fields += [
+                [a[i] * b[j] - a[j] * b[i] for i, j in ((1, 2), (2, 0), (0, 1))]
+                for a, b in combinations(fields, 2)
+            ]
+        return fields
+
+    def _system(self, homogeneous: Element) -> System:
+        """The critical equations and consequences of them, the set, and what is granted."""
+        critical = self._derivatives(homogeneous)
+        targets = [*critical, *(self._dot(field, critical) for field in self._fields())]
+        if self.zero_level:
+            targets.append(homogeneous)
+        return System(self.at.ring, targets, self.goals, self.granted)
+
+    def _rows(self, excess: Row) -> list[Row]:
+        """The targets of the tree of cases, as combinations of the rates and the surface."""
+        ring, size = self.at.ring, len(excess)
+        rates = [
+            [*(ring.one if k == j else ring.zero for j in range(size)), more]
+            for k, more in enumerate(excess)
+        ]
+        fields = []
+        for field in self._fields():
+            row = [ring.zero] * (size + 1)
+            for component, rate in zip(field, rates[: len(field)], strict=True):
+                row = [a + component * b for a, b in zip(row, rate, strict=True)]
+            fields.append(row)
+        count = size - self.zero_level
+        return [*rates[:count], *fields, *rates[count:]]
+
+    def _dot(self, field: Sequence[Element], rates: Sequence[Element]) -> Element:
+        total = self.at.ring.zero
+        for component, rate in zip(field, rates[: len(field)], strict=True):
+            total = total + component * rate
+        return total
+
+    # -- points ------------------------------------------------------------------------
+
+    def _point_of_the_set(self) -> Point | None:
+        """A point of the set, on the surface, where what is granted does not vanish."""
+        zero = [*self.goals, self.beside]
+        return self._point(zero, lambda candidate: candidate.vanish(zero), self._planes())
+
+    def _planes(self) -> Iterator[list[Element]]:
+        """Planes that a quadric meets in rational points: a coordinate 0, another one 3/5."""
+        ring = self.at.ring
+        on = [n for n, s in zip(self.variables, self.slopes, strict=True) if not s.is_zero]
+        for first, second in permutations(on, 2):
+            yield [ring.generator(first), ring.generator(second) - ring.number(PYTHAGOREAN)]
+        yield []
+
+    def _point_off_the_set(self, case: Case, system: System) -> Point | None:
+        """A critical point where an equation of the set fails, in one of the open cases."""
+        cases = [one for one in case.nodes() if one.kind == "open"]
+        critical = self._rates(self.function)
+
+        def good(candidate: Candidate) -> bool:
+            return candidate.vanish(critical) and not candidate.vanish(self.goals)
+
+        for one in sorted(cases, key=lambda one: sum(map(len, one.known))):
+            known = [system.element(terms) for terms in one.known]
+            point = self._point([*known, self.beside], good, ([],))
+            if point is not None:
+                return point
+        return None
+
+    def _point(
+        self,
+        zero: Sequence[Element],
+        good: Callable[[Candidate], bool],
+        sections: Iterator[list[Element]] | tuple[list[Element], ...],
+    ) -> Point | None:
+        for section in sections:
+            for point in islice(real_points(self.at, [*zero, *section], self.granted), TRIES):
+                candidate = Candidate(self.at, point)
+                if good(candidate) and not any(candidate(g).is_zero for g in self.granted):
+                    try:
+                        return candidate.point(self.names)
+                    except Misplaced:
+                        continue
+        return None
