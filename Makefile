@@ -54,7 +54,7 @@ witnesses: $(VENV)/.installed ## Let Singular, PARI/GP and Maxima confirm the ce
 	@$(RUN) witness maxima
 
 study: $(VENV)/.installed ## Measure speed against accuracy, and where methods fail (QUICK=1: under a minute)
-	@$(RUN) study $(if $(QUICK),--quick)
+	@$(PY) -m study $(if $(QUICK),--quick)
 
 benchmark: $(VENV)/.dev ## Measure the speed of proving and of reporting
 	@$(PY) -m benchmarks
@@ -74,12 +74,12 @@ $(VENV)/.python: | python-is-usable
 
 $(VENV)/.installed: pyproject.toml | $(VENV)/.python
 	@echo "Installing the libraries into $(VENV) (a minute or two, once) ..." >&2
-	@$(INSTALL) --editable .
+	@$(INSTALL) --editable '.[all]'
 	@touch $@
 
 $(VENV)/.dev: pyproject.toml | $(VENV)/.installed
 	@echo "Installing the test tools into $(VENV) ..." >&2
-	@$(INSTALL) --editable '.[dev]'
+	@$(INSTALL) --editable '.[all,dev]'
 	@touch $@
 
 .PHONY: python-is-usable

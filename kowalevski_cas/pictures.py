@@ -14,13 +14,11 @@ from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from kowalevski_cas.files import write_all
+from kowalevski_cas.files import write
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-FORMATS = ("svg", "pdf", "png")
 
 INK = "#1a1a1a"
 FAINT = "#9a9a9a"
@@ -37,6 +35,16 @@ class Mark:
     colour: str
     marker: str
     dashes: str | tuple[int, tuple[float, ...]]
+
+    @property
+    def line(self) -> dict[str, Any]:
+        """What Matplotlib has to be told to draw a line with its points."""
+        return {"color": self.colour, "marker": self.marker, "linestyle": self.dashes}
+
+    def points(self, full: bool = True) -> dict[str, Any]:
+        """The same for points alone, full or hollow."""
+        fill = self.colour if full else "white"
+        return {**self.line, "linestyle": "none", "markerfacecolor": fill}
 
 
 MARKS = (
@@ -73,17 +81,8 @@ _STYLE: dict[Any, Any] = {
     "legend.frameon": False,
     "legend.fontsize": 8,
     "figure.constrained_layout.use": True,
-    "savefig.dpi": 200,
-    "svg.hashsalt": "kowalevski_cas",
-    "svg.fonttype": "path",
-    "pdf.fonttype": 42,
+    "savefig.dpi": 250,
     "path.simplify": True,
-}
-
-_METADATA: dict[str, dict[str, str | None]] = {
-    "svg": {"Date": None, "Creator": None},
-    "pdf": {"CreationDate": None, "Creator": None, "Producer": None},
-    "png": {"Software": None},
 }
 
 
@@ -149,18 +148,13 @@ def label_column(
         label.set_in_layout(False)
 
 
-def save(
-    figure: Figure, folder: Path, name: str, formats: Sequence[str] = FORMATS
-) -> tuple[Path, ...]:
-    """Write a figure as ``folder/name.svg``, ``.pdf`` and ``.png``; the files' paths.
+def save(figure: Figure, folder: Path, name: str) -> Path:
+    """Write a figure as ``folder/name.png``, the one format that README, LaTeX and Typst all show.
 
     The bytes depend on the figure and on the version of Matplotlib, on nothing else.
     """
-    drawn: dict[Path, str | bytes] = {}
+    path, drawn = folder / f"{name}.png", BytesIO()
     with style():
-        for suffix in formats:
-            stream = BytesIO()
-            figure.savefig(stream, format=suffix, metadata=_METADATA.get(suffix))
-            drawn[folder / f"{name}.{suffix}"] = stream.getvalue()
-    write_all(drawn)
-    return tuple(drawn)
+        figure.savefig(drawn, format="png", metadata={"Software": None})
+    write(path, drawn.getvalue())
+    return path

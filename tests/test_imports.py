@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.arithmetic import EXACT, POINTS
+from kowalevski_cas.library import available
 
 ROOT = Path(__file__).parents[1]
 LIBRARY = "kowalevski_cas"
@@ -16,7 +17,7 @@ LIBRARY = "kowalevski_cas"
 ROOMS = (
     LIBRARY, "files", "systems", "notation", "texts", "scene", "arithmetic", "stage", "search",
     "claims", "derivation", "derivations", "library", "proof", "audit", "export", "report",
-    "pictures", "motion", "study", "cli", "__main__", "benchmarks",
+    "pictures", "motion", "cli", "__main__", "study", "benchmarks",
 )  # fmt: skip
 """The rooms from the bottom to the top: each imports those before it."""
 
@@ -68,7 +69,7 @@ def modules(script, *arguments):
 def test_importing_loads_no_library():
     loaded = modules(
         "import sys, kowalevski_cas.cli, kowalevski_cas.claims, kowalevski_cas.proof.verify,"
-        "kowalevski_cas.study, kowalevski_cas.pictures; print(*sys.modules)"
+        "study, kowalevski_cas.pictures; print(*sys.modules)"
     )
     assert "kowalevski_cas" in loaded and not loaded & LIBRARIES
 
@@ -173,3 +174,16 @@ def test_an_import_is_seen_wherever_it_stands(tmp_path, text):
         path.write_text(content)
     assert upward(graph(tmp_path)) == {"notation -> proof"}
     assert cycles(graph(tmp_path)) == {"proof: digest record"}
+
+
+# -- any derivation -----------------------------------------------------------------
+
+
+def test_the_package_names_no_derivation():
+    named = [
+        (file.name, node.lineno)
+        for file in (ROOT / LIBRARY).rglob("*.py")
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Constant) and node.value in available()
+    ]
+    assert named == []

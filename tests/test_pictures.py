@@ -13,9 +13,7 @@ def figure():
         axes = figure.subplots()
         for index in range(3):
             one = pictures.mark(index)
-            axes.plot(
-                [0, 1], [index, 1], color=one.colour, marker=one.marker, ls=one.dashes, label="x"
-            )
+            axes.plot([0, 1], [index, 1], **one.line, label="x")
         axes.legend()
     return figure
 
@@ -23,16 +21,13 @@ def figure():
 def test_the_same_figure_gives_the_same_bytes(tmp_path):
     first = pictures.save(figure(), tmp_path / "a", "x")
     second = pictures.save(figure(), tmp_path / "b", "x")
-    assert [path.suffix for path in first] == [".svg", ".pdf", ".png"]
-    for one, other in zip(first, second, strict=True):
-        assert one.read_bytes() == other.read_bytes()
+    assert first.name == "x.png"
+    assert first.read_bytes() == second.read_bytes()
 
 
 def test_files_carry_no_date_and_no_version(tmp_path):
-    for path in pictures.save(figure(), tmp_path, "x"):
-        data = path.read_bytes()
-        assert b"dc:date" not in data and b"CreationDate" not in data
-        assert not re.search(rb"Matplotlib v|Matplotlib (pdf )?version", data)
+    data = pictures.save(figure(), tmp_path, "x").read_bytes()
+    assert not re.search(rb"tEXt|tIME|Matplotlib", data)
 
 
 def test_marks_differ_in_grey_and_without_colour():
@@ -49,9 +44,9 @@ def test_marks_differ_in_grey_and_without_colour():
 def test_the_users_own_settings_do_not_show_through(tmp_path):
     import matplotlib
 
-    (plain,) = pictures.save(figure(), tmp_path / "a", "x", ["svg"])
+    plain = pictures.save(figure(), tmp_path / "a", "x")
     with matplotlib.rc_context({"font.size": 30, "axes.facecolor": "red"}):
-        (other,) = pictures.save(figure(), tmp_path / "b", "x", ["svg"])
+        other = pictures.save(figure(), tmp_path / "b", "x")
     assert plain.read_bytes() == other.read_bytes()
 
 

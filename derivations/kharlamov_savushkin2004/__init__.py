@@ -5,6 +5,7 @@ from kowalevski_cas.paper.derivation import Derivation
 from . import (
     across,
     bifurcation,
+    closed_form,
     elliptic,
     phase_point,
     reduction,
@@ -31,4 +32,5 @@ derivation = Derivation(
         bifurcation.section,
         across.section,
     ),
+    closed_form=closed_form.offer,
 )

@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from importlib import import_module
 
 from kowalevski_cas import __version__
@@ -20,33 +21,55 @@ COMMANDS = {
     "export": "write certificates in the language of another program",
     "witness": "let another program confirm the certificates",
     "mutants": "change one token at a time, and count what an audit notices",
-    "study": "measure what each way of checking costs, how sure it is, and where it fails",
     "motion": "follow a motion on N⁴ by its closed form, or by an integrator",
     "pictures": "draw a motion on N⁴: hodographs, traces, torus, bifurcation diagrams",
     "animation": "show the body as it moves on N⁴, as an animated GIF",
     "record": "write the record of verdicts, and the evidence behind them, anew",
 }
 
+EXTRAS = {"numpy": "motion", "scipy": "motion", "matplotlib": "motion", "heyoka": "taylor"}
+"""Libraries that a plain install leaves out, and the extra that brings each."""
+
+_HELP = argparse.RawDescriptionHelpFormatter
+
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command and return its exit code."""
     words = list(sys.argv[1:] if argv is None else argv)
+    return _run(" ".join(["kowalevski-cas", *words[:1]]), words, partial(_parser, words))
+
+
+def run(program: str, module: str, words: Sequence[str]) -> int:
+    """Run the command in the module with this name, called ``program``; return its exit code."""
+
+    def parser() -> argparse.ArgumentParser:
+        found = argparse.ArgumentParser(program, epilog=EXIT_CODES, formatter_class=_HELP)
+        _fill(found, module)
+        return found
+
+    return _run(program, words, parser)
+
+
+def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.ArgumentParser]) -> int:
+    """Run what the words ask a parser for; what goes wrong is told in the program's name."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(encoding="utf-8", errors="backslashreplace")
     sys.unraisablehook = _unraisable
-    program = " ".join(["kowalevski-cas", *words[:1]])
     try:
-        parser = _parser(words)
-        if not words:
-            parser.print_help()
-            return USAGE
-        arguments = parser.parse_args(words)
+        arguments = parser().parse_args(words)
         code: int = arguments.run(arguments)
         sys.stdout.flush()
     except CommandError as error:
         print(f"{program}: {error}", file=sys.stderr)
         return error.code
+    except ModuleNotFoundError as error:
+        library = (error.name or "").partition(".")[0]
+        if library not in EXTRAS:
+            raise
+        install = f"pip install 'kowalevski-cas[{EXTRAS[library]}]'"
+        print(f"{program} needs {library}: {install}", file=sys.stderr)
+        return USAGE
     except KeyboardInterrupt:
         print("\ninterrupted: files written earlier are as they were", file=sys.stderr)
         return INTERRUPTED
@@ -68,20 +91,29 @@ def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
         prog="kowalevski-cas",
         description="Printed derivations of mathematical mechanics, proved or refuted.",
         epilog=EXIT_CODES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_HELP,
     )
+
+    def overview(_: argparse.Namespace) -> int:
+        parser.print_help()
+        return USAGE
+
     parser.add_argument("--version", action="version", version=f"kowalevski-cas {__version__}")
-    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    parser.set_defaults(run=overview)
+    commands = parser.add_subparsers(title="commands", metavar="COMMAND")
     for name, summary in COMMANDS.items():
-        command = commands.add_parser(
-            name, help=summary, epilog=EXIT_CODES, formatter_class=parser.formatter_class
-        )
+        command = commands.add_parser(name, help=summary, epilog=EXIT_CODES, formatter_class=_HELP)
         if name in words[:1]:
-            module = import_module(f"{__name__}.{name}")
-            command.description = module.__doc__
-            module.add_arguments(command)
-            command.set_defaults(run=module.run)
+            _fill(command, f"{__name__}.{name}")
     return parser
+
+
+def _fill(parser: argparse.ArgumentParser, name: str) -> None:
+    """Let a parser say and accept what the command in the module with this name does."""
+    module = import_module(name)
+    parser.description = module.__doc__
+    module.add_arguments(parser)
+    parser.set_defaults(run=module.run)
 
 
 def _silence() -> None:

@@ -16,7 +16,7 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.cli.exits import AS_RECORDED, UNDECIDED, USAGE, CommandError
+from kowalevski_cas.cli.exits import AS_RECORDED, UNDECIDED, CommandError
 from kowalevski_cas.cli.motion_formats import FORMATS, load_format
 from kowalevski_cas.files import write
 from kowalevski_cas.motion.methods import METHODS
@@ -84,7 +84,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _followed(arguments: argparse.Namespace) -> Result:
     import numpy as np
 
-    from kowalevski_cas.motion.methods import MethodError, Missing, load
+    from kowalevski_cas.motion.methods import MethodError, load
     from kowalevski_cas.motion.methods.ball import Unresolved
     from kowalevski_cas.motion.parameters import exact
     from kowalevski_cas.motion.result import Result
@@ -100,10 +100,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
     try:
         with _waiting(f"{arguments.method} follows the motion to t = {until:g}"):
             return Result(motion, times, load(arguments.method)(motion, times))
-    except MethodError as error:
-        code = USAGE if isinstance(error, Missing) else UNDECIDED
-        raise CommandError(str(error), code) from None
-    except Unresolved as error:
+    except (MethodError, Unresolved) as error:
         raise CommandError(str(error), UNDECIDED) from None
     except ValueError as error:
         raise CommandError(str(error)) from None

@@ -1,4 +1,4 @@
-"""Draw a motion on N⁴ as SVG, PDF and PNG; reports of the derivation show the pictures.
+"""Draw a motion on N⁴; reports of the derivation show the pictures.
 
 A motion is given as for `kowalevski-cas motion`; if none is given, an example is drawn.
 
@@ -25,9 +25,6 @@ if TYPE_CHECKING:
 
 EXAMPLE = ("1.2", "0.7", "-1.2", "0.3")
 """The constants a, b, m, ℓ of the motion that is drawn if none is given."""
-
-DERIVATION = "kharlamov_savushkin2004"
-"""The derivation whose report shows the pictures."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -60,8 +57,10 @@ def run(arguments: argparse.Namespace) -> int:
         for done, name in enumerate(names):
             progress(name, done, len(names))
             _draw(name, motion, arguments.output)
+    from kowalevski_cas.motion.formulas import source
+
     plates = [{"name": name, "caption": load(name).caption} for name in PICTURES]
-    content = {"derivation": DERIVATION, "plates": plates}
+    content = {"derivation": source().name, "plates": plates}
     text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
     write(arguments.output / LIST, text)
     print(f"{arguments.output}: {', '.join(names)}")
@@ -78,7 +77,7 @@ def chosen(arguments: argparse.Namespace) -> Motion:
 
 
 def _draw(name: str, motion: Motion, folder: Path) -> None:
-    """Draw a picture, in each format."""
+    """Draw a picture and write it."""
     from kowalevski_cas.pictures import save, style
 
     with style():

@@ -1,122 +1,91 @@
-r"""The printed formulas of the motion, compiled: equations, integrals, the phase point.
+"""The closed form that a derivation offers, compiled to functions of numbers.
 
-Each is read from the derivation that proves it: Kharlamov (2002), and the motions on N⁴ of
-Kharlamov and Savushkin (2004).
+It is that of the first derivation in the library that offers one.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace as changed
 from functools import cache
 
 from kowalevski_cas.arithmetic import load as load_arithmetic
-from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.library import load as load_derivation
+from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
 from kowalevski_cas.notation import Formula, Name, replace
-from kowalevski_cas.paper.scene import Scene, vocabulary
-from kowalevski_cas.stage import Stage, scalar
+from kowalevski_cas.paper.closed_form import ClosedForm, Member, Values
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.scene import vocabulary
 from kowalevski_cas.paper.texts import Texts
-
-OMEGA = (r"\omega_1", r"\omega_2", r"\omega_3")
-ALPHA = (r"\alpha_1", r"\alpha_2", r"\alpha_3")
-BETA = (r"\beta_1", r"\beta_2", r"\beta_3")
-STATE = (*OMEGA, *ALPHA, *BETA)
-"""The order of the nine numbers of a state."""
+from kowalevski_cas.stage import Stage, scalar
 
 INTEGRALS = ("H", "K", "a^2", "b^2", "c", "F_1", "F_2")
-"""What is constant on N⁴: (17), (4), and the left sides of (16)."""
-
-SUPPLIED = ("s_1s_2-a^2", "s_1s_2-b^2", r"\ell-2ms_1", r"\ell-2ms_2", "rS_2")
-"""Parts of the phase point that a caller supplies, by names that are the parts themselves."""
-
-ARGUMENTS = ("S_1", "S_2", "f_1", "f_2", "d", r"\psi", *SUPPLIED, "r")
-"""The arguments of :func:`phase_point`."""
-
-CONSTANTS = ("x_1x_2", "x_1x_2+z_1z_2", "w_1w_2", "H", "G", "p^2", "c_1c_2")
-"""The values of :func:`constants`."""
+"""Names of the values of :func:`integrals`."""
 
 
 @cache
+def source() -> Derivation:
+    """The derivation that offers the closed form; raises ``LibraryError`` if none does."""
+    for name in available():
+        derivation = load(name)
+        if derivation.closed_form is not None:
+            return derivation
+    raise LibraryError("no derivation in the library offers motions in closed form")
+
+
+@cache
+def _closed_form() -> ClosedForm:
+    offer = source().closed_form
+    assert offer is not None
+    return offer()
+
+
 def equations() -> Function:
-    """The right-hand sides of the nine equations (3), (5), by the nine variables."""
-    derivation, scenes = _derivation("kharlamov2002")
-    stage = Stage(scenes["Kowalevski case"], load_arithmetic("flint"), derivation.texts())
-    return function([stage.field[name] for name in STATE], STATE)
+    """The right-hand sides of the nine equations, by the state."""
+    return _compiled(_closed_form().equations)
 
 
-@cache
 def integrals() -> Function:
-    """The values of :data:`INTEGRALS`, by the nine variables."""
-    derivation, scenes = _derivation("kharlamov2002")
-    printed = {display.id: display for display in derivation.displays()}
-    eq4, eq16, xi = printed["eq4"], printed["eq16"], printed["xi"]
-    scene = scenes["Kowalevski case"]
-    scene = changed(
-        scene,
-        definitions={**scene.definitions, "c": eq4[3], r"\xi_1": xi[1], r"\xi_2": xi[2]},
-        roots={"a": eq4[1], "b": eq4[2]},
-    )
-    stage = Stage(scene, load_arithmetic("flint"), derivation.texts())
-    names = [_value(stage, name) for name in INTEGRALS[:5]]
-    sides = [scalar(stage.relation(eq16[number]).members[0], stage) for number in (1, 2)]
-    return function([*names, *sides], STATE)
+    """The values of :data:`INTEGRALS`, all constant on N⁴, by the state."""
+    return _compiled(_closed_form().integrals)
 
 
-@cache
 def constants() -> Function:
-    r"""The values of :data:`CONSTANTS` by the nine variables, all of them polynomials."""
-    derivation, scenes = _derivation("kharlamov_savushkin2004")
-    initial, real = scenes["initial variables"], scenes["real variables"]
-    scene = changed(
-        initial, vectors=real.vectors, definitions={**initial.definitions, **real.definitions}
-    )
-    stage = Stage(scene, load_arithmetic("flint"), derivation.texts())
-    return function([_value(stage, name) for name in CONSTANTS], STATE)
+    """The polynomials from which m and ℓ are found, by the state."""
+    return _compiled(_closed_form().constants)
 
 
-@cache
 def phase_point() -> Function:
-    r"""The nine variables by :data:`ARGUMENTS`.
-
-    They are homogeneous of degree zero in those that involve :math:`s_1` (with
-    :math:`S_1, f_1, rS_2` and d): a common factor changes nothing.
-    """
-    derivation, scenes = _derivation("kharlamov_savushkin2004")
-    paper = Stage(scenes["phase point"], load_arithmetic("flint"), derivation.texts())
-    variables = (*ARGUMENTS, "s_1", "s_2", "a", "b", "m", r"\ell")
-    scene = Scene("supplied", "the phase point by what is supplied", variables=variables)
-    stage = Stage(scene, load_arithmetic("flint"), Texts(vocabulary((scene,))))
-    values = []
-    for name in STATE:
-        formula = paper.definition(name)
-        for tex in SUPPLIED:
-            formula = _named(formula, stage.formula(tex), Name(tex))
-        values.append(scalar(formula, stage))
-    return function(values, ARGUMENTS)
+    """The state by what the motion code supplies."""
+    return _compiled(_closed_form().phase_point)
 
 
-@cache
 def jacobi_rates() -> Function:
     """The rates of sn, cn, dn of n·t, by sn, cn, dn, n and the modulus k."""
-    derivation, _ = _derivation("kharlamov_savushkin2004")
-    printed = {display.id: display for display in derivation.displays()}
-    functions = (r"\mathrm{sn}", r"\mathrm{cn}", r"\mathrm{dn}")
-    scene = Scene(
-        "Jacobi's functions",
-        "sn, cn, dn as variables",
-        variables=functions,
-        constants=("n", "k"),
-        field=(printed["jacobi"][3], printed["jacobi-rates"][1], printed["jacobi-rates"][2]),
-    )
-    stage = Stage(scene, load_arithmetic("flint"), derivation.texts())
-    return function([stage.field[name] for name in functions], (*functions, "n", "k"))
+    return _compiled(_closed_form().jacobi_rates)
 
 
-def _value(stage: Stage, tex: str) -> Element:
-    """The value of an expression in the names of the stage."""
-    return scalar(stage.formula(tex), stage)
+def across() -> tuple[Function, Function, Function]:
+    """The complex variables, the functions that vanish on N⁴, and the rates of these."""
+    form = _closed_form()
+    first, second, third = form.complex_variables, form.across, form.across_rates
+    return _compiled(first), _compiled(second), _compiled(third)
+
+
+@cache
+def _compiled(values: Values) -> Function:
+    """The values, read on their scene, as a function of numbers."""
+    words = vocabulary((*source().scenes(), values.scene))
+    stage = Stage(values.scene, load_arithmetic("flint"), Texts(words))
+    named = [(stage.formula(tex), Name(tex)) for tex in values.supplied]
+    elements = []
+    for expression in values.expressions:
+        if isinstance(expression, Member):
+            formula = stage.relation(expression.printed).members[expression.place]
+        else:
+            formula = stage.formula(expression)
+        for part, name in named:
+            formula = _named(formula, part, name)
+        elements.append(scalar(formula, stage))
+    return function(elements, values.arguments)
 
 
 def _named(formula: Formula, wanted: Formula, name: Name) -> Formula:
@@ -126,10 +95,3 @@ def _named(formula: Formula, wanted: Formula, name: Name) -> Formula:
     for place, child in enumerate(formula.children()):
         formula = replace(formula, (place,), _named(child, wanted, name))
     return formula
-
-
-@cache
-def _derivation(name: str) -> tuple[Derivation, dict[str, Scene]]:
-    """A derivation of the library, and its scenes by their names."""
-    derivation = load_derivation(name)
-    return derivation, {scene.name: scene for scene in derivation.scenes()}

@@ -1,12 +1,11 @@
 r"""How motions near :math:`N^4` leave it: what the cofactor matrix of (15) predicts.
 
 :math:`(F_1,F_2)' = M(F_1,F_2)` is the linear equation across :math:`N^4` along a
-motion on it. The matrix is the one that the program finds when it proves (15), here
-in the real time :math:`t`. It has no diagonal, and on :math:`N^4`, where
-:math:`U_1+U_2=2r^4m`, the quotient of its other entries is constant. So in the time
-:math:`\int dt/\sqrt{x_1x_2}=r^{-2}\int(s_1-s_2)\,dt` the equation has constant
+motion on it, here in the real time :math:`t`. The matrix has no diagonal, and on
+:math:`N^4`, where :math:`U_1+U_2=2r^4m`, the quotient of its other entries is constant.
+So in the time :math:`\int dt/\sqrt{x_1x_2}=r^{-2}\int(s_1-s_2)\,dt` the equation has constant
 coefficients, with the exponents :math:`\pm r^2\sqrt{-m}` (both facts are claims of
-``kharlamov_savushkin2004``, section 8), and per unit of :math:`t`
+the derivation), and per unit of :math:`t`
 
 .. math:: \lambda=\sqrt{-m}\,\bigl(\langle s_1\rangle-\langle s_2\rangle\bigr)
 
@@ -17,76 +16,28 @@ value, for the motion passes :math:`x_1x_2=0`, where the root changes its sign.
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 from numpy.typing import NDArray
 
-from kowalevski_cas.claims import InvariantRelations
-from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.library import find, load
-from kowalevski_cas.motion.compile import function
+from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import Parameters
 from kowalevski_cas.motion.regimes import regime_of
-from kowalevski_cas.notation import Name
-from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.verify import Session
-from kowalevski_cas.stage import scalar
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-DERIVATION, RELATIONS, INITIAL = "kharlamov2002", "eq15", "c1"
-"""The derivation, its claim that N⁴ is invariant, and one that stands in the initial variables."""
 
-
-class Transverse:
-    r""":math:`F_1`, :math:`F_2` and their cofactor matrix, along motions.
-
-    The claim is proved first, with the misprints before it corrected, so that the
-    matrix is the one of the proof.
-    """
-
-    def __init__(self) -> None:
-        derivation = load(DERIVATION)
-        session = Session(derivation, ("flint",), False, load_evidence(find(DERIVATION)))
-        session.run((RELATIONS,))
-        claims = {claim.id: claim for claim in derivation.claims}
-        relations = claims[RELATIONS]
-        assert isinstance(relations, InvariantRelations)
-        bench = Bench("flint", session.texts, shelf=session.shelf)
-        matrix = relations.matrix(bench)
-        assert matrix is not None  # or the claim would not have been proved
-        stage, initial = bench.stage(relations.scene), bench.stage(claims[INITIAL].scene)
-        ring = stage.ring
-        *known, root = ring.names  # the last one is √(x1x2)
-        self._known = function(
-            [
-                *(scalar(Name(name), initial) for name in known),
-                initial.time_factor(relations.scene.time, False).inverse(),
-            ],
-            (*initial.scene.variables, "i"),
-        )
-        self._radicand = function(ring.radicands[-1:], known)
-        self._entries = function(
-            [*relations.functions(stage), *(entry for row in matrix for entry in row)],
-            (*known, root),
-        )
-
-    def __call__(self, states: Array) -> tuple[Complex, Complex]:
-        """F1, F2 (…, 2) and the matrices (…, 2, 2) of d(F1,F2)/dt at states (…, 9)."""
-        *known, per_time = self._known(*np.moveaxis(states, -1, 0), 1j)
-        root = np.sqrt(self._radicand(*known)[0])
-        first, second, *entries = np.broadcast_arrays(*self._entries(*known, root))
-        matrix = np.stack(entries, axis=-1).reshape(*first.shape, 2, 2) * per_time
-        return np.stack((first, second), axis=-1), matrix
-
-
-@cache
-def transverse() -> Transverse:
-    """The functions and their matrix; the claim is proved once."""
-    return Transverse()
+def transverse(states: Array) -> tuple[Complex, Complex]:
+    """F1, F2 (…, 2) and the matrices (…, 2, 2) of d(F1,F2)/dt at states (…, 9)."""
+    variables, functions, rates = formulas.across()
+    known = variables(*np.moveaxis(states, -1, 0), 1j)
+    root = np.sqrt(known[0] * known[1])  # of x1x2
+    F1, F2, U1, U2 = functions(*known, root)
+    columns = [rates(*unit, U1, U2, *known[:2], root) for unit in ((1.0, 0.0), (0.0, 1.0))]
+    entries = np.broadcast_arrays(*(column[row] for row in (0, 1) for column in columns), F1)[:4]
+    matrix = 1j * np.stack(entries, axis=-1).reshape(*np.shape(F1), 2, 2)  # τ = it
+    return np.stack((F1, F2), axis=-1), matrix
 
 
 def distance(states: Array) -> Array:
@@ -95,7 +46,7 @@ def distance(states: Array) -> Array:
     They are added in the ratio of the two entries of the matrix, so that the sum of
     squares stays the same along an elliptic motion, to first order.
     """
-    values, matrix = transverse()(states)
+    values, matrix = transverse(states)
     ratio = abs(matrix[..., 1, 0] / matrix[..., 0, 1])
     found: Array = np.sqrt(abs(values[..., 0]) ** 2 * ratio + abs(values[..., 1]) ** 2)
     return found

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.closed_form import ClosedForm
 from kowalevski_cas.paper.scene import Change, Locus, Scene, vocabulary
 from kowalevski_cas.paper.texts import Display, Texts
 
@@ -45,13 +46,17 @@ class Section:
 
 @dataclass(eq=False)
 class Derivation:
-    """A paper as a sequence of sections."""
+    """A paper as a sequence of sections.
+
+    ``closed_form`` gives what motions are computed with, if the paper solves its problem.
+    """
 
     name: str
     title: str
     author: str
     source: str
     sections: tuple[Section, ...]
+    closed_form: Callable[[], ClosedForm] | None = None
 
     def __post_init__(self) -> None:
         """Refuse ids that are given twice, for everything goes by them."""

@@ -53,7 +53,7 @@ class LatexSetter(Setter):
 class LatexWriter(Writer):
     """The report in LaTeX."""
 
-    suffix, plates, space = "tex", "pdf", r"\,"
+    suffix, space = "tex", r"\,"
     setter = LatexSetter()
 
     def escaped(self, text: str) -> str:

@@ -4,7 +4,7 @@ A folder below that of the reports has a list of them, ``plates.json``::
 
     {"derivation": "kharlamov2002", "plates": [{"name": "torus", "caption": "A torus."}]}
 
-and each picture as ``torus.pdf`` and ``torus.svg``.
+and each picture as ``torus.png``.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from typing import Final
 
 LIST: Final = "plates.json"
 
-_SUFFIXES: Final = (".pdf", ".svg")
+SUFFIX: Final = ".png"
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Plate:
 def plates(folder: Path, derivation: str) -> tuple[Plate, ...]:
     """The pictures of a derivation that are there, in the folder of its report.
 
-    A list that cannot be read, or a picture that is not there as a whole, is passed over.
+    A list that cannot be read, or a picture that is not there, is passed over.
     """
     found = []
     for file in sorted(folder.glob(f"*/{LIST}")):
@@ -48,7 +48,7 @@ def plates(folder: Path, derivation: str) -> tuple[Plate, ...]:
         found += [
             Plate(f"{file.parent.name}/{name}", caption)
             for name, caption in listed
-            if all((file.parent / f"{name}{suffix}").is_file() for suffix in _SUFFIXES)
+            if (file.parent / f"{name}{SUFFIX}").is_file()
         ]
     return tuple(found)
 
@@ -56,7 +56,6 @@ def plates(folder: Path, derivation: str) -> tuple[Plate, ...]:
 def copy_plates(found: tuple[Plate, ...], source: Path, target: Path) -> None:
     """Copy pictures from the folder of a report to where it is typeset."""
     for plate in found:
-        for suffix in _SUFFIXES:
-            copy = target / f"{plate.place}{suffix}"
-            copy.parent.mkdir(exist_ok=True)
-            shutil.copyfile(source / f"{plate.place}{suffix}", copy)
+        copy = target / f"{plate.place}{SUFFIX}"
+        copy.parent.mkdir(exist_ok=True)
+        shutil.copyfile(source / f"{plate.place}{SUFFIX}", copy)

@@ -60,7 +60,7 @@ def _alone(bracket: str, tall: bool) -> str:
 class TypstWriter(Writer):
     """The report in Typst."""
 
-    suffix, plates, space = "typ", "svg", "\u2009"
+    suffix, space = "typ", "\u2009"
     setter = TypstSetter()
 
     def escaped(self, text: str) -> str:

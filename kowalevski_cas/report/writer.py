@@ -30,8 +30,6 @@ class Writer(ABC):
 
     suffix: str
     """The suffix of the templates and of the document."""
-    plates: str
-    """The suffix of pictures."""
     space: str
     """A space between the thousands of a number."""
     setter: Setter
@@ -65,7 +63,7 @@ class Writer(ABC):
         )
         environment.globals.update(MARKS=MARKS, Verdict=Verdict, suffix=self.suffix)
         template = environment.get_template(f"report.{self.suffix}.jinja")
-        text = template.render(report=self.report, plates=plates, plate=self.plates)
+        text = template.render(report=self.report, plates=plates)
         text = re.sub(r"[ \t]+\n", "\n", text)
         return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
 

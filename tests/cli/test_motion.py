@@ -3,7 +3,10 @@
 import csv
 import io
 import json
+import os
+import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -58,6 +61,28 @@ def test_taylor_follows_it_too_or_says_what_to_install(cli):
         assert code == 2 and "pip install 'kowalevski-cas[taylor]'" in err
     else:
         assert np.max(np.abs(states(out) - states(cli(*USUAL)[1]))) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("missing", "command", "extra"),
+    [
+        ("numpy", ["motion", *USUAL], "motion"),
+        ("scipy", ["motion", *USUAL, "--method", "dop853"], "motion"),
+        ("heyoka", ["motion", *USUAL, "--method", "taylor"], "taylor"),
+        ("matplotlib", ["pictures", "rectangle"], "motion"),
+        ("matplotlib", ["animation"], "motion"),
+        ("numpy", ["verify", "kharlamov2002", "--arithmetic", "floating"], "motion"),
+    ],
+)
+def test_a_library_that_is_not_installed_is_named_with_its_extra(missing, command, extra, tmp_path):
+    blocked = "import sys; sys.modules[sys.argv.pop(1)] = None; import kowalevski_cas.cli as cli"
+    done = subprocess.run(
+        [sys.executable, "-c", f"{blocked}; sys.exit(cli.main())", missing, *command],
+        capture_output=True, text=True, cwd=tmp_path, check=False,
+        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+    )  # fmt: skip
+    said = f"kowalevski-cas {command[0]} needs {missing}: pip install 'kowalevski-cas[{extra}]'\n"
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", said)
 
 
 def test_csv_and_npz_hold_the_same_states(cli, tmp_path):

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from kowalevski_cas.arithmetic import load
 from kowalevski_cas.arithmetic.tower import Ring
+from kowalevski_cas.library import LibraryError
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.compile import function
 
@@ -52,3 +53,13 @@ def test_roots_quotients_and_repeated_products_are_written():
     compiled = function([half * root * x * y / (x + y), x * y * y, ring.zero], ["x", "y", "s"])
     value, product, zero = compiled(Fraction(2), Fraction(8), Fraction(4))
     assert (value, product, zero) == (Fraction(2, 3) * 4 * 16 / 10, 128, 0)
+
+
+def test_a_library_that_offers_no_closed_form_says_so(monkeypatch):
+    monkeypatch.setattr(formulas, "available", lambda: ["kharlamov2002"])
+    formulas.source.cache_clear()
+    try:
+        with pytest.raises(LibraryError, match="no derivation in the library offers motions"):
+            formulas.source()
+    finally:
+        formulas.source.cache_clear()

@@ -15,11 +15,12 @@ from kowalevski_cas.motion import (
     Parameters,
     all_regimes,
     coincidences,
+    formulas,
     load,
     regime_of,
     through,
 )
-from kowalevski_cas.motion.formulas import CONSTANTS, constants, integrals
+from kowalevski_cas.motion.formulas import constants, integrals
 from kowalevski_cas.motion.parameters import ball, precision
 from kowalevski_cas.motion.regimes import coordinates, extreme_ell
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
@@ -147,7 +148,8 @@ def test_every_real_point_lies_in_a_regime_and_every_regime_has_points():
     states = sampled(3, 600)
     *_, first, second = integrals()(*states.T)
     assert np.max(np.abs(first)) < 1e-12 and np.max(np.abs(second)) < 1e-11
-    values = dict(zip(CONSTANTS, constants()(*states.T), strict=True))
+    names = formulas.source().closed_form().constants.expressions
+    values = dict(zip(names, constants()(*states.T), strict=True))
     m = (2 * values["G"] - values["p^2"] * values["H"]) / values["c_1c_2"]
     root = np.sqrt(values["x_1x_2"])
     ell = (values["w_1w_2"] + values["x_1x_2+z_1z_2"] * m) / root

@@ -32,7 +32,7 @@ def test_the_matrix_has_the_exponents_that_the_separated_variables_give(region):
     first, second = Closed(here, 10.0).variables(TIMES, TIMES)
     m, regular = float(here.parameters.m), abs(first.weight) > 1e-3
     gap = first.s[regular] / first.weight[regular] - (second.s / second.weight)[regular]
-    matrix = transverse()(closed(here, TIMES[regular]))[1]
+    matrix = transverse(closed(here, TIMES[regular]))[1]
     assert np.all(matrix[:, 0, 0] == 0) and np.all(matrix[:, 1, 1] == 0)
     np.testing.assert_allclose(matrix[:, 0, 1] * matrix[:, 1, 0], -m * gap**2, rtol=1e-9)
     ratio = matrix[:, 1, 0] / matrix[:, 0, 1]
@@ -43,8 +43,8 @@ def test_the_matrix_is_the_rate_of_the_functions_off_n4():
     start = initial_state(motion("0.5", "1.45")) + 0.05 * np.arange(9)
     step = 1e-4
     before, here, after = integrate("DOP853", start, np.array([1 - step, 1.0, 1 + step]), 1e-13)
-    values, matrix = transverse()(here)
-    rate = (transverse()(after)[0] - transverse()(before)[0]) / (2 * step)
+    values, matrix = transverse(here)
+    rate = (transverse(after)[0] - transverse(before)[0]) / (2 * step)
     np.testing.assert_allclose(matrix @ values, rate, rtol=1e-6)
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from kowalevski_cas.study.run import data_file, measure, stored
+from study.store import data_file, measure, stored
 from tests.study.toys import Interrupt
 
 

@@ -4,7 +4,7 @@ from collections import Counter
 
 import pytest
 
-from kowalevski_cas.study.labelled import MISPRINT, TRUE, Disagreement, labelled, spread
+from study.labelled import MISPRINT, TRUE, Disagreement, labelled, spread
 
 
 @pytest.fixture(scope="module")

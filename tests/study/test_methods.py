@@ -4,10 +4,10 @@ import json
 
 import pytest
 
-from kowalevski_cas.study.labelled import TRUE, labelled
-from kowalevski_cas.study.methods import ACCEPTED, NONE, REJECTED, methods
-from kowalevski_cas.study.methods.certificates import answer, certificate
-from kowalevski_cas.study.methods.typed import decide
+from study.labelled import TRUE, labelled
+from study.methods import ACCEPTED, NONE, REJECTED, methods
+from study.methods.certificates import answer, certificate
+from study.methods.typed import decide
 
 FOUND = {method.name: method for method in methods()}
 
@@ -42,9 +42,9 @@ def test_expand_leaves_something_of_a_true_identity_with_a_root(statements):
 
 
 def test_an_objection_that_does_not_say_no_is_no_answer():
-    assert answer(1.0, "")["verdict"] == ACCEPTED
-    assert answer(1.0, "fails: 7 statement")["verdict"] == REJECTED
-    assert answer(1.0, "Attempt to save an incomplete proof")["verdict"] == NONE
+    assert answer("")["verdict"] == ACCEPTED
+    assert answer("fails: 7 statement")["verdict"] == REJECTED
+    assert answer("Attempt to save an incomplete proof")["verdict"] == NONE
 
 
 def test_a_method_starts_cold(statements):

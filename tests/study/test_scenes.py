@@ -2,8 +2,8 @@
 
 import pytest
 
-from kowalevski_cas.study import scenes
-from kowalevski_cas.study.stability.material import claim, paper
+from study import scenes
+from study.stability.material import claim, paper
 
 
 @pytest.mark.parametrize("id", ["eq5.1", "eq12", "eq18", "eq21", "eq22", "appelrot-area"])

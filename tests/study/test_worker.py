@@ -4,8 +4,8 @@ import subprocess
 
 import pytest
 
-from kowalevski_cas.study.race import race
-from kowalevski_cas.study.worker import Worker
+from study.race import race
+from study.worker import Worker
 
 TOYS = "tests.study.toys"
 
@@ -48,15 +48,21 @@ def test_an_error_is_said(worker):
 @pytest.mark.parametrize("worker", ["sleep"], indirect=True)
 def test_an_interruption_ends_the_process(worker, monkeypatch):
     worker.ask(0)
-    process = worker._process
+    process, pipe = worker._running
 
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("select.select", interrupted)
+    monkeypatch.setattr(pipe, "poll", interrupted)
     with pytest.raises(KeyboardInterrupt):
         worker.ask(30)
-    assert process.poll() is not None
+    assert process.exitcode < 0
+
+
+@pytest.mark.parametrize("worker", ["end"], indirect=True)
+def test_a_process_that_ends_is_an_error_and_the_next_question_is_answered(worker):
+    assert worker.ask(7)["reason"] == "the process ended with 7"
+    assert worker.ask(0)["verdict"] == "proved"
 
 
 def test_an_interruption_ends_a_race(tmp_path, monkeypatch):
@@ -71,7 +77,7 @@ def test_an_interruption_ends_a_race(tmp_path, monkeypatch):
         return started[0]
 
     monkeypatch.setattr("subprocess.Popen", start)
-    monkeypatch.setattr("select.select", interrupted)
+    monkeypatch.setattr("study.race.Timer", interrupted)
     with pytest.raises(KeyboardInterrupt):
         race(["sleep", "30"], tmp_path, 20, 1000)
     assert started[0].wait(5) < 0

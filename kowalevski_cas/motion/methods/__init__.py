@@ -31,10 +31,6 @@ class MethodError(RuntimeError):
     """A method that gave up; the message says why."""
 
 
-class Missing(MethodError):
-    """A method whose library is not installed."""
-
-
 def load(name: str) -> Callable[[Motion, NDArray[np.float64]], NDArray[np.float64]]:
     """The function ``states`` of the method with this name."""
     if name not in METHODS:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
-from kowalevski_cas.motion.methods import MethodError, Missing
+from kowalevski_cas.motion.methods import MethodError
 from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.motion.motion import Motion
 
@@ -18,7 +18,7 @@ def states(
 ) -> NDArray[np.float64]:
     """The states at these times, an array of shape (N, 9).
 
-    Raises :class:`~kowalevski_cas.motion.methods.MethodError` if heyoka is missing or stops.
+    Raises :class:`~kowalevski_cas.motion.methods.MethodError` if heyoka stops.
     """
     return integrate(initial_state(motion), times, tolerance)
 
@@ -27,12 +27,8 @@ def integrate(
     start: NDArray[np.float64], times: NDArray[np.float64], tolerance: float = TOLERANCE
 ) -> NDArray[np.float64]:
     """The states at these times, in any order, of the motion with this state at t = 0."""
-    try:
-        import heyoka
-    except ImportError:
-        raise Missing(
-            "the method taylor needs heyoka: pip install 'kowalevski-cas[taylor]'"
-        ) from None
+    import heyoka
+
     variables = heyoka.make_vars(*(f"x{index}" for index in range(9)))
     system = list(zip(variables, formulas.equations()(*variables), strict=True))
     integrator = heyoka.taylor_adaptive(system, list(start), tol=tolerance)

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.pictures.orbit import in_space, orbit
-from kowalevski_cas.motion.pictures.space import View, blank, curve, reach, triad
-from kowalevski_cas.pictures import mark, new_figure
+from kowalevski_cas.motion.pictures.space import View, curve, reach, sheets, triad
+from kowalevski_cas.pictures import mark
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -23,23 +23,14 @@ TURNS, POINTS = 14, 4000
 def draw(motion: Motion) -> Figure:
     """Both hodographs of a motion, to one scale."""
     states = orbit(motion, TURNS, POINTS)
-    figure = new_figure(height=3.6)
-    view = View()
-    axes = figure.subplots(1, 2, sharex=True, sharey=True)
-    length = 1.5 * reach(states[:, :3])
-    for index, (one, title, points, labels) in enumerate(
-        (
-            (axes[0], "in the body", states[:, :3], (r"$\omega_1$", r"$\omega_2$", r"$\omega_3$")),
-            (
-                axes[1],
-                "in space",
-                in_space(states),
-                (r"$\alpha$", r"$\beta$", r"$\alpha\times\beta$"),
-            ),
-        )
-    ):
-        blank(one)
-        one.set_title(title)
-        triad(one, view, labels, length)
-        curve(one, view, points, mark(index).colour)
+    omega, view = states[:, :3], View()
+    figure, axes = sheets("in the body", "in space")
+    curves = (omega, in_space(states))
+    labels = (
+        (r"$\omega_1$", r"$\omega_2$", r"$\omega_3$"),
+        (r"$\alpha$", r"$\beta$", r"$\alpha\times\beta$"),
+    )
+    for index, one in enumerate(axes):
+        triad(one, view, labels[index], 1.5 * reach(omega))
+        curve(one, view, curves[index], mark(index).colour)
     return figure

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from kowalevski_cas.pictures import FAINT, INK
+from kowalevski_cas.pictures import FAINT, INK, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 
@@ -33,6 +34,16 @@ class View:
         near = np.array((np.cos(turn) * np.cos(rise), np.sin(turn) * np.cos(rise), np.sin(rise)))
         up = np.cross(near, right)
         return points @ np.stack((right, up), axis=1), points @ near
+
+
+def sheets(*titles: str) -> tuple[Figure, list[Axes]]:
+    """A figure with blank sheets side by side, all to one scale."""
+    figure = new_figure(height=3.6)
+    found = list(figure.subplots(1, len(titles), sharex=True, sharey=True))
+    for axes, title in zip(found, titles, strict=True):
+        blank(axes)
+        axes.set_title(title)
+    return figure, found
 
 
 def blank(axes: Axes) -> None:

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.pictures.orbit import orbit
-from kowalevski_cas.motion.pictures.space import View, blank, sphere, trace
-from kowalevski_cas.pictures import mark, new_figure
+from kowalevski_cas.motion.pictures.space import View, sheets, sphere, trace
+from kowalevski_cas.pictures import mark
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -23,15 +23,10 @@ TURNS, POINTS = 14, 6000
 def draw(motion: Motion) -> Figure:
     """Both traces of a motion."""
     states = orbit(motion, TURNS, POINTS)
-    figure = new_figure(height=3.6)
-    view = View()
-    axes = figure.subplots(1, 2, sharex=True, sharey=True)
+    view, letters = View(), (r"\alpha", r"\beta")
     lengths = (float(motion.parameters.a), float(motion.parameters.b))
-    for index, (one, letter, length) in enumerate(
-        zip(axes, (r"\alpha", r"\beta"), lengths, strict=True)
-    ):
-        blank(one)
-        one.set_title(rf"${letter}$, $|{letter}|={'ab'[index]}$")
+    figure, axes = sheets(r"$\alpha$, $|\alpha|=a$", r"$\beta$, $|\beta|=b$")
+    for index, (one, letter, length) in enumerate(zip(axes, letters, lengths, strict=True)):
         labels = tuple(rf"${letter}_{k}$" for k in (1, 2, 3))
         sphere(one, view, length, labels, length + 0.3 * lengths[0])
         trace(one, view, states[:, 3 + 3 * index : 6 + 3 * index], mark(index).colour)

@@ -1,0 +1,64 @@
+"""What a derivation offers to compute motions with: its formulas, on scenes of its own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Printed
+
+
+class Member(NamedTuple):
+    """One side of a printed relation: 0 is the first."""
+
+    printed: Printed
+    place: int
+
+
+@dataclass(frozen=True, eq=False)
+class Values:
+    r"""Some values as a function of some names.
+
+    Args:
+        scene: where everything is read.
+        expressions: what is computed: TeX in the names of the scene, or a side of a relation.
+        arguments: the names, in the order in which a caller gives their values.
+        supplied: parts of the expressions that a caller knows better than they can be computed,
+            as :math:`s_1s_2-a^2`; each is an argument, and a variable of the scene.
+    """
+
+    scene: Scene
+    expressions: tuple[str | Member, ...]
+    arguments: tuple[str, ...]
+    supplied: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class ClosedForm:
+    r"""The motions on N⁴ in closed form. A state is (ω, α, β), nine numbers.
+
+    Args:
+        equations: the rates of the nine variables, by the state.
+        integrals: H, K, a², b², c, and the left sides of the two equations of N⁴, by the state.
+        constants: :math:`x_1x_2`, :math:`x_1x_2+z_1z_2`, :math:`w_1w_2`, H, G, p², r⁴, by the
+            state: polynomials from which m and ℓ are found.
+        phase_point: the state by :math:`S_1, S_2, f_1, f_2, d, \psi`, the products
+            :math:`s_1s_2-a^2`, :math:`s_1s_2-b^2`, :math:`\ell-2ms_1`, :math:`\ell-2ms_2`,
+            :math:`rS_2`, and r; homogeneous of degree zero in those that involve :math:`s_1`
+            (with :math:`S_1, f_1, rS_2` and d): a common factor changes nothing.
+        jacobi_rates: the rates of sn, cn, dn of n·t, by sn, cn, dn, n and the modulus k.
+        complex_variables: the eight complex variables and :math:`\omega_3`, by the state and i.
+        across: :math:`F_1, F_2, U_1, U_2`, by those and :math:`\sqrt{x_1x_2}`.
+        across_rates: the rates of :math:`F_1, F_2` in the time :math:`\tau=it`, linear in them,
+            by :math:`F_1, F_2, U_1, U_2, x_1, x_2` and :math:`\sqrt{x_1x_2}`.
+    """
+
+    equations: Values
+    integrals: Values
+    constants: Values
+    phase_point: Values
+    jacobi_rates: Values
+    complex_variables: Values
+    across: Values
+    across_rates: Values

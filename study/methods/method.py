@@ -1,0 +1,66 @@
+"""A way of deciding: it accepts a statement, rejects it, or gives no answer."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from time import perf_counter
+from typing import Any
+
+from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.export import Inexpressible
+from kowalevski_cas.proof.certificate import stated
+from kowalevski_cas.proof.checker import Rejected
+from kowalevski_cas.proof.limits import time_limit
+from kowalevski_cas.proof.trees import CertificateError
+from study.labelled import Labelled
+from study.step import Measured
+
+ACCEPTED, REJECTED, NONE = "accepted", "rejected", "none"
+"""The verdicts. A limit that is reached is ``timeout``, a failure ``error``: no answers either."""
+
+SECONDS = 20.0
+
+
+class Method(ABC):
+    """``proves`` says that an answer of this method is a proof, and an error would be a bug.
+
+    ``share`` is how many statements of the labelled set it is put to, all of them if
+    it is ``None``.
+    """
+
+    proves = False
+
+    def __init__(self, name: str, share: int | None = None) -> None:
+        self.name = name
+        self.share = share
+
+    def decide(self, statement: Labelled) -> Measured:
+        """The verdict on a statement, with the seconds that it took in a running process."""
+        try:
+            prepared = self.prepare(statement)
+        except (CertificateError, Inexpressible, Rejected) as error:
+            return {"seconds": None, "verdict": NONE, "reason": str(error.args[0])}
+        start = perf_counter()
+        try:
+            with time_limit(SECONDS):
+                answer = self.answer(prepared)
+        except TimeoutError:
+            return {"seconds": SECONDS, "verdict": "timeout", "reason": f"{SECONDS:g} s"}
+        return {"seconds": perf_counter() - start, "reason": "", **answer}
+
+    @abstractmethod
+    def prepare(self, statement: Labelled) -> Any:
+        """What the method is given; raises an error that says why if it cannot be stated."""
+
+    @abstractmethod
+    def answer(self, prepared: Any) -> Measured:
+        """The verdict on what was prepared; this is what is timed."""
+
+    @abstractmethod
+    def cold(self, statement: Labelled) -> float:
+        """The seconds from the start of a process of its own to the verdict on a true statement."""
+
+
+def certificate(statement: Labelled) -> str:
+    """What the certificate of a statement would be, were it true; made with FLINT."""
+    return stated(statement.claim, Bench("flint", statement.texts, refute=False))

@@ -1,0 +1,79 @@
+"""The command `python -m study`, with a step that takes no time."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from kowalevski_cas.cli import run
+from study import command
+from tests.study.toys import Interrupt
+
+
+def main(arguments):
+    return run("python -m study", "study.command", arguments)
+
+
+@pytest.fixture
+def step(monkeypatch):
+    step = Interrupt()
+    monkeypatch.setattr(command, "STEPS", {"toys": "toys"})
+    monkeypatch.setattr(command, "load", lambda name: step)
+    return step
+
+
+def test_a_study_says_what_it_measured_and_what_failed(step, tmp_path, capsys):
+    assert main(["--quick", "-o", str(tmp_path)]) == 0
+    assert capsys.readouterr().out == "toys: toys: 3 measurements, 1 error\n"
+    assert {path.name for path in tmp_path.iterdir()} == {"toys.png", "data"}
+    head = json.loads((tmp_path / "data" / "toys.jsonl").read_text().splitlines()[0])
+    assert head["quick"] is True and {"processor", "Python", "sympy"} <= head["machine"].keys()
+
+
+def test_drawing_measures_nothing(step, tmp_path):
+    main(["-o", str(tmp_path)])
+    step.ran.clear()
+    (tmp_path / "toys.png").unlink()
+    assert main(["--draw", "-o", str(tmp_path)]) == 0
+    assert step.ran == [] and (tmp_path / "toys.png").exists()
+
+
+def test_nothing_to_draw_is_no_success(step, tmp_path, capsys):
+    assert main(["--draw", "-o", str(tmp_path)]) == 6
+    assert "nothing is stored for “toys”" in capsys.readouterr().err
+
+
+def test_an_unknown_step_is_named(step, capsys):
+    assert main(["tosy"]) == 6
+    assert "no step “tosy”; there are toys" in capsys.readouterr().err
+
+
+def test_an_interruption_keeps_what_was_measured(step, tmp_path):
+    step.at = "slow"
+    assert main(["-o", str(tmp_path)]) == 130
+    step.at = ""
+    step.ran.clear()
+    assert main(["-o", str(tmp_path)]) == 0
+    assert step.ran == ["slow"]
+
+
+def test_a_disagreement_of_exact_arithmetics_has_its_exit_code(step, tmp_path, monkeypatch, capsys):
+    contradicted = {"seconds": 1.0, "verdict": "disagreement", "reason": "eq1: both"}
+    monkeypatch.setattr(step, "_run", lambda method: contradicted)
+    assert main(["-o", str(tmp_path)]) == 4
+    assert "the exact arithmetics disagree: eq1: both" in capsys.readouterr().err
+
+
+def test_a_folder_that_cannot_be_written_is_named(step, capsys):
+    assert main(["-o", "/dev/null/x"]) == 2
+    assert "/dev/null/x/data: Not a directory" in capsys.readouterr().err
+
+
+def test_a_picture_that_lacks_a_measurement_says_which(step, tmp_path, monkeypatch, capsys):
+    def draw(rows):
+        raise KeyError("good")
+
+    monkeypatch.setattr(step, "draw", draw)
+    assert main(["-o", str(tmp_path)]) == 2
+    assert "“toys” cannot be drawn: 'good' is missing in" in capsys.readouterr().err
