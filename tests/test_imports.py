@@ -155,9 +155,9 @@ def test_no_files_of_a_room_import_each_other(imports):
 @pytest.mark.parametrize(
     "text",
     [
-        "import kowalevski_cas.proof.record",
+        "import kowalevski_cas.verify.record",
         "from kowalevski_cas.proof import record",
-        "from kowalevski_cas.proof.record import dump",
+        "from kowalevski_cas.verify.record import dump",
         "from ..proof import record",
         "from ..proof.record import dump",
         "if TYPE_CHECKING:\n    from ..proof import record",
@@ -167,7 +167,7 @@ def test_no_files_of_a_room_import_each_other(imports):
 def test_an_import_is_seen_wherever_it_stands(tmp_path, text):
     for place, content in {
         "notation/__init__.py": "", "notation/reader.py": text, "proof/__init__.py": "",
-        "proof/record.py": "from . import digest", "proof/digest.py": "import kowalevski_cas.proof.record",
+        "proof/record.py": "from . import digest", "proof/digest.py": "import kowalevski_cas.verify.record",
     }.items():  # fmt: skip
         path = tmp_path / LIBRARY / place
         path.parent.mkdir(parents=True, exist_ok=True)

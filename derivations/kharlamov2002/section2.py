@@ -24,6 +24,7 @@ from .section1 import ALPHA, BETA, FRAME, KOWALEVSKI, OMEGA, eq2, eq3, eq4, kowa
 section = Section("2", "New solution with two invariant relations")
 
 unit = section.inline("eq9.i", r"i^2=1")
+section.accept(unit[1], "i^2=-1")  # otherwise (9) does not lead to (10)
 
 eq9 = section.display(
     "eq9",

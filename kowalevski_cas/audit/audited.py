@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from kowalevski_cas.proof.outcome import Condition, Correction, Counterexample, Verdict
+from kowalevski_cas.verify.outcome import Condition, Correction, Counterexample, Verdict
 from kowalevski_cas.paper.texts import Printed
 
 GIVEN = "given"

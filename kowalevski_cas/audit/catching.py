@@ -14,7 +14,7 @@ from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.mutants import Mutant
 from kowalevski_cas.audit.session import AS_BEFORE
 from kowalevski_cas.audit.source import Source
-from kowalevski_cas.proof.outcome import Outcome
+from kowalevski_cas.verify.outcome import Outcome
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,8 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.evidence import Evidence
-from kowalevski_cas.proof.limits import time_limit
-from kowalevski_cas.proof.outcome import Correction, Outcome, Verdict
+from kowalevski_cas.verify.limits import time_limit
+from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.proof.verify import Session
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 

@@ -32,7 +32,7 @@ from kowalevski_cas.cli.exits import (
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import available
 from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.proof.verify import disagreement
 
 

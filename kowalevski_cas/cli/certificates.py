@@ -17,7 +17,7 @@ from kowalevski_cas.files import write_all
 from kowalevski_cas.proof.certificate import Written, certificates
 from kowalevski_cas.proof.committed import FOLDER, certificate_files
 from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.record import FILE, RecordError, with_certificates
+from kowalevski_cas.verify.record import FILE, RecordError, with_certificates
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -15,7 +15,7 @@ from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandErro
 from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.library import LibraryError, available, find
 from kowalevski_cas.proof.committed import Checked, check_committed, check_files
-from kowalevski_cas.proof.record import RecordError, load_record
+from kowalevski_cas.verify.record import RecordError, load_record
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -16,7 +16,7 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.export import FORMATS, Export, Json, load
 from kowalevski_cas.files import write_all
 from kowalevski_cas.proof.committed import certificate_files, check_committed, check_files
-from kowalevski_cas.proof.record import RecordError, load_record
+from kowalevski_cas.verify.record import RecordError, load_record
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

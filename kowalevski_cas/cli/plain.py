@@ -13,7 +13,7 @@ from kowalevski_cas.notation import (
     read_prose,
     to_plain,
 )
-from kowalevski_cas.proof.outcome import Condition, Counterexample, Value
+from kowalevski_cas.verify.outcome import Condition, Counterexample, Value
 
 
 def formulas(found: Iterable[Formula], source: str = "") -> str:

@@ -13,7 +13,7 @@ from kowalevski_cas.cli.exits import AS_RECORDED, DISAGREEMENT, UNDECIDED, USAGE
 from kowalevski_cas.files import write_all
 from kowalevski_cas.proof import evidence as kept
 from kowalevski_cas.proof import record
-from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.proof.verify import disagreement
 
 

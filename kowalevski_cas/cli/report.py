@@ -13,8 +13,8 @@ from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
 from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.proof.outcome import Run
-from kowalevski_cas.proof.record import RecordError, load_record
+from kowalevski_cas.verify.outcome import Run
+from kowalevski_cas.verify.record import RecordError, load_record
 
 if TYPE_CHECKING:
     from kowalevski_cas.proof.committed import Checked

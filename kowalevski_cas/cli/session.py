@@ -12,7 +12,7 @@ from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import LibraryError, available, find, load
 from kowalevski_cas.proof.evidence import Evidence, load_evidence
-from kowalevski_cas.proof.outcome import Run
+from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.proof.verify import Progress, verify
 
 

@@ -26,8 +26,8 @@ from kowalevski_cas.cli.exits import (
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.proof.outcome import Verdict
-from kowalevski_cas.proof.record import RecordError, contradictions, differences, load_record
+from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.record import RecordError, contradictions, differences, load_record
 from kowalevski_cas.proof.verify import disagreement
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.closed_form import ClosedForm
 from kowalevski_cas.paper.scene import Change, Locus, Scene, vocabulary
-from kowalevski_cas.paper.texts import Display, Texts
+from kowalevski_cas.paper.texts import Display, Printed, Texts
 
 
 @dataclass(eq=False)
@@ -19,6 +19,7 @@ class Section:
     title: str
     displays: list[Display] = field(default_factory=list)
     claims: list[Claim] = field(default_factory=list)
+    accepted: dict[Printed, str] = field(default_factory=dict)
 
     def display(self, id: str, tex: str) -> Display:
         """A displayed formula, as printed."""
@@ -38,6 +39,14 @@ class Section:
             if not isinstance(claim, Claim):
                 raise TypeError(f"a claim is expected, not {claim!r}")
             self.claims.append(claim)
+
+    def accept(self, printed: Printed, tex: str) -> None:
+        """Read this in place of what is printed, in all that follows from it.
+
+        The program proposes corrections, and takes none by itself: every verdict that rests on
+        an accepted one says so.
+        """
+        self.accepted[printed] = tex
 
     def _add(self, display: Display) -> Display:
         self.displays.append(display)
@@ -89,6 +98,11 @@ class Derivation:
         ``sources`` holds displays, by id, whose source is another one.
         """
         return Texts(vocabulary(self.scenes()), sources)
+
+    @property
+    def accepted(self) -> dict[Printed, str]:
+        """What is read in place of what is printed, by places."""
+        return {place: tex for section in self.sections for place, tex in section.accepted.items()}
 
     def section_of(self, claim: Claim) -> Section:
         """The section in which a claim stands."""

@@ -83,6 +83,8 @@ class Elaboration(Setting):
         self._steps: dict[str, Step | None] = {}
         self._open: list[str] = []
         self.places: dict[str, tuple[Printed, ...]] = {}
+        self.applied: set[str] = set()
+        """Functions and brackets, which are written out where they are applied."""
         self.roots = tuple(self._root_names())
 
     def _root_names(self) -> Iterator[str]:
@@ -402,6 +404,7 @@ class Elaboration(Setting):
                 if len(arguments) != len(formula.arguments):
                     raise Meaningless(f"{name} is used with {len(formula.arguments)} arguments")
                 self.places[name] = (self.scene.definitions[name],)
+                self.applied.add(name)
                 values = dict(zip(arguments, formula.arguments, strict=True))
                 body = self.definition(name)
                 if _applies(body, function):

@@ -68,7 +68,7 @@ class Texts:
         self,
         vocabulary: Vocabulary,
         sources: Mapping[str, str] | None = None,
-        edits: Mapping[Printed, Edit] | None = None,
+        edits: Mapping[Printed, Formula] | None = None,
         displays: dict[str, tuple[Statement, ...]] | None = None,
         expressions: dict[str, Formula] | None = None,
     ) -> None:
@@ -80,10 +80,14 @@ class Texts:
 
     def edited(self, printed: Printed, edit: Edit) -> Texts:
         """The same texts with one statement changed."""
+        return self.reading({printed: edit.formula})
+
+    def reading(self, formulas: Mapping[Printed, Formula]) -> Texts:
+        """The same texts with other formulas at some places."""
         return Texts(
             self.vocabulary,
             self.sources,
-            {**self.edits, printed: edit},
+            {**self.edits, **formulas},
             self._read,
             self._expressions,
         )
@@ -103,8 +107,8 @@ class Texts:
 
     def formula(self, printed: Printed) -> Formula:
         """The formula at a place; raises ``NotationError`` if it cannot be read."""
-        edit = self.edits.get(printed)
-        return self.statement(printed).formula if edit is None else edit.formula
+        edited = self.edits.get(printed)
+        return self.statement(printed).formula if edited is None else edited
 
     def relation(self, printed: Printed) -> Relation:
         """The chain of equalities at a place; raises ``NotationError`` if there is none."""
@@ -151,7 +155,7 @@ class Texts:
 
     def changes(self, places: frozenset[Printed]) -> frozenset[object]:
         """What differs from the derivation at these places, as a key."""
-        changed: set[object] = {(p, e.formula) for p, e in self.edits.items() if p in places}
+        changed: set[object] = {item for item in self.edits.items() if item[0] in places}
         if self.sources:
             ids = _displays(places)
             changed |= {item for item in self.sources.items() if item[0] in ids}

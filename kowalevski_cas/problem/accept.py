@@ -56,19 +56,26 @@ class Unproved(ValueError):
 
 @dataclass
 class Accepted:
-    """What a proof divides by: elements with their denominators, by the space in which they live.
+    """What was accepted: elements with their denominators, by the space in which they live.
 
-    ``places`` are the points of the evidence, in order; ``differs`` the two values that differ
-    at the last one.
+    ``divided`` are those of the statement and of its evidence, ``away`` those of the evidence of
+    each simple goal, in order. ``places`` are the points of the evidence; ``differs`` the two
+    values that differ at the last one.
     """
 
     divided: dict[Setting, list[Element]] = field(default_factory=dict)
+    away: list[list[Element]] = field(default_factory=list)
     places: list[Place] = field(default_factory=list)
     differs: tuple[Element, Element] | None = None
 
     def divides(self, setting: Setting, elements: Sequence[Element]) -> None:
         """Enter elements that stand in the statement or in its evidence."""
         self.divided.setdefault(setting, []).extend(e for e in elements if e.denominator)
+
+    def uses(self, setting: Setting, elements: Sequence[Element]) -> None:
+        """Enter elements of the evidence for the simple goal at hand."""
+        self.divides(setting, elements)
+        self.away[-1].extend(e for e in elements if e.denominator)
 
 
 class Judge:
@@ -103,7 +110,16 @@ class Judge:
             case _:
                 self._simple(goal, evidence, sign, self.of(goal.space))
 
-    def _simple(self, goal: Simple, evidence: Evidence, sign: bool, at: Evaluation) -> None:
+    def _simple(
+        self,
+        goal: Simple,
+        evidence: Evidence,
+        sign: bool,
+        at: Evaluation,
+        values: Sequence[Element] = (),
+    ) -> None:
+        self.accepted.away.append([])
+        self.accepted.uses(goal.space, values)
         match goal, evidence, sign:
             case Fails(), At(), True:
                 self._fails(goal, evidence, at)
@@ -126,7 +142,7 @@ class Judge:
             case Count(), Roots(), _:
                 if (len(evidence.eliminant) == goal.number) != sign:
                     raise Unproved("it is another number of solutions")
-                self.accepted.divides(goal.space, check_roots(goal, evidence, at))
+                self.accepted.uses(goal.space, check_roots(goal, evidence, at))
                 self._point(at, evidence.point, at.differences(goal.equations), goal.space)
             case Count(), Solutions(), False:
                 self.accepted.places += check_solutions(goal, evidence, at)
@@ -143,7 +159,7 @@ class Judge:
         alternatives = [[left - right for left, right in one] for one in pairs]
         goals = [reduce(Element.__mul__, choice, at.ring.one) for choice in product(*alternatives)]
         used = list(self._settle(goals, known, evidence.proof, at))
-        self.accepted.divides(goal.space, used)
+        self.accepted.uses(goal.space, used)
         if evidence.point is not None:
             self._point(at, evidence.point, known, goal.space)
         elif goal.conclusions and goal.given:
@@ -215,7 +231,8 @@ class Judge:
         known = at.differences(goal.given)
         columns = combinations(range(len(goal.space.variables)), len(rows))
         minors = [determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
-        list(self._settle(minors, known, Proof(evidence.rows), at))
+        used = list(self._settle(minors, known, Proof(evidence.rows), at))
+        self.accepted.uses(goal.space, used)
 
     # -- signs ---------------------------------------------------------------------
 
@@ -232,7 +249,8 @@ class Judge:
         if evidence.zero is None:
             raise Unproved("it is not shown that it vanishes nowhere")
         used += self._settle([at.ring.one], [value, *known], evidence.zero, at)
-        self.accepted.divides(goal.space, [value, *known, *used])
+        self.accepted.divides(goal.space, [value, *known])
+        self.accepted.uses(goal.space, used)
         self._point(at, evidence.point, known, goal.space)
 
     def _not_positive(self, goal: Positive, evidence: At, at: Evaluation) -> None:
@@ -254,8 +272,7 @@ class Judge:
             for name in mine & set(goal.numbers):
                 if rational_terms(values[name]) is None:
                     raise Unproved(f"{name} is no number")
-            self.accepted.divides(one.space, list(values.values()))
-            self._simple(one, inner, True, at.binding(values))
+            self._simple(one, inner, True, at.binding(values), list(values.values()))
 
     def _never(self, goal: Exists, evidence: Regardless) -> None:
         one = goal.goals[evidence.goal]

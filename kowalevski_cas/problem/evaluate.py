@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from copy import copy
 from fractions import Fraction
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 from kowalevski_cas.arithmetic.derivation import Field, along
@@ -265,6 +265,19 @@ class Evaluation:
             return Evaluation(setting, self.polynomials).adjoin_roots()
         return self._others(setting)
 
+    @cached_property
+    def time_sign(self) -> int:
+        """1 if the time of the space is real, −1 if a change has made it imaginary."""
+        change = self.setting.change
+        if change is None:
+            return 1
+        old = self.other(change.old)
+        time, bar = old.scalar(change.time), old.scalar(change.time, True)
+        for sign in (1, -1):
+            if (bar - time * old.ring.number(sign)).is_zero:
+                return sign
+        raise Meaningless("the time of a change is neither real nor imaginary")
+
     def _rate_of_generator(self, name: str, rates: Field) -> Element:
         """The derivative of the generator that gives a moving root, perhaps over a divisor."""
         value = self.scalar(Name(name))
@@ -320,6 +333,11 @@ class Evaluation:
                     product = product * value_of(name) ** exponent
             total = total + product
         return total
+
+
+def conjugated(element: Element, at: Evaluation) -> Element:
+    """The conjugate of an element, by those of the generators."""
+    return at.image(element, lambda name: at.scalar(Name(name), True))
 
 
 # -- rules -----------------------------------------------------------------------
@@ -419,16 +437,10 @@ def _cross_product(formula: CrossProduct, at: Evaluation, bar: bool) -> Value:
 
 
 def _derivative(formula: Derivative, at: Evaluation, bar: bool) -> Value:
-    if bar:
-        # The time of a change may be imaginary; what stands behind the bar is real or turned.
-        inner = _each(at(formula.argument), at.derivative)
-        return _each(inner, lambda element: conjugated(element, at))
-    return _each(at(formula.argument), at.derivative)
-
-
-def conjugated(element: Element, at: Evaluation) -> Element:
-    """The conjugate of an element."""
-    return at.image(element, lambda name: at.scalar(Name(name), True))
+    rate = _each(at(formula.argument, bar), at.derivative)
+    if bar and at.time_sign < 0:
+        return _each(rate, lambda element: -element)
+    return rate
 
 
 _RULES: dict[type[Formula], Callable[[Any, Evaluation, bool], Value]] = {

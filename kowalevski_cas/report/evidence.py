@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.proof.outcome import (
+from kowalevski_cas.verify.outcome import (
     Condition,
     Correction,
     Counterexample,

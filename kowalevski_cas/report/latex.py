@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kowalevski_cas.notation.latex import LATEX
-from kowalevski_cas.proof.outcome import Run
+from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.report.context import Report, report
 from kowalevski_cas.report.escaping import ascii_only, escaped
 from kowalevski_cas.report.graph.tikz import tikz

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
-from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.verify.outcome import Verdict
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Final, Literal
 
 from kowalevski_cas.files import write
-from kowalevski_cas.proof.outcome import Run
+from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.report.context import report
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.latex import render_latex

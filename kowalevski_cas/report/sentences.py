@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kowalevski_cas.proof.outcome import Run, Verdict
+from kowalevski_cas.verify.outcome import Run, Verdict
 from kowalevski_cas.report.sections import count
 from kowalevski_cas.systems import title
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from kowalevski_cas.notation.typst import TYPST
-from kowalevski_cas.proof.outcome import Run
+from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.report.context import Report, report
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.plates import Plate

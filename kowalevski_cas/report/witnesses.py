@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
-from kowalevski_cas.proof.outcome import Outcome
+from kowalevski_cas.verify.outcome import Outcome
 from kowalevski_cas.systems import SYSTEMS, title
 
 FOLDER: Final = "witnesses"

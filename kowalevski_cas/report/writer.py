@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Final
 
 from kowalevski_cas.notation import Formula, Number, Relation, print_prose, read_prose
-from kowalevski_cas.proof.outcome import Condition, Outcome, Point, Value, Verdict
+from kowalevski_cas.verify.outcome import Condition, Outcome, Point, Value, Verdict
 from kowalevski_cas.report.context import Report
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.names import anchor

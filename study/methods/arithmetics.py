@@ -8,7 +8,7 @@ from time import perf_counter
 
 from kowalevski_cas.arithmetic import load, load_points
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.proof.screen import screen
 from study.labelled import Labelled, holds
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method

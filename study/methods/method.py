@@ -10,7 +10,7 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.export import Inexpressible
 from kowalevski_cas.proof.certificate import stated
 from kowalevski_cas.proof.checker import Rejected
-from kowalevski_cas.proof.limits import time_limit
+from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.proof.trees import CertificateError
 from study.labelled import Labelled
 from study.step import Measured

@@ -6,7 +6,7 @@ from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.library import find
 from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.record import in_latex
+from kowalevski_cas.verify.record import in_latex
 from kowalevski_cas.proof.verify import verify
 from tests.audit.material import changed, memory, source
 

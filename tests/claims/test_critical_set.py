@@ -13,7 +13,7 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.cli.formats.json import counterexample as in_tex
 from kowalevski_cas.notation import edits, to_latex
 from kowalevski_cas.proof.cases import Case
-from kowalevski_cas.proof.outcome import Counterexample, Verdict
+from kowalevski_cas.verify.outcome import Counterexample, Verdict
 from kowalevski_cas.paper.texts import Printed, Texts
 
 ARITHMETICS = ("flint", "sympy", "symengine")

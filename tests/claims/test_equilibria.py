@@ -13,7 +13,7 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.cli.formats.json import counterexample as in_tex
 from kowalevski_cas.notation import Number, to_latex
 from kowalevski_cas.proof.cases import Terms
-from kowalevski_cas.proof.outcome import Counterexample, Verdict
+from kowalevski_cas.verify.outcome import Counterexample, Verdict
 from kowalevski_cas.proof.roots import Roots
 from kowalevski_cas.search.squares import sum_of_squares
 

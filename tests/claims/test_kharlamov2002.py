@@ -9,7 +9,7 @@ from kowalevski_cas.cli.formats.json import counterexample as in_tex
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import to_latex
-from kowalevski_cas.proof.record import differences, in_latex, load_record
+from kowalevski_cas.verify.record import differences, in_latex, load_record
 from kowalevski_cas.proof.verify import verify
 
 IDS = """

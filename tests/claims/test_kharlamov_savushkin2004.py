@@ -8,7 +8,7 @@ from kowalevski_cas.arithmetic import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import NotationError, to_latex
 from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.record import differences, load_record
+from kowalevski_cas.verify.record import differences, load_record
 from kowalevski_cas.proof.verify import Session, verify
 from kowalevski_cas.stage import StageError
 

@@ -23,7 +23,7 @@ from kowalevski_cas.claims import (
 from kowalevski_cas.cli.formats.json import counterexample as in_tex
 from kowalevski_cas.derivation import Change, Scene, Section
 from kowalevski_cas.notation import Name, Number
-from kowalevski_cas.proof.record import in_latex
+from kowalevski_cas.verify.record import in_latex
 from tests.claims.plain import value
 from tests.claims.small import MOMENTUM, TWICE_ENERGY, Oscillator, Top, decide, verdicts
 

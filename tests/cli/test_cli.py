@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import pytest
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.verify.outcome import Verdict
 
 ROOT = Path(__file__).parents[2]
 
@@ -161,7 +161,7 @@ FICKLE = """
 class Fickle(Identity):
     def decide(self, bench):
         from kowalevski_cas.claims.claim import Finding, green
-        from kowalevski_cas.proof.outcome import Verdict
+        from kowalevski_cas.verify.outcome import Verdict
         return green(()) if bench.arithmetic != "sympy" else Finding(Verdict.REFUTED)
 t = s.display("t", "x=x")
 s.claim(Fickle("fickle", osc, t[1], ""))

@@ -6,7 +6,7 @@ from kowalevski_cas.library import find, load
 from kowalevski_cas.proof import checker
 from kowalevski_cas.proof.certificate import certificates
 from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.record import load_record
+from kowalevski_cas.verify.record import load_record
 
 PAPER = find("kharlamov2002")
 

@@ -8,7 +8,7 @@ import pytest
 
 from kowalevski_cas.claims import InvariantRelations
 from kowalevski_cas.proof.evidence import Evidence, Mended, dump_evidence, load_evidence
-from kowalevski_cas.proof.record import in_latex
+from kowalevski_cas.verify.record import in_latex
 from kowalevski_cas.proof.verify import Session, verify
 from tests.claims.small import Oscillator, decide
 

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from kowalevski_cas.proof.outcome import Verdict
-from kowalevski_cas.proof.record import RecordError, differences, dump_record, load_record
+from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.record import RecordError, differences, dump_record, load_record
 
 
 @pytest.fixture

@@ -4,8 +4,8 @@ import pytest
 
 from kowalevski_cas.arithmetic import POINTS
 from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.outcome import Verdict
-from kowalevski_cas.proof.record import contradictions, load_record
+from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.record import contradictions, load_record
 from kowalevski_cas.proof.verify import verify
 
 BEYOND = {"ansatz-exponents", "equilibria", "critical-set", "limit"}

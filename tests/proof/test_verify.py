@@ -8,8 +8,8 @@ import pytest
 
 from kowalevski_cas.claims import Claim, Finding, Identity
 from kowalevski_cas.claims.claim import green
-from kowalevski_cas.proof.limits import time_limit
-from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.verify.limits import time_limit
+from kowalevski_cas.verify.outcome import Verdict
 from tests.claims.small import Oscillator, decide, verdicts
 
 ALL = ("flint", "symengine", "sympy")

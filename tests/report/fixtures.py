@@ -6,7 +6,7 @@ from hashlib import sha256
 from typing import Any
 
 from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
-from kowalevski_cas.proof.outcome import (
+from kowalevski_cas.verify.outcome import (
     Condition,
     Correction,
     Counterexample,

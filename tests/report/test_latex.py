@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from kowalevski_cas.proof.outcome import Outcome, Verdict
+from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.report import render_latex
 from kowalevski_cas.report.context import report
 from kowalevski_cas.report.latex import LatexWriter

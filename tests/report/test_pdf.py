@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
-from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.report import ReportError, pdf, render_latex, write_report
 from tests.report.fixtures import P, claim, run
 

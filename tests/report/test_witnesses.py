@@ -2,7 +2,7 @@ import json
 
 import pytest
 
-from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.report import pdf, render_latex, write_report
 from kowalevski_cas.report.witnesses import Certified, Witness, arithmetics, programs
 

@@ -8,7 +8,7 @@ from typing import Any
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import Audited
 from kowalevski_cas.cli.formats.json import conditions, correction, counterexample
-from kowalevski_cas.proof.outcome import Outcome
+from kowalevski_cas.verify.outcome import Outcome
 
 
 def render(audit: Audit) -> str:

@@ -9,7 +9,7 @@ from kowalevski_cas.audit.audited import Audited
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.audit_formats import explained
 from kowalevski_cas.notation import Vocabulary
-from kowalevski_cas.proof.outcome import Outcome
+from kowalevski_cas.verify.outcome import Outcome
 
 MARKS = {
     "proved": ("✓", "32"),

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 
-from kowalevski_cas.proof.outcome import Run
-from kowalevski_cas.proof.record import Difference
+from kowalevski_cas.verify.outcome import Run
+from kowalevski_cas.verify.record import Difference
 
 FORMATS = ("pretty", "json", "junit", "github")
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from xml.etree import ElementTree
 
 from kowalevski_cas.cli.formats import Result
-from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.verify.outcome import Verdict
 
 
 def render(results: Sequence[Result]) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.formats import Result, locate
-from kowalevski_cas.proof.outcome import Outcome, Run, Verdict
+from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 
 MARKS = {
     Verdict.PROVED: ("✓", "32"),

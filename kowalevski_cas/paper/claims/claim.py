@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 
-from kowalevski_cas.notation import Edit, edits
+from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -83,6 +83,11 @@ class Claim(ABC):
         """The places that are right if the claim is."""
         if self.printed is not None:
             yield self.printed
+
+    def formulas(self, texts: Texts) -> tuple[Formula, ...]:
+        """The formulas of the claim, as the paper prints them."""
+        places = [self.printed] if self.printed is not None else [*self.establishes()]
+        return tuple(texts.formula(place) for place in places)
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         """Statements one edit away, the most plausible corrections first."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
-from kowalevski_cas.notation import Formula, Negative, Partial, Product, Sum, edits
+from kowalevski_cas.notation import Formula, Negative, Number, Partial, Product, Relation, Sum, edits
 from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
 from kowalevski_cas.paper.claims.forms import equation, equations, expression, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -83,6 +83,11 @@ class CriticalSet(Claim):
         for edit in edits(texts.statement(self.printed), texts.vocabulary):
             edited = texts.edited(self.printed, edit)
             yield Neighbour(edit.words, self, edited, self.printed, edit)
+
+    def formulas(self, texts: Texts) -> tuple[Formula, ...]:
+        assert self.printed is not None
+        function = texts.formula(self.printed)
+        return (Relation((function, Number(0)), ("=",)),) if self.zero_level else (function,)
 
     def establishes(self) -> Iterator[Printed]:
         """Nothing: the function is what it is, whatever its critical points are."""

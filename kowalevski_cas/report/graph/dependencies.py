@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kowalevski_cas.proof.outcome import Outcome
+from kowalevski_cas.verify.outcome import Outcome
 from kowalevski_cas.report.names import display_of
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 from xml.sax.saxutils import escape
 
-from kowalevski_cas.proof.outcome import Verdict
+from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.report.graph.drawing import BOX, LETTER, Box, Line, Picture
 from kowalevski_cas.report.marks import MARKS
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from kowalevski_cas.notation import Formula, to_latex
-from kowalevski_cas.proof.outcome import Outcome, Run, Verdict
+from kowalevski_cas.notation import to_latex
+from kowalevski_cas.verify.outcome import Outcome, Run, Verdict, in_latex
 
 FILE = "record.json"
 
@@ -35,11 +35,6 @@ def describe(outcome: Outcome) -> dict[str, object]:
         "correction": None if correction is None else in_latex(correction.formulas),
         "statement": outcome.digest,
     }
-
-
-def in_latex(formulas: Iterable[Formula]) -> str:
-    """Formulas of one display in LaTeX."""
-    return r",\ ".join(map(to_latex, formulas))
 
 
 def dump_record(run: Run, before: Mapping[str, Mapping[str, object]] | None = None) -> str:

@@ -1,32 +1,46 @@
-"""The conditions under which a formula holds: what its denominators assume not to vanish."""
+"""The conditions under which a statement holds: what its denominators assume not to vanish."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import lru_cache
 
+from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element
-from kowalevski_cas.claims.formulas import show
 from kowalevski_cas.notation import Formula, Product
-from kowalevski_cas.proof.outcome import Condition
-from kowalevski_cas.paper.scene import Locus
-from kowalevski_cas.stage import Stage, scalar
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.problem.accept import Accepted
+from kowalevski_cas.search.factors import irreducible_factors
 
 Shape = frozenset[object]
 """A polynomial up to a constant factor, as a key."""
 
+Divided = tuple[Elaboration, Formula]
+"""What may not vanish, and the setting in which it stands."""
 
-def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition, ...]:
-    """What the denominators of these elements assume to be non-zero, each factor once."""
-    ring = stage.ring
+
+def conditions_of(accepted: Accepted) -> list[Divided]:
+    """What all that was accepted assumes to be non-zero, each factor once."""
+    found: dict[Formula, Elaboration] = {}
+    for setting, elements in accepted.divided.items():
+        assert isinstance(setting, Elaboration)
+        for formula in _divisors(elements, setting):
+            found.setdefault(formula, setting)
+    return [(setting, formula) for formula, setting in found.items()]
+
+
+def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula]:
+    """What elements of a setting, in FLINT, are divided by, beyond what it takes for granted."""
+    ring = setting.finder.ring
     indices = sorted({index for element in elements for index in element.denominator})
     if not indices:
-        return ()
-    granted, names = _declared(stage)
+        return []
+    granted = {_shape(setting.finder.scalar(formula)) for formula in setting.nonzero}
+    landmarks = [setting.texts.expression(locus.condition) for locus in setting.scene.loci]
+    names = {_shape(setting.finder.scalar(setting.plain(f))): f for f in landmarks}
     shown: dict[Formula, None] = {}
     divisors = [Element(ring, {0: ring.divisors[index]}, {}) for index in indices]
-    known = {_shape(divisor) for divisor in divisors if len(divisor.terms()[0]) == 1}.union(granted)
+    known = {_shape(divisor) for divisor in divisors if len(divisor.terms()[0]) == 1} | granted
     for divisor in divisors:
         shape = _shape(divisor)
         if shape in granted:
@@ -34,26 +48,22 @@ def conditions_of(elements: Sequence[Element], stage: Stage) -> tuple[Condition,
         if shape not in names and shape not in known:
             divisor = _without(divisor, known)
         if divisor is not ring.one:
-            shown[names[shape] if shape in names else show(divisor, stage)] = None
-    for pair in stage.scene.conjugates:
-        first, second = map(stage.formula, pair)
+            shown[names[shape] if shape in names else show(divisor, setting)] = None
+    for pair in setting.conjugates:
+        first, second = map(setting.texts.expression, pair)
         if first in shown and second in shown:
             del shown[second]
             shown = {(Product((first, second)) if f == first else f): None for f in shown}
-    return tuple(Condition(formula, "the formulas divide by it") for formula in shown)
+    return list(shown)
 
 
-@lru_cache(maxsize=64)
-def _declared(stage: Stage) -> tuple[frozenset[Shape], dict[Shape, Formula]]:
-    """What a scene takes for granted not to vanish, and its names for conditions, by shapes."""
-    granted = frozenset(_shape(scalar(formula, stage)) for formula in stage.granted())
-    return granted, {_shape(scalar(formula, stage)): formula for formula in stage.landmarks()}
+def show(element: Element, setting: Elaboration) -> Formula:
+    """An element in the names of its setting, as the paper prints them."""
+    return formula_of(element, setting.texts.vocabulary)
 
 
 def _without(divisor: Element, known: set[Shape]) -> Element:
     """A polynomial without its factors that are known, which all are after that."""
-    from kowalevski_cas.search.factors import irreducible_factors
-
     ring, result = divisor.ring, divisor.ring.one
     factors = irreducible_factors(divisor.terms()[0])
     new = [(f, e) for terms, e in factors if _shape(f := ring.from_terms({0: terms})) not in known]
@@ -75,11 +85,3 @@ def _shape(element: Element) -> Shape:
         for mask, terms in parts.items()
         for exponents, value in terms.items()
     )
-
-
-def locus_of(condition: Condition, stage: Stage) -> Locus | None:
-    """The declared locus where a condition is violated, if there is one."""
-    for locus in stage.scene.loci:
-        if stage.formula(locus.condition) == condition.expression:
-            return locus
-    return None

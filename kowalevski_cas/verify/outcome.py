@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-from kowalevski_cas.notation import Formula, Vocabulary
+from kowalevski_cas.notation import Edit, Formula, Vocabulary, to_latex
+from kowalevski_cas.paper.texts import Printed
 
 Value = Formula | str
 """A value at a point: exact, or what an arithmetic of points shows in place of that."""
@@ -74,12 +76,17 @@ class Step:
 
 @dataclass(frozen=True)
 class Correction:
-    """The nearest true statement: its formulas, what was changed, its verdict."""
+    """The nearest true statement: its formulas, what was changed, its verdict.
+
+    ``printed`` and ``edit`` say where, if one printed formula was changed.
+    """
 
     formulas: tuple[Formula, ...]
     words: str
     verdict: Verdict
     conditions: tuple[Condition, ...] = ()
+    printed: Printed | None = None
+    edit: Edit | None = None
 
 
 @dataclass(frozen=True)
@@ -92,7 +99,8 @@ class Outcome:
     probability that ``probable`` is wrong, ``radius`` that of the ball of ``enclosed``.
     ``formulas`` are those of the claim and ``source`` is how the paper prints them,
     which stands in for them where they cannot be read. ``granted`` lists what the
-    scenes of the claim suppose not to vanish. Words have mathematics between dollars.
+    scenes of the claim suppose not to vanish, ``corrected`` the claims whose accepted corrections
+    it rests on. Words have mathematics between dollars.
     """
 
     claim: str
@@ -115,6 +123,7 @@ class Outcome:
     chance: float | None = None
     radius: float | None = None
     granted: tuple[Formula, ...] = ()
+    corrected: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -136,3 +145,8 @@ class Run:
     versions: dict[str, str]
     digest: str
     vocabulary: Vocabulary
+
+
+def in_latex(formulas: Iterable[Formula]) -> str:
+    """Formulas of one display in LaTeX."""
+    return r",\ ".join(map(to_latex, formulas))

@@ -1,0 +1,81 @@
+"""Spaces in straight-line programs, to be evaluated at points and never expanded.
+
+What has to be derived (squares of roots, the vector field) is taken from an exact evaluation.
+"""
+
+from __future__ import annotations
+
+from kowalevski_cas.arithmetic.derivation import Field
+from kowalevski_cas.arithmetic.programs import Program, Programs
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.notation import Formula, Name
+from kowalevski_cas.problem.evaluate import Evaluation, Value
+from kowalevski_cas.problem.space import Let
+
+
+class Sampled(Evaluation):
+    """The space of an exact evaluation, with programs for elements.
+
+    Values of subformulas are remembered, by identity, so that a formula that shares most of its
+    tree with earlier ones costs little.
+    """
+
+    def __init__(self, exact: Evaluation) -> None:
+        self.exact = exact
+        self.programs = Programs(exact.ring.polynomials.generators)
+        super().__init__(exact.setting, exact.polynomials, self.programs, {})  # type: ignore[arg-type]
+        self._memory: dict[tuple[int, bool], tuple[Formula, Value]] = {}
+        ring = exact.ring
+        for name, radicand, below in zip(ring.roots, ring.radicands, ring.below, strict=True):
+            generator = self.programs.adjoin(name, self.carry(radicand))
+            value = generator if below is None else generator * self.carry(below).inverse()
+            self._values[name, False] = value
+        for name in self.names:
+            self._values[name, False] = self.programs.generator(name)
+        self.roots = [(self.carry(square), self.carry(root)) for square, root in exact.roots]
+
+    def __call__(self, formula: Formula, conjugated: bool = False) -> Value:
+        key = (id(formula), conjugated)
+        if key not in self._memory:
+            self._memory[key] = formula, super().__call__(formula, conjugated)
+        return self._memory[key][1]
+
+    def carry(self, element: Element) -> Program:
+        """An exact element as a program."""
+        if isinstance(element, Program):
+            return element
+        image = self._generators_image(element)
+        assert isinstance(image, Program)
+        return image
+
+    def _generators_image(self, element: Element) -> Element:
+        """The image in which each generator of the ring is itself."""
+        ring = element.ring
+        total: Element = self.programs.zero
+        names = ring.polynomials.generators
+        for mask, terms in element.terms().items():
+            value = self._substituted(terms, names, self.programs.generator)
+            for bit, root in enumerate(ring.roots):
+                if mask >> bit & 1:
+                    value = value * self.programs.generator(root)
+            total = total + value
+        for index, exponent in element.denominator.items():
+            terms = ring.polynomials.terms(ring.divisors[index])
+            value = self._substituted(terms, names, self.programs.generator)
+            total = total * value**-exponent
+        return total
+
+    def _defined(self, name: str, conjugated: bool) -> Value:
+        step = self.setting.step(name)
+        if isinstance(step, Let):
+            return self(step.formula, conjugated)
+        if conjugated:
+            return self.carry(self.exact.scalar(Name(name), True))
+        return self.carry(self.exact.scalar(Name(name)))
+
+    @property
+    def rates(self) -> Field:
+        """The vector field, as the exact evaluation derives it."""
+        if self._rates is None:
+            self._rates = {name: self.carry(rate) for name, rate in self.exact.rates.items()}
+        return self._rates

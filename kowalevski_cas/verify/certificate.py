@@ -1,0 +1,131 @@
+"""Certificates: a problem, a sign and evidence, as files beside the derivation.
+
+A claim has one certificate; a corrected statement has one more, in a folder below. They are the
+store of evidence as well: what a search found once is read from them, and checked in every run.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from kowalevski_cas.arithmetic.present import formula_in
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.accept import Accepted
+from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read_evidence
+from kowalevski_cas.problem.evidence import Denial, Evidence
+from kowalevski_cas.problem.goals import Exists, Goal
+from kowalevski_cas.problem.trees import FormatError, encode
+from kowalevski_cas.search.find import divisors
+from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+
+FOLDER = "certificates"
+CORRECTED = "corrected"
+FORMAT, VERSION = "kowalevski-cas certificate", 2
+
+
+@dataclass(frozen=True)
+class Stored:
+    """The certificate of a claim as data, not checked yet."""
+
+    path: Path
+    data: Data
+
+    def verdicts(self, statement: Statement) -> Verdicts | None:
+        """Its evidence for a statement; ``None`` if it is about another one.
+
+        Raises :class:`FormatError` if the evidence cannot be read.
+        """
+        if self.data.get("digest") != statement.digest:
+            return None
+        evidence = self.data.get("evidence")
+        if self.data.get("sign") == "denied" and isinstance(evidence, list) and evidence:
+            entry = dict(evidence[0])
+            place = entry.pop("denies", None)
+            if not isinstance(place, int) or not 0 <= place < len(statement.goals):
+                raise FormatError(f"{self.path}: it denies no goal")
+            return Denial(place, read_evidence(entry, statement.goals[place], False))
+        if not isinstance(evidence, list) or len(evidence) != len(statement.goals):
+            raise FormatError(f"{self.path}: there is not evidence for each goal")
+        pairs = zip(evidence, statement.goals, strict=True)
+        return tuple(read_evidence(entry, goal) for entry, goal in pairs)
+
+
+def load_certificates(folder: Path) -> dict[str, Stored]:
+    """The certificates in a derivation's folder by claim; those of corrections with a slash.
+
+    Files that are no JSON of this version are passed over: what they were about is proved anew.
+    """
+    found = {}
+    for path in sorted((folder / FOLDER).glob("**/*.json")):
+        try:
+            data = json.loads(path.read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            continue
+        if isinstance(data, dict) and data.get("version") == VERSION:
+            found[path.relative_to(folder / FOLDER).with_suffix("").as_posix()] = Stored(path, data)
+    return found
+
+
+def certificate(statement: Statement, verdicts: Verdicts, accepted: Accepted) -> str:
+    """The text of the certificate of a statement; the checker has to accept it.
+
+    Raises :class:`FormatError` if something has no place in it, ``checker.Rejected`` if the
+    checker does not accept it.
+    """
+    away = iter(accepted.away)
+    if isinstance(verdicts, Denial):
+        goal = statement.goals[verdicts.goal]
+        evidence = [{"denies": verdicts.goal, **_with_away(verdicts.evidence, goal, away)}]
+    else:
+        pairs = zip(verdicts, statement.goals, strict=True)
+        evidence = [_with_away(one, goal, away) for one, goal in pairs]
+    data: dict[str, Any] = {
+        "format": FORMAT,
+        "version": VERSION,
+        "claim": statement.claim.id,
+        **problem_data(statement.problem),
+        "sign": "denied" if isinstance(verdicts, Denial) else "holds",
+        "evidence": evidence,
+        "digest": statement.digest,
+    }
+    text = dump(data)
+    checker.check(text)
+    return text
+
+
+def _with_away(evidence: Evidence, goal: Goal, away: Any) -> Data:
+    """Evidence with what it divides by, goal by goal."""
+    data = evidence_data(evidence)
+    if isinstance(goal, Exists) and "evidence" in data:
+        for entry, one in zip(data["evidence"], goal.goals, strict=True):
+            _enter(entry, one.space, next(away))
+    elif not isinstance(goal, Exists):
+        _enter(data, goal.space, next(away))
+    return data
+
+
+def _enter(data: Data, setting: Any, elements: list[Element]) -> None:
+    found = divisors(finder_of(setting), elements)
+    if found:
+        data["away"] = [encode(formula_in(element)) for element in found]
+
+
+def dump(data: Data) -> str:
+    """Data as JSON, an item of a list a line."""
+    lines = [f'"{key}": {_shown(item)}' for key, item in data.items()]
+    return "{\n" + ",\n".join(lines) + "\n}\n"
+
+
+def _shown(item: Any) -> str:
+    if isinstance(item, list) and item and isinstance(item[0], dict):
+        return "[\n " + ",\n ".join(_shown(entry) for entry in item) + "\n]"
+    if isinstance(item, dict):
+        entries = (f'"{key}": {json.dumps(v, separators=(",", ":"))}' for key, v in item.items())
+        return "{" + ",\n  ".join(entries) + "}"
+    return json.dumps(item, separators=(",", ":"))
+
+

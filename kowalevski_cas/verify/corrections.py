@@ -1,0 +1,82 @@
+"""The nearest true statement: one edit away from what is printed, or a factor away.
+
+A correction is a proposal. It stands in for the print elsewhere only if the derivation accepts it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kowalevski_cas.notation import Formula, NotationError
+from kowalevski_cas.paper.claims import Claim, Neighbour
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.goals import Fails, Follows
+from kowalevski_cas.problem.sampled import Sampled
+from kowalevski_cas.verify.outcome import in_latex
+from kowalevski_cas.verify.statement import Statement, finder_of
+
+DECIDED = 400
+"""How many candidates are decided in full, for claims that cannot be screened."""
+
+
+def correction(claim: Claim, on: Elaborations, recorded: str | None = None) -> Neighbour | None:
+    """The first neighbour of a refuted claim that is true, the most plausible first.
+
+    The one that is ``recorded``, in LaTeX, is tried before all others. Candidates are screened at
+    points modulo primes where their goals allow it; the others are decided in full, with FLINT.
+    """
+    neighbours = sorted(
+        claim.neighbours(on.texts), key=lambda n: n.edit is not None and n.edit.path[:1] == (0,)
+    )
+    if recorded is not None:
+        neighbours.sort(key=lambda n: in_latex(printed_of(n)) != recorded)
+    for neighbour in _screened(neighbours, on):
+        try:
+            if Statement(neighbour.claim, on.under(neighbour.texts)).holds():
+                return neighbour
+        except (NotationError, Meaningless, ZeroDivisionError):
+            continue
+    return None
+
+
+def printed_of(neighbour: Neighbour) -> tuple[Formula, ...]:
+    """The formulas that a corrected statement prints."""
+    if neighbour.edit is not None:
+        return (neighbour.edit.formula,)
+    return neighbour.claim.formulas(neighbour.texts)
+
+
+def _screened(neighbours: list[Neighbour], on: Elaborations) -> Iterator[Neighbour]:
+    """The neighbours that pass the screen."""
+    stages: dict[object, Sampled] = {}
+    decided = 0
+    for neighbour in neighbours:
+        verdict = _passes(neighbour, on, stages)
+        if verdict is None:
+            decided += 1
+            verdict = decided <= DECIDED
+        if verdict:
+            yield neighbour
+
+
+def _passes(
+    neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]
+) -> bool | None:
+    """Whether identities hold at points; ``None`` if there are other goals."""
+    try:
+        goals = list(neighbour.claim.goals(on.under(neighbour.texts)))
+        simple = [g for g in goals if isinstance(g, Follows) and not isinstance(g, Fails)]
+        if len(simple) != len(goals) or any(g.given or len(g.conclusions) != 1 for g in simple):
+            return None
+        for goal in simple:
+            if goal.space not in stages:
+                stages[goal.space] = Sampled(finder_of(goal.space))
+            at = stages[goal.space]
+            if not all(d.is_zero for one in goal.conclusions for d in at.differences(one)):
+                return False
+    except (NotationError, Meaningless, ZeroDivisionError):
+        return False
+    return True
+
+

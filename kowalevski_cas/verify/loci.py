@@ -1,0 +1,59 @@
+"""Where a condition is violated: points of a locus at which a statement fails."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.scene import Locus
+from kowalevski_cas.problem.evidence import Evidence
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal
+from kowalevski_cas.problem.space import Equation
+from kowalevski_cas.search.count import more_solutions
+from kowalevski_cas.search.find import Finder
+from kowalevski_cas.verify.statement import Statement, finder_of
+
+ORDERS = 3
+"""Up to which order derivatives are looked at for a motion that leaves a set."""
+
+
+def failure_on(
+    statement: Statement, setting: Elaboration, locus: Locus
+) -> tuple[Goal, Evidence] | None:
+    """A goal that fails on a locus and the evidence for it, if some are found."""
+    there = setting.equations(locus.equations)
+    finder = Finder(finder_of, statement.names)
+    for goal in _candidates(statement, setting, there):
+        evidence = finder.failure(goal, setting.finder)
+        if evidence is not None:
+            return goal, evidence
+    for goal in statement.goals:
+        if isinstance(goal, Count):
+            zero = [setting.finder.scalar(setting.formula(locus.condition))]
+            solutions = more_solutions(goal, finder, zero)
+            return None if solutions is None else (goal, solutions)
+    return None
+
+
+def _candidates(
+    statement: Statement, setting: Elaboration, there: tuple[Equation, ...]
+) -> Iterator[Fails]:
+    """What may fail on the locus: conclusions, and the derivatives of a set that should stay."""
+    for goal in statement.goals:
+        if type(goal) is Follows and goal.space is setting:
+            yield Fails(setting, goal.conclusions, (*goal.given, *there))
+        if isinstance(goal, Exists):
+            for one in goal.goals:
+                if isinstance(one, Fails) and not one.conclusions and one.space is setting:
+                    yield from _leaving(replace(one, given=(*one.given, *there)), len(one.given))
+
+
+def _leaving(inhabited: Fails, count: int) -> Iterator[Fails]:
+    """That a derivative of a function of the set is not zero somewhere on it."""
+    rates = [minus(sides) for sides in inhabited.given[:count]]
+    for _ in range(ORDERS):
+        rates = [rate(formula) for formula in rates]
+        for formula in rates:
+            yield replace(inhabited, conclusions=((vanishes(formula),),))

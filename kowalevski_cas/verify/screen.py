@@ -1,0 +1,157 @@
+"""Screening: goals are put to points, which refute or make probable, and never prove."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import reduce
+from itertools import product
+
+from kowalevski_cas.arithmetic.points import Answer, NoPoint, Points, Question
+from kowalevski_cas.arithmetic.programs import Program
+from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.notation import Name
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.evidence import Found
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Positive, Rank, Simple
+from kowalevski_cas.problem.sampled import Sampled
+from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.verify.outcome import Counterexample, Point, Value, Verdict
+from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+
+
+@dataclass(frozen=True)
+class Screened:
+    """What an arithmetic of points says about a statement."""
+
+    verdict: Verdict
+    message: str = ""
+    counterexample: Counterexample | None = None
+    chance: float | None = None
+    radius: float | None = None
+
+
+def screen(statement: Statement, verdicts: Verdicts | None, points: Points) -> Screened:
+    """What an arithmetic of points says about a statement.
+
+    ``probable`` with a bound on the chance that this is wrong, ``enclosed`` with a radius,
+    ``refuted`` with a point; ``undecided``, with the reason, where the statement says what cannot
+    be seen at points or where no point was found.
+    """
+    answers: list[Answer] = []
+    unseen: list[str] = []
+    try:
+        for question in _questions(statement, verdicts, unseen):
+            answer = points.answer(question)
+            if answer.holds is False:
+                return _refuted(answer)
+            answers.append(answer)
+    except (NoPoint, Meaningless) as error:
+        return Screened(Verdict.UNDECIDED, str(error))
+    reasons = [*unseen, *(answer.words for answer in answers if answer.holds is None)]
+    if reasons := [reason for reason in reasons if reason]:
+        return Screened(Verdict.UNDECIDED, "; ".join(dict.fromkeys(reasons)))
+    if not answers:
+        return Screened(Verdict.UNDECIDED, "nothing in this claim can be asked at points")
+    radii = [answer.radius for answer in answers if answer.radius is not None]
+    bounds = [answer.bound for answer in answers if answer.bound is not None]
+    words = answers[-1].words
+    if radii:
+        return Screened(Verdict.ENCLOSED, words, radius=max(radii))
+    return Screened(Verdict.PROBABLE, words, chance=max(bounds, default=None))
+
+
+def _refuted(answer: Answer) -> Screened:
+    values: dict[object, Value] = {Name(n): v for n, v in answer.point.items() if n}
+    found = Counterexample(Point(values), answer.left, answer.right, answer.words)  # type: ignore[arg-type]
+    return Screened(Verdict.REFUTED, answer.words, found)
+
+
+def _questions(
+    statement: Statement, verdicts: Verdicts | None, unseen: list[str]
+) -> Iterator[Question]:
+    """What can be asked at points; what cannot is entered as ``unseen``."""
+    stages: dict[Setting, Sampled] = {}
+
+    def at(setting: Setting) -> Sampled:
+        if setting not in stages:
+            assert isinstance(setting, Elaboration)
+            stages[setting] = Sampled(finder_of(setting))
+        return stages[setting]
+
+    for place, goal in enumerate(statement.goals):
+        found = verdicts[place] if isinstance(verdicts, tuple) else None
+        if isinstance(goal, Exists):
+            if not isinstance(found, Found):
+                unseen.append("what exists cannot be seen at points")
+                continue
+            for one in goal.goals:
+                bound = _bound(one, found, at(one.space))
+                yield from _asked(one, bound, unseen)
+        else:
+            yield from _asked(goal, at(goal.space), unseen)
+
+
+def _bound(goal: Simple, found: Found, at: Sampled) -> Evaluation:
+    values: dict[str, Element] = {}
+    for name, formula in found.values.items():
+        if any(_mentions(one, name) for one in goal.formulas()):
+            values[name] = at.scalar(formula)
+    bound = at.binding(values)
+    assert isinstance(bound, Sampled)
+    bound._memory = {}
+    return bound
+
+
+def _mentions(formula: object, name: str) -> bool:
+    from kowalevski_cas.notation import Formula
+
+    assert isinstance(formula, Formula)
+    return formula == Name(name) or any(_mentions(child, name) for child in formula.children())
+
+
+def _asked(goal: Goal, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
+    match goal:
+        case Fails():
+            if goal.conclusions:
+                yield _ask(at, goal, somewhere=_residuals(goal, at))
+        case Follows():
+            if goal.conclusions:
+                yield _ask(at, goal, residuals=_residuals(goal, at))
+            else:
+                unseen.append("that there is no point cannot be seen at points")
+        case Rank():
+            chosen = [at.scalar(f) for f in goal.functions] + at.differences(goal.given)
+            rows = [[at.partial(f, name) for name in goal.space.variables] for f in chosen]
+            yield _ask(at, goal, rows=rows, rank=goal.rank)
+        case Positive() | Count():
+            unseen.append("how many solutions are real cannot be seen at points")
+
+
+def _residuals(goal: Follows, at: Evaluation) -> list[Element]:
+    conclusions = [at.differences(one) for one in goal.conclusions]
+    return [reduce(Element.__mul__, choice, at.ring.one) for choice in product(*conclusions)]
+
+
+def _ask(
+    at: Evaluation,
+    goal: Follows | Rank,
+    residuals: list[Element] | None = None,
+    somewhere: list[Element] | None = None,
+    rows: list[list[Element]] | None = None,
+    rank: int = 0,
+) -> Question:
+    assert isinstance(at, Sampled)
+    return Question(
+        at.programs,
+        residuals=_programs(residuals or []),
+        given=_programs(at.differences(goal.given)),
+        rows=[_programs(row) for row in rows or []],
+        rank=rank,
+        somewhere=_programs(somewhere or []),
+    )
+
+
+def _programs(elements: list[Element]) -> list[Program]:
+    return [element for element in elements if isinstance(element, Program)]
