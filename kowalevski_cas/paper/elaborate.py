@@ -94,6 +94,14 @@ class Elaboration(Setting):
             if printed is None or not name.startswith(r"\sqrt"):
                 yield name
 
+    @cached_property
+    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:  # type: ignore[override]
+        """The loci of the scene."""
+        return tuple(
+            (self.equations(locus.equations), self.formula(locus.condition))
+            for locus in self.scene.loci
+        )
+
     @property
     def coordinates(self) -> tuple[str, ...]:
         """The roots that are variables of the scene."""

@@ -58,24 +58,33 @@ class Unproved(ValueError):
 class Accepted:
     """What was accepted: elements with their denominators, by the space in which they live.
 
-    ``divided`` are those of the statement and of its evidence, ``away`` those of the evidence of
-    each simple goal, in order. ``places`` are the points of the evidence; ``differs`` the two
+    ``divided`` are those of each simple goal and its evidence, in order, and ``away`` those of the
+    evidence. ``places`` are the points of the evidence; ``differs`` the two
     values that differ at the last one.
     """
 
-    divided: dict[Setting, list[Element]] = field(default_factory=dict)
+    divided: list[tuple[Simple, list[Element]]] = field(default_factory=list)
     away: list[list[Element]] = field(default_factory=list)
     places: list[Place] = field(default_factory=list)
     differs: tuple[Element, Element] | None = None
 
-    def divides(self, setting: Setting, elements: Sequence[Element]) -> None:
-        """Enter elements that stand in the statement or in its evidence."""
-        self.divided.setdefault(setting, []).extend(e for e in elements if e.denominator)
+    def starts(self, goal: Simple) -> None:
+        """Begin with a simple goal."""
+        self.divided.append((goal, []))
+        self.away.append([])
 
-    def uses(self, setting: Setting, elements: Sequence[Element]) -> None:
+    def divides(self, elements: Sequence[Element]) -> None:
+        """Enter elements that stand in the statement or in its evidence."""
+        self.divided[-1][1].extend(e for e in elements if e.denominator)
+
+    def uses(self, elements: Sequence[Element]) -> None:
         """Enter elements of the evidence for the simple goal at hand."""
-        self.divides(setting, elements)
+        self.divides(elements)
         self.away[-1].extend(e for e in elements if e.denominator)
+
+    def in_space(self, setting: Setting) -> list[Element]:
+        """All that is divided in one space."""
+        return [e for goal, elements in self.divided if goal.space is setting for e in elements]
 
 
 class Judge:
@@ -118,8 +127,8 @@ class Judge:
         at: Evaluation,
         values: Sequence[Element] = (),
     ) -> None:
-        self.accepted.away.append([])
-        self.accepted.uses(goal.space, values)
+        self.accepted.starts(goal)
+        self.accepted.uses(values)
         match goal, evidence, sign:
             case Fails(), At(), True:
                 self._fails(goal, evidence, at)
@@ -142,7 +151,7 @@ class Judge:
             case Count(), Roots(), _:
                 if (len(evidence.eliminant) == goal.number) != sign:
                     raise Unproved("it is another number of solutions")
-                self.accepted.uses(goal.space, check_roots(goal, evidence, at))
+                self.accepted.uses(check_roots(goal, evidence, at))
                 self._point(at, evidence.point, at.differences(goal.equations), goal.space)
             case Count(), Solutions(), False:
                 self.accepted.places += check_solutions(goal, evidence, at)
@@ -155,11 +164,11 @@ class Judge:
         known = at.differences(goal.given)
         pairs = [at.pairs(one) for one in goal.conclusions]
         sides = [e for one in pairs for pair in one for e in pair]
-        self.accepted.divides(goal.space, [*sides, *known])
+        self.accepted.divides([*sides, *known])
         alternatives = [[left - right for left, right in one] for one in pairs]
         goals = [reduce(Element.__mul__, choice, at.ring.one) for choice in product(*alternatives)]
         used = list(self._settle(goals, known, evidence.proof, at))
-        self.accepted.uses(goal.space, used)
+        self.accepted.uses(used)
         if evidence.point is not None:
             self._point(at, evidence.point, known, goal.space)
         elif goal.conclusions and goal.given:
@@ -198,7 +207,7 @@ class Judge:
         place = Place(at, point)  # type: ignore[arg-type]
         if not place.vanish(known):
             raise Unproved("the point is not where it should be")
-        if not place.defines(self.accepted.divided.get(setting, ())):
+        if not place.defines(self.accepted.in_space(setting)):
             raise Unproved("something is divided by that vanishes at the point")
         self.accepted.places.append(place)
         return place
@@ -215,7 +224,7 @@ class Judge:
 
     def _rows(self, goal: Rank, at: Evaluation) -> list[list[Element]]:
         chosen = [at.scalar(f) for f in goal.functions] + at.differences(goal.given)
-        self.accepted.divides(goal.space, chosen)
+        self.accepted.divides(chosen)
         return [[at.partial(f, name) for name in goal.space.variables] for f in chosen]
 
     def _rank(self, goal: Rank, evidence: At, sign: bool, at: Evaluation) -> None:
@@ -232,7 +241,7 @@ class Judge:
         columns = combinations(range(len(goal.space.variables)), len(rows))
         minors = [determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
         used = list(self._settle(minors, known, Proof(evidence.rows), at))
-        self.accepted.uses(goal.space, used)
+        self.accepted.uses(used)
 
     # -- signs ---------------------------------------------------------------------
 
@@ -249,8 +258,8 @@ class Judge:
         if evidence.zero is None:
             raise Unproved("it is not shown that it vanishes nowhere")
         used += self._settle([at.ring.one], [value, *known], evidence.zero, at)
-        self.accepted.divides(goal.space, [value, *known])
-        self.accepted.uses(goal.space, used)
+        self.accepted.divides([value, *known])
+        self.accepted.uses(used)
         self._point(at, evidence.point, known, goal.space)
 
     def _not_positive(self, goal: Positive, evidence: At, at: Evaluation) -> None:
@@ -278,6 +287,7 @@ class Judge:
         one = goal.goals[evidence.goal]
         if not isinstance(one, Follows) or one.given or len(one.conclusions) != 1:
             raise Unproved("only an identity can fail whatever the bound names are")
+        self.accepted.starts(one)
         at = self.of(one.space)
         places = [(w, self._point(at, p, (), one.space)) for w, p in evidence.points]
         weights = [rational_terms(place.numbers.scalar(weight)) for weight, place in places]
@@ -345,4 +355,4 @@ def is_real(setting: Setting) -> bool:
 
 def _is_imaginary(setting: Setting, name: str) -> bool:
     step = setting.step(name)
-    return name == "i" and isinstance(step, Adjoined)
+    return isinstance(step, Adjoined) and step.square == Negative(Number(1))

@@ -132,7 +132,7 @@ class Evaluation:
         own = self.scalar(Name(name))
         step = self.setting.step(name)
         if isinstance(step, Adjoined):
-            if name == "i":
+            if step.square == Negative(Number(1)):
                 return -own
             if not (self.scalar(step.square, True) - self.scalar(step.square)).is_zero:
                 raise Meaningless(f"nothing says what the conjugate of {name} is", name)

@@ -96,6 +96,11 @@ class Setting(ABC):
         """The roots that are variables: a point gives them values of their own."""
 
     @property
+    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
+        """Declared places where something degenerates: equations, and what is not zero elsewhere."""
+        return ()
+
+    @property
     @abstractmethod
     def field(self) -> tuple[Motion, ...]:
         """The rows of the vector field; none if there is none or a change gives it."""

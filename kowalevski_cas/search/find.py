@@ -11,6 +11,7 @@ from kowalevski_cas.arithmetic.numbers import Substitution, gaussian, number_rin
 from kowalevski_cas.arithmetic.points import ExactPoint
 from kowalevski_cas.arithmetic.present import formula_in
 from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.problem.accept import is_real
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Minors, Point, Proof, Shown
 from kowalevski_cas.problem.goals import (
@@ -133,13 +134,58 @@ class Finder:
         if found is None:
             return None
         rows, power = found
-        proof = Proof(tuple(tuple(map(formula_in, row)) for row in rows), power=power)
+        proof = self._everywhere(goal, at, rows) if power == 1 else None
+        if proof is not None:
+            rows = []
+        else:
+            proof = Proof(tuple(tuple(map(formula_in, row)) for row in rows), power=power)
         if not (goal.conclusions and goal.given):
             return Shown(proof)
         divided = [e for row in rows for e in row]
         divided += [e for one in goal.conclusions for p in at.pairs(one) for e in p]
         point = self.point(at, known, [*divided, *known])
         return None if point is None else Shown(proof, point)
+
+    def _everywhere(
+        self, goal: Follows, at: Evaluation, rows: Sequence[Sequence[Element]]
+    ) -> Proof | None:
+        """A proof by cases that needs no condition, where the rows divide by one declared locus.
+
+        Either the locus is met, where the goal follows by another division, or it is not.
+        """
+        goals, known = alternatives(goal, at), at.differences(goal.given)
+        if len(goals) != 1 or len(rows) != 1 or not is_real(at.setting):
+            return None
+        below: dict[int, int] = {}
+        for entry in rows[0]:
+            for index, exponent in entry.denominator.items():
+                below[index] = max(exponent, below.get(index, 0))
+        own = {index for element in [*goals, *known] for index in element.denominator}
+        if set(below) - own != set(below) or len(below) != 1:
+            return None
+        ((index, exponent),) = below.items()
+        for equations, condition in at.setting.loci:
+            if not (at.scalar(condition) - Element(at.ring, {0: at.ring.divisors[index]}, {})).is_zero:
+                continue
+            group = at.differences(equations)
+            total = reduce(Element.__add__, (e * e for e in group))
+            there = cofactors(goals[0], [*known, *group], ())
+            if there is None or any(entry.denominator for entry in there):
+                continue
+            if (total - at.scalar(condition)).is_zero:
+                factor = total**exponent * goals[0] ** (exponent - 1)
+                row = [entry * factor for entry in rows[0]]
+                last = [*(at.ring.zero for _ in known), at.ring.one]
+                return Proof(
+                    (tuple(map(formula_in, row)),),
+                    (tuple(map(formula_in, group)), (formula_in(goals[0]),)),
+                    (
+                        Proof((tuple(map(formula_in, there)),)),
+                        Proof((tuple(map(formula_in, last)),)),
+                    ),
+                    exponent,
+                )
+        return None
 
     @staticmethod
     def rows(

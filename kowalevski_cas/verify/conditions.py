@@ -10,7 +10,11 @@ from kowalevski_cas.arithmetic.tower import Element
 from kowalevski_cas.notation import Formula, Product
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.accept import Accepted
+from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.goals import Follows, Simple
 from kowalevski_cas.search.factors import irreducible_factors
+from kowalevski_cas.search.find import Finder, divisors
+from kowalevski_cas.search.squares import sum_of_squares
 
 Shape = frozenset[object]
 """A polynomial up to a constant factor, as a key."""
@@ -21,12 +25,30 @@ Divided = tuple[Elaboration, Formula]
 
 def conditions_of(accepted: Accepted) -> list[Divided]:
     """What all that was accepted assumes to be non-zero, each factor once."""
+    settings: dict[Elaboration, list[Element]] = {}
+    for goal, elements in accepted.divided:
+        assert isinstance(goal.space, Elaboration)
+        kept = settings.setdefault(goal.space, [])
+        kept += _not_implied(goal, elements, goal.space)
     found: dict[Formula, Elaboration] = {}
-    for setting, elements in accepted.divided.items():
-        assert isinstance(setting, Elaboration)
+    for setting, elements in settings.items():
         for formula in _divisors(elements, setting):
             found.setdefault(formula, setting)
     return [(setting, formula) for formula, setting in found.items()]
+
+
+def _not_implied(
+    goal: Simple, elements: Sequence[Element], setting: Elaboration
+) -> list[Element]:
+    """One over each divisor that may vanish where what is given holds."""
+    at = setting.finder
+    found = [one.inverse() for one in divisors(at, elements)]
+    if not setting.powers or not isinstance(goal, Follows) or not goal.given:
+        return found
+    known, one = at.differences(goal.given), at.ring.one
+    return [
+        inverse for inverse in found if Finder.rows([one], [inverse.inverse(), *known]) is None
+    ]
 
 
 def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula]:
@@ -74,6 +96,28 @@ def _without(divisor: Element, known: set[Shape]) -> Element:
     for factor, _ in new:
         result = result * factor
     return result
+
+
+def same(formula: Formula, other: Formula, setting: Elaboration) -> bool:
+    """Whether two conditions are the same on a setting, up to a number."""
+    try:
+        first, second = (setting.finder.scalar(setting.plain(f)) for f in (formula, other))
+    except Meaningless:
+        return False
+    return _shape(first) == _shape(second)
+
+
+def implies(formula: Formula, other: Formula, setting: Elaboration) -> bool:
+    """Whether one expression is a sum of squares that vanishes only where the other one does."""
+    try:
+        first, second = (setting.finder.scalar(setting.plain(f)) for f in (formula, other))
+    except Meaningless:
+        return False
+    if first.parts.keys() != {0} or second.parts.keys() != {0}:
+        return False
+    bases = [base for _, base in sum_of_squares(first.terms()[0]) or ()]
+    gone = {m.index(1) for base in bases if len(base) == 1 for m in base if sum(m) == 1}
+    return bool(bases) and all(any(m[k] for k in gone) for m in second.terms()[0])
 
 
 def _shape(element: Element) -> Shape:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 from kowalevski_cas.arithmetic.present import formula_of
 from kowalevski_cas.arithmetic.tower import Element
@@ -41,13 +40,10 @@ from kowalevski_cas.problem.goals import (
     Follows,
     Goal,
     Rank,
-    Simple,
-    simple,
 )
 from kowalevski_cas.problem.place import Place, number_formula
-from kowalevski_cas.search.find import Finder
-from kowalevski_cas.verify.conditions import conditions_of
-from kowalevski_cas.verify.loci import failure_on
+from kowalevski_cas.verify.conditions import Divided, conditions_of, implies, same
+from kowalevski_cas.verify.loci import failure_on, rank_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Step, Value
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
@@ -61,7 +57,7 @@ LONGEST = 24
 def conditions(statement: Statement, accepted: Accepted, explain: bool) -> tuple[Condition, ...]:
     """The conditions of a statement that holds; with witnesses that they are needed, if asked."""
     found = []
-    for setting, formula in conditions_of(accepted):
+    for setting, formula in _needed(statement, conditions_of(accepted)):
         locus = _locus(setting, formula)
         condition = Condition(formula, "the formulas divide by it")
         if locus is not None and explain:
@@ -73,6 +69,20 @@ def conditions(statement: Statement, accepted: Accepted, explain: bool) -> tuple
         if expression not in known:
             found.append(Condition(expression, witness.words, witness))
     return tuple(found)
+
+
+def _needed(statement: Statement, conditions: list[Divided]) -> list[Divided]:
+    """Conditions without those that say the same on the claim's own scene, or follow there."""
+    own = statement.on(statement.claim.scene)
+    kept: list[Divided] = []
+    for setting, formula in sorted(conditions, key=lambda c: c[0] is not own):
+        if not any(same(formula, other, own) for _, other in kept):
+            kept.append((setting, formula))
+    return [
+        (setting, formula)
+        for setting, formula in kept
+        if not any(f is not formula and implies(formula, f, own) for _, f in kept)
+    ]
 
 
 def _locus(setting: Elaboration, formula: Formula) -> Locus | None:
@@ -107,36 +117,14 @@ def _larger_sets(
             continue
         assert isinstance(goal.space, Elaboration)
         for locus in goal.space.scene.loci:
-            there = _on_locus(goal, locus, goal.space)
-            if there is None:
-                continue
-            finder = Finder(finder_of, statement.names)
-            evidence = finder._independent(there, goal.space.finder)
-            if evidence is None:
+            found = rank_on(statement, goal, goal.space, locus)
+            if found is None or found[0] == goal.rank:
                 continue
             count = len(goal.space.variables)
-            own, claimed = count - there.rank, count - goal.rank
-            if own != claimed:
-                words = f"for {locus.words} the set has dimension {own}"
-                place = Place(goal.space.finder, evidence.point)
-                shown = _point(place)
-                yield goal.space, locus, Counterexample(shown, Number(own), Number(claimed), words)
-
-
-def _on_locus(goal: Rank, locus: Locus, setting: Elaboration) -> Rank | None:
-    """The goal on a locus where some of its equations say nothing; ``None`` if all say something."""
-    there = setting.equations(locus.equations)
-    at = setting.finder
-    known = at.differences(there)
-    left = tuple(
-        sides
-        for sides in goal.given
-        if Finder.rows(at.differences([sides]), known) is None
-    )
-    if len(left) == len(goal.given):
-        return None
-    rank = len(goal.functions) + len(left) + len(there)
-    return replace(goal, given=(*left, *there), rank=rank)
+            own, claimed = count - found[0], count - goal.rank
+            words = f"for {locus.words} the set has dimension {own}"
+            shown = _point(Place(goal.space.finder, found[1]))
+            yield goal.space, locus, Counterexample(shown, Number(own), Number(claimed), words)
 
 
 # -- counterexamples -----------------------------------------------------------------

@@ -4,16 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import islice
 
+from kowalevski_cas.arithmetic.numbers import rank
 from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
-from kowalevski_cas.problem.evidence import Evidence
-from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal
+from kowalevski_cas.problem.evidence import Evidence, Point
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
+from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.count import more_solutions
-from kowalevski_cas.search.find import Finder
+from kowalevski_cas.search.find import Candidate, Finder, divisors
+from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.statement import Statement, finder_of
+
+TRIES = 3
+"""At how many points a rank is taken."""
 
 ORDERS = 3
 """Up to which order derivatives are looked at for a motion that leaves a set."""
@@ -57,3 +64,34 @@ def _leaving(inhabited: Fails, count: int) -> Iterator[Fails]:
         rates = [rate(formula) for formula in rates]
         for formula in rates:
             yield replace(inhabited, conclusions=((vanishes(formula),),))
+
+
+def rank_on(
+    statement: Statement, goal: Rank, setting: Elaboration, locus: Locus
+) -> tuple[int, Point] | None:
+    """The rank of the differentials on a locus where an equation of a set says nothing, and a point.
+
+    ``None`` if all equations say something there, or no point is found.
+    """
+    at = setting.finder
+    there = at.differences(setting.equations(locus.equations))
+    left = [e for e in at.differences(goal.given) if Finder.rows([e], there) is None]
+    if len(left) == len(at.differences(goal.given)):
+        return None
+    zero = [*left, *there]
+    functions = [*(at.scalar(f) for f in goal.functions), *zero]
+    rows = [[at.partial(f, name) for name in setting.variables] for f in functions]
+    names = statement.names(setting)
+    avoid = [at.scalar(formula) for formula in setting.nonzero]
+    best: tuple[int, Point] | None = None
+    for point in islice(real_points(at, zero, [*avoid, *divisors(at, functions)]), TRIES):
+        try:
+            candidate = Candidate(at, point)
+            if not candidate.vanish(zero):
+                continue
+            found = rank([[candidate(entry) for entry in row] for row in rows])
+            if best is None or found > best[0]:
+                best = found, candidate.point(names)
+        except (ZeroDivisionError, Misplaced):
+            continue
+    return best

@@ -22,7 +22,14 @@ from kowalevski_cas.verify.certificate import CORRECTED, Stored
 from kowalevski_cas.verify.corrections import correction, printed_of
 from kowalevski_cas.verify.explain import conditions, counterexample, steps
 from kowalevski_cas.verify.limits import time_limit
-from kowalevski_cas.verify.outcome import Condition, Correction, Counterexample, Outcome, Run, Verdict
+from kowalevski_cas.verify.outcome import (
+    Condition,
+    Correction,
+    Counterexample,
+    Outcome,
+    Run,
+    Verdict,
+)
 from kowalevski_cas.verify.screen import Screened, screen
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
