@@ -101,9 +101,10 @@ def names_in(tree: Json) -> set[str]:
 
 
 def factors(tree: Json) -> list[Json]:
-    """The factors of a formula that is a product or a power, without numbers."""
+    """The factors of a formula that is a product or a power; numbers do not count."""
     if type(tree) is list and tree[:1] == ["*"]:
-        return [factor for part in tree[1:] for factor in factors(part) if type(part) is not int]
+        parts = [part for part in tree[1:] if type(part) is not int or part == 0]
+        return [factor for part in parts for factor in factors(part)]
     if type(tree) is list and tree[:1] == ["^"] and len(tree) == 3 and tree[2] != 0:
         return factors(tree[1])
     return [tree]
@@ -209,17 +210,17 @@ class Element:
         return Element(ring, out, self.below * other.below).reduced()
 
     def __pow__(self, exponent: int) -> Element:
-        return reduce(Element.__mul__, [self] * exponent, self.ring.number(1))
+        return reduce(Element.__mul__, [self] * exponent) if exponent else self.ring.number(1)
 
     def degree(self) -> int:
         """The total degree."""
-        return max((m & MASK for m in self.terms), default=0)
+        return max([m & MASK for m in self.terms], default=0)
 
     def reduced(self) -> Element:
         """The same with each root in the first power at most."""
         ring, value = self.ring, self
         for name in reversed(ring.roots):
-            if not any(m & ring.squares for m in value.terms):
+            if not any([m & ring.squares for m in value.terms]):
                 return value
             shift, square, low, high = ring.at[name], 2 * ring.unit[name], Terms(), Terms()
             for m, c in value.terms.items():
@@ -430,8 +431,8 @@ class Space:
         else:
             need(kind == "power" and more in self.constants, "a step is not understood")
             exponent = self.scalar(more)
-            self.ring.powers[name] = value, exponent
             need(self.is_real(value) and self.is_real(exponent), "a power of what is not real")
+            self.ring.powers[name] = value, exponent
             self.enter(value, say(tree))
             self.enter(own, name)
         self.env[name] = (own,)
@@ -444,9 +445,9 @@ class Space:
         return other
 
     @contextmanager
-    def statement(self) -> Iterator[None]:
-        """Formulas that are read here belong to the statement."""
-        before, self.stating = self.stating, True
+    def statement(self, stating: bool = True) -> Iterator[None]:
+        """Formulas that are read here belong to the statement, or do not."""
+        before, self.stating = self.stating, stating
         yield
         self.stating = before
 
@@ -491,7 +492,8 @@ class Space:
         ready = [names_in(tree) <= self.env.keys() for tree in trees]
         for tree in compress(trees, ready):
             for factor in factors(tree) or [0]:
-                element = self.scalar(factor)
+                with self.statement(False):
+                    element = self.scalar(factor)
                 need(element.value() is None, "a number is assumed not to vanish")
                 self.enter(element, say(factor))
         return [*compress(trees, map(not_, ready))]
