@@ -382,6 +382,7 @@ class Space:
         self.bar: dict[str, Element] = {}
         self.mirror: Map | None = None
         self.rates: Rates | None = None
+        self.old: Space | None = None
         self.waiting: set[str] = set()  # variables that have no rate yet
         self.variables, self.constants = (
             labels(data.get(k, [])) for k in ("variables", "constants")
@@ -570,7 +571,8 @@ class Space:
         Returns the old names in terms of the new ones, and their rates.
         """
         record(data, "old formulas time")
-        source = before[integer(data["old"], 0, len(before) - 1)].local()
+        self.old = before[integer(data["old"], 0, len(before) - 1)]
+        source = self.old.local()
         source.stating, formulas = True, pairs(data["formulas"])
         new = {label(name): source.scalar(tree) for name, tree in formulas}
         need(len(new) == len(formulas) == len(source.variables), "the change is not one to one")
@@ -1205,7 +1207,8 @@ def say_rank(goal: Json) -> str:
     """What is independent."""
     trees = [*goal["functions"], *(["+", a, ["-", b]] for a, b in goal["given"])]
     shown, size = ", ".join(map(say, trees)), goal["rank"]
-    return f"the {size} differentials of {shown} are independent at a real point" + wherever(goal)
+    whole = f"the differentials of {shown}, {size} in number, are independent at a real point"
+    return whole + (f" with {say_all(goal['given'])}" if goal["given"] else "")
 
 
 def say_positive(goal: Json) -> str:
@@ -1253,9 +1256,10 @@ class Theorem:
     about: list[str]
     parts: list[Theorem]
 
-    def conditions(self) -> list[str]:
-        """What does not vanish there."""
-        return [*self.where, *(c for part in self.parts for c in part.conditions())]
+    def summary(self) -> str:
+        """The theorem in a line, with its conditions."""
+        where = [*self.where, *(condition for part in self.parts for condition in part.where)]
+        return self.words + (f", for {', '.join(dict.fromkeys(where))} != 0" if where else "")
 
     def lines(self, indent: str = "  ") -> Iterator[str]:
         """All of it."""
@@ -1271,28 +1275,30 @@ def theorem(words: str, space: Space | None = None, evidence: Json = None) -> Th
     if space is None:
         return Theorem(words, [], [], [])
     points = evidence.get("points", [evidence["point"]] if "point" in evidence else [])
-    about = [*setting(space.data), *(f"point: {say_all(p['values'])}" for p in points)]
+    about = [*setting(space), *(f"point: {say_all(p['values'])}" for p in points)]
     return Theorem(words, [*space.known.values()], about, [])
 
 
-def setting(data: Json) -> Iterator[str]:
-    """The data of a space in plain letters."""
+def setting(space: Space) -> Iterator[str]:
+    """The data of a space in plain letters, after those of the space that it comes from."""
+    data = space.data
+    if space.old is not None:
+        yield from (f"before the change, {line}" for line in setting(space.old))
+        yield from (f"new: {say_all([pair])}" for pair in data["change"]["formulas"])
+        yield f"factor of the time: {say(data['change']['time'])}"
     for key in ("variables", "constants"):
         if data.get(key):
             yield f"{key}: {', '.join(data[key])}"
-    for a, b in data.get("conjugates", []):
-        yield f"conjugates: {a}, {b}"
+    yield from (f"conjugates: {a}, {b}" for a, b in data.get("conjugates", []))
     for kind, name, tree, *more in data.get("steps", []):
         if kind == "root":
             yield f"root: {name} ^ 2 = {say(tree)}"
             yield from (f"that is: {say_all([sides])}" for sides in more)
         else:
-            yield f"{kind}: {name} = {say(tree)}" + "".join(f" ^ {say(to)}" for to in more)
+            power = "".join(f" ^ {say(to)}, where {say(tree)} > 0" for to in more)
+            yield f"{kind}: {name} = {say(tree)}{power}"
     for names, mass, force in data.get("field", []):
         yield f"field: {say(mass)} D({', '.join(names)}) = {say(force)}"
-    if change := data.get("change"):
-        yield f"change of space {change['old']}, with time factor {say(change['time'])}: "
-        yield from (f"new: {say_all([pair])}" for pair in change["formulas"])
 
 
 # -- the file ----------------------------------------------------------------------
@@ -1309,9 +1315,7 @@ class Certificate:
 
     def summary(self) -> str:
         """All in a line."""
-        said = "; ".join(theorem.words for theorem in self.theorems)
-        where = {condition: 0 for theorem in self.theorems for condition in theorem.conditions()}
-        return f"{self.claim}: {said}" + (f", for {', '.join(where)} != 0" if where else "")
+        return f"{self.claim}: {'; '.join(theorem.summary() for theorem in self.theorems)}"
 
 
 def unique(both: list[tuple[str, Json]]) -> Json:

@@ -291,29 +291,31 @@ class Names:
             require(here == self.value(bar, values), "real")
 
 
+def number_of(roots, tree, i):
+    """The value of a formula of a point."""
+    if isinstance(tree, int):
+        return number(tree)
+    if tree == "i":
+        return i
+    op, first, *rest = tree
+    if op == "sqrt":
+        require(first in roots, "a root of a point")
+        return roots[first]
+    value = partial(number_of, roots)
+    if op == "^":
+        return value(first, i) ** rest[0]
+    if op in ("-", "conj"):
+        return -value(first, i) if op == "-" else value(first, -i)
+    return reduce(partial(combine, op), [value(x, i) for x in rest], value(first, i))
+
+
 def point_values(names, point, more=()):
     """The values of a point modulo the prime; it may share the roots of more points."""
     roots = {d: square_root(number(d)) for one in (point, *more) for d in one["roots"]}
     require(all(d > 1 for d in roots), "a root of a point")
     if any(root is None for root in roots.values()):
         return None  # this prime cannot tell
-    unit = square_root(number(-1))
-
-    def value(tree, i):
-        if isinstance(tree, int):
-            return number(tree)
-        if tree == "i":
-            return i
-        op, first, *rest = tree
-        if op == "sqrt":
-            require(first in roots, "a root of a point")
-            return roots[first]
-        if op == "^":
-            return value(first, i) ** rest[0]
-        if op in ("-", "conj"):
-            return -value(first, i) if op == "-" else value(first, -i)
-        return reduce(partial(combine, op), [value(x, i) for x in rest], value(first, i))
-
+    unit, value = square_root(number(-1)), partial(number_of, roots)
     values = {name: value(tree, unit) for name, tree in point["values"]}
     require(len(values) == len(point["values"]), "a value is given twice")
     whole = {*names.plain, *names.radicands, *names.powers}
