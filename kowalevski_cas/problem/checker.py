@@ -102,11 +102,12 @@ def names_in(tree: Json) -> set[str]:
 
 def factors(tree: Json) -> list[Json]:
     """The factors of a formula that is a product or a power; numbers do not count."""
-    if type(tree) is list and tree[:1] == ["*"]:
-        parts = [part for part in tree[1:] if type(part) is not int or part == 0]
-        return [factor for part in parts for factor in factors(part)]
-    if type(tree) is list and tree[:1] == ["^"] and len(tree) == 3 and tree[2] != 0:
-        return factors(tree[1])
+    op, *parts = tree if type(tree) is list and tree else [""]
+    if op == "*" and len(parts) > 1:
+        kept = [part for part in parts if type(part) is not int or part == 0]
+        return [factor for part in kept for factor in factors(part)]
+    if op == "^" and len(parts) == 2 and type(parts[1]) is int and 0 < parts[1] <= 64:
+        return factors(parts[0])
     return [tree]
 
 
@@ -186,7 +187,7 @@ class Element:
     def __init__(self, ring: Ring, terms: Terms, below: int = 1) -> None:
         bits = max(below.bit_length(), max(map(int.bit_length, terms.values()), default=0))
         need(bits <= BITS, "a number is too large")
-        ring.spend(1 + len(terms) * (1 + (bits * below.bit_length() >> 14)))
+        ring.spend(5 + len(terms) * (1 + (bits * below.bit_length() >> 14)))
         common = gcd(below, *terms.values()) if below > 1 else 1
         self.ring, self.below, self.bits = ring, below // common, bits
         self.terms = {m: c // common for m, c in terms.items() if c}
@@ -469,7 +470,10 @@ class Space:
             space = self.local()
             space.stating = True
             self.mirror = Map(self.ring, dict(self.bar), space)
-        return self.mirror(element)
+        conjugate = self.mirror(element)
+        defined = self.env.keys() | self.ring.divisors.keys()
+        need({*conjugate.generators()} <= defined, "a conjugate is not defined yet")
+        return conjugate
 
     def is_real(self, element: Element) -> bool:
         """Whether an element is its own conjugate."""
@@ -527,7 +531,8 @@ class Space:
         for name in self.known:
             if (quotient := self.ring.divisors[name].over(norm)) is not None:
                 return quotient * self.ring.generator(name)
-        need(self.stating, f"it divides by what may be zero: {norm.words():.200}")
+        if not self.stating:
+            raise Rejected(f"it divides by what may be zero: {norm.words():.200}")
         same = (n for n, divisor in self.ring.divisors.items() if divisor.terms == norm.terms)
         if not (name := next(same, "")):
             name = f"1/{len(self.ring.divisors)}"
@@ -553,7 +558,8 @@ class Space:
             }
             twice = moved & new.keys() or len(new) < len(names)
             need(not twice and new.keys() <= self.env.keys(), "a name moves twice, or is none")
-            need(not new.keys() & {*self.constants}, "a constant moves")
+            fixed = {*self.constants, *self.ring.powers}
+            need(not new.keys() & fixed, "a constant moves, or a power by itself")
             others += [(self.scalar(name), rate) for name, rate in new.items()]
             rates |= {name: rate for name, rate in new.items() if name in self.ring.at}
             moved |= new.keys()
@@ -577,7 +583,8 @@ class Space:
         new = {label(name): source.scalar(tree) for name, tree in formulas}
         need(len(new) == len(formulas) == len(source.variables), "the change is not one to one")
         need({*self.variables} <= new.keys() <= self.env.keys(), "a new variable has no formula")
-        need(not new.keys() & {*self.constants}, "a constant moves")
+        fixed = {*self.constants, *self.ring.powers}
+        need(not new.keys() & fixed, "a constant moves, or a power by itself")
         here = Map(source.ring, {name: self.scalar(name) for name in source.bar}, self)
         back = ((here(e) - self.scalar(name)).vanishes() for name, e in new.items())
         need(all(back), "the inverse does not give the variables back")
@@ -662,7 +669,8 @@ class Space:
         related = {*self.ring.roots, *self.ring.powers}
         related |= {n for _, exponent in self.ring.powers.values() for n in exponent.generators()}
         need(name not in related, f"{name} is no variable")
-        return self.along(self.scalar(tree), {name: self.ring.number(1)})
+        fixed = dict.fromkeys((*self.variables, *self.constants), self.ring.number(0))
+        return self.along(self.scalar(tree), fixed | {name: self.ring.number(1)})
 
     def unary(self, op: str, element: Element) -> Element:
         """An operation on a component."""
@@ -1080,6 +1088,7 @@ class Problem:
             record(goal, "goal numbers expressions goals")
             labels([*items(goal["numbers"]), *items(goal["expressions"])])
             need(items(goal["goals"]), "nothing is stated")
+            need(goal["numbers"] or goal["expressions"], "no name is bound")
             for one in goal["goals"]:
                 self.look(one, inner=True)
             return

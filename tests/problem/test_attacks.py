@@ -143,6 +143,13 @@ class TestDivisors:
         rejected([{**XY, "nonzero": [divisor]}], [goal], [entry], why)
         rejected([XY], [goal], [{**entry, "away": [divisor]}], why)
 
+    @pytest.mark.parametrize("product", [["*", "x"], ["*"], ["^", "x", -1], ["^", "x", True],
+        ["^", "x", 10**9], ["^", "x", "y"], ["^", "x"], ["*", "x", ["^", "y", 0]], ["*", "x", None]])  # fmt: skip
+    def test_odd_products_of_conditions(self, product):
+        goal, entry = follows(["x", "x"]), {"point": at(x=1, y=1)}
+        rejected([{**XY, "nonzero": [product]}], [goal], [entry], ".")
+        rejected([XY], [goal], [{**entry, "away": [product]}], ".")
+
     def test_a_zero_divisor_among_the_roots(self):
         steps = [["root", "r", 2], ["root", "s", 8]]
         goal = follows([["/", 1, ["+", "s", ["*", -2, "r"]]], "x"])
@@ -205,6 +212,18 @@ class TestMotion:
             goal = follows([["D", "y"], 0])
             rejected([{**XY, "field": field}], [goal], [self.POINT], "not known yet")
         rejected([{**XY, "field": [[["y"], 1, "x"]]}], [goal], [self.POINT], "does not move")
+
+    def test_a_partial_derivative_in_the_field_holds_the_others_fixed(self):
+        energy = ["+", ["^", "x", 2], ["*", "x", "y"]]
+        rates = ["vector", ["d", "y", energy], ["-", ["d", "x", energy]]]
+        space = {**XY, "field": [[["x", "y"], ["vector", 1, 1], rates]]}
+        accepted([space], [follows([["D", energy], 0])], [self.POINT])
+
+    def test_the_conjugate_of_what_is_defined_later(self):
+        steps = [["root", "r", "x"], ["root", "s", ["conj", "r"]]]
+        space = {**XY, "steps": steps, "conjugates": [["x", "y"], ["r", "s"]]}
+        point = at(x=1, y=1, r=1, s=1)
+        rejected([space], [follows(["s", 1])], [{"point": point}], "not defined yet|its square")
 
     def test_moving_twice_or_though_constant(self):
         rejected([{**XY, "field": [[["x", "y"], ["vector", 1, 1], ["vector", 1, 1]]] * 2}],
@@ -309,6 +328,18 @@ class TestPowers:
         goal = follows([["d", "m", "P"], 0])
         rejected([self.SPACE], [goal], [{"point": at(x=1, m=5, P=1)}], "no variable")
 
+    def test_no_rate_of_its_own(self):
+        row = [["x", "P"], ["vector", 1, 1], ["vector", 1, 0]]
+        goal = follows([["D", "P"], 0])
+        rejected(
+            [{**self.SPACE, "field": [row]}], [goal], [{"point": at(x=1, m=5, P=1)}], "by itself"
+        )
+        old = {**self.SPACE, "field": [[["x"], 1, 1]]}
+        change = {"old": 0, "formulas": [["P", "P"]], "time": 1}
+        new = {"variables": [], "constants": ["m", "x"], "change": change}
+        new["steps"] = self.SPACE["steps"]
+        rejected([old, new], [{**goal, "space": 1}], [{"point": at(x=1, m=5, P=1)}], "by itself")
+
 
 class TestExistence:
     ROTATION: ClassVar = {
@@ -370,6 +401,10 @@ class TestExistence:
             goal = self.exists(follows(equation), expressions=["M"])
             entry = {"goal": 0, "inner": 0, "point": at(x=0, y=1)}
             rejected([self.ROTATION], [goal], [entry], "may be equal|no value|condition", "denied")
+
+    def test_no_bound_name(self):
+        goal = self.exists(follows(["x", "x"]))
+        rejected([XY], [goal], [{"values": [], "evidence": [{"point": ORIGIN}]}], "no name")
 
     def test_existence_of_existence_and_of_nothing(self):
         inner = self.exists(follows(["M", 0]), expressions=["M"])
