@@ -1,0 +1,726 @@
+"""Certificates that somebody made to deceive the checker: none may be accepted."""
+
+import json
+import re
+import subprocess
+import sys
+import time
+from copy import deepcopy
+from pathlib import Path
+from typing import ClassVar
+
+import pytest
+
+from kowalevski_cas.problem import checker
+
+from .tampering import at as place
+from .tampering import places, seal
+
+CHECKER = Path(checker.__file__)
+
+
+def certificate(spaces, goals, evidence, sign="holds", **more):
+    data = {"format": checker.FORMAT, "version": 2, "claim": "c", "sign": sign}
+    return {**data, "spaces": spaces, "goals": goals, "evidence": evidence, **more}
+
+
+def follows(*equations, given=(), space=0):
+    return {"goal": "follows", "space": space, "given": [list(e) for e in given], "conclusions": [[list(e) for e in equations]]}  # fmt: skip
+
+
+def at(*roots, **values):
+    return {"roots": [*roots], "values": [[name, value] for name, value in values.items()]}
+
+
+def rejected(spaces, goals, evidence, message, sign="holds", **more):
+    with pytest.raises(checker.Rejected, match=message):
+        checker.check(seal(certificate(spaces, goals, evidence, sign, **more)))
+
+
+def accepted(spaces, goals, evidence, sign="holds"):
+    return checker.check(seal(certificate(spaces, goals, evidence, sign))).theorems
+
+
+XY = {"variables": ["x", "y"]}
+ORIGIN = at(x=0, y=0)
+I = ["root", "i", ["-", 1]]  # noqa: E741
+
+
+class TestHypotheses:
+    def test_one_equals_zero(self):
+        goal = follows(["x", 0], given=[[1, 0]])
+        rejected([XY], [goal], [{"cofactors": [["x"]], "point": ORIGIN}], "not where it should be")
+
+    @pytest.mark.parametrize("x", [0, 1])
+    def test_a_condition_that_vanishes_wherever_the_hypotheses_hold(self, x):
+        goal, entry = follows(["y", 0], given=[["x", 0]]), {"cofactors": [[["/", "y", "x"]]]}
+        entry["point"] = at(x=x, y=0)
+        rejected([{**XY, "nonzero": ["x"]}], [goal], [entry], "not where|condition fails")
+        rejected([XY], [goal], [{**entry, "away": ["x"]}], "not where|condition fails")
+        rejected([XY], [goal], [entry], "may be zero|not where")
+
+    def test_hypotheses_that_hold_at_no_real_point(self):
+        goal = follows(["y", 0], given=[[["+", ["*", "x", "x"], 1], 0], ["y", 0]])
+        entry = {"cofactors": [[0, 1]], "point": at(x="i", y=0, i="i")}
+        rejected([{**XY, "steps": [I]}], [goal], [entry], "not real")
+        rejected([XY], [goal], [{**entry, "point": at(x="i", y=0)}], "not real")
+
+    def test_a_setting_without_a_real_point(self):
+        for square in (["-", ["+", ["^", "x", 2], 1]], ["+", ["-", ["^", "x", 2]], -1]):
+            space = {**XY, "steps": [["root", "r", square]]}
+            rejected([space], [follows(["x", "x"])], [{"point": at(x=0, y=0, r="i")}], "not real")
+
+    def test_hypotheses_and_identities_without_a_point(self):
+        goal = follows(["x", 0], given=[["x", 0]])
+        rejected([XY], [goal], [{"cofactors": [[1]]}], "key is missing")
+        rejected([XY], [follows(["x", "x"])], [{}], "key is missing")
+
+    def test_emptiness_with_a_point_or_a_condition(self):
+        goal = {"goal": "follows", "space": 0, "given": [["x", 0]], "conclusions": []}
+        entry = {"cofactors": [[["/", 1, "x"]]]}
+        rejected([XY], [goal], [{**entry, "away": ["x"]}], "unknown")
+        rejected([XY], [goal], [{**entry, "point": ORIGIN}], "unknown")
+        rejected([XY], [goal], [entry], "may be zero")
+
+    def test_emptiness_of_nothing(self):
+        goal = {"goal": "follows", "space": 0, "given": [], "conclusions": []}
+        rejected([XY], [goal], [{}], "not equal")
+        rejected([XY], [{**goal, "goal": "fails"}], [{"point": ORIGIN}], "nothing")
+
+    def test_nothing_stated(self):
+        rejected([XY], [{**follows(), "conclusions": [[]]}], [{"point": ORIGIN}], "nothing")
+        rejected(
+            [XY], [{**follows(), "conclusions": [[], [["x", 0]]]}], [{"point": ORIGIN}], "nothing"
+        )
+        rejected([XY], [], [], "no goal")
+        rank = {"goal": "rank", "space": 0, "functions": [], "given": [], "rank": 0}
+        rejected([XY], [rank], [{"point": ORIGIN}], "nothing")
+
+    @pytest.mark.parametrize("y", ["x", ["sqrt", 2], ["/", 1, 0], "i", ["-", 1, 1], None, True])
+    def test_forged_points(self, y):
+        goal = follows(["y", 1], given=[["y", 1]])
+        rejected([XY], [goal], [{"cofactors": [[1]], "point": at(x=0, y=y)}], ".")
+
+    @pytest.mark.parametrize("roots", [[-2], [1], [0], [True], ["x"], [2, 2.0], 2, [[2]]])
+    def test_roots_of_points(self, roots):
+        point = {"roots": roots, "values": [["x", 0], ["y", 1]]}
+        rejected([XY], [follows(["x", "x"])], [{"point": point}], ".")
+
+    def test_a_root_of_a_square_number_takes_no_side(self):
+        goal = follows(["x", 2])
+        point = at(4, x=["sqrt", 4], y=0)
+        rejected([XY], [goal], [{"goal": 0, "point": point}], "may be equal", "denied")
+
+    def test_values_missing_unknown_or_given_twice(self):
+        for values in ([["x", 0]], [["x", 0], ["y", 0], ["z", 0]], [["x", 0], ["y", 0], ["y", 0]]):
+            point = {"roots": [], "values": values}
+            rejected([XY], [follows(["x", "x"])], [{"point": point}], "value of the point")
+
+
+class TestDivisors:
+    def test_a_printed_denominator_is_a_condition(self):
+        (found,) = accepted([XY], [follows([["/", "x", "x"], 1])], [{"point": at(x=1, y=0)}])
+        assert found.where == ["(x)"]
+        rejected([XY], [follows([["/", "x", "x"], 1])], [{"point": ORIGIN}], "condition fails")
+
+    def test_it_is_one_of_its_goal_only(self):
+        goals = [follows([["/", "x", "x"], 1]), follows(["y", ["*", "y", 1]], given=[["y", 0]])]
+        entries = [{"point": at(x=1, y=0)}, {"cofactors": [[0]], "point": ORIGIN}]
+        assert not accepted([XY], goals, entries)[1].where
+        entries[1]["cofactors"] = [[["/", "x", "x"]]]
+        rejected([XY], goals, entries, "may be zero")
+
+    @pytest.mark.parametrize("zero", [0, ["+", "x", ["-", "x"]], ["*", 0, "x"]])
+    def test_what_vanishes_identically(self, zero):
+        rejected([XY], [follows([["/", "x", zero], 1])], [{"point": at(x=1, y=0)}], "by zero")
+
+    @pytest.mark.parametrize(
+        "divisor", [0, ["+", "x", ["-", "x"]], ["*", 0, "x"], 1, 5, ["^", "x", 0], ["/", "x", "x"]]
+    )
+    def test_numbers_that_are_assumed_not_to_vanish(self, divisor):
+        goal, entry = follows(["x", "x"]), {"point": at(x=1, y=1)}
+        why = "number|by zero|may be zero"
+        rejected([{**XY, "nonzero": [divisor]}], [goal], [entry], why)
+        rejected([XY], [goal], [{**entry, "away": [divisor]}], why)
+
+    @pytest.mark.parametrize("product", [["*", "x"], ["*"], ["^", "x", -1], ["^", "x", True],
+        ["^", "x", 10**9], ["^", "x", "y"], ["^", "x"], ["*", "x", ["^", "y", 0]], ["*", "x", None]])  # fmt: skip
+    def test_odd_products_of_conditions(self, product):
+        goal, entry = follows(["x", "x"]), {"point": at(x=1, y=1)}
+        rejected([{**XY, "nonzero": [product]}], [goal], [entry], ".")
+        rejected([XY], [goal], [{**entry, "away": [product]}], ".")
+
+    def test_a_zero_divisor_among_the_roots(self):
+        steps = [["root", "r", 2], ["root", "s", 8]]
+        goal = follows([["/", 1, ["+", "s", ["*", -2, "r"]]], "x"])
+        rejected([{**XY, "steps": steps}], [goal], [{"point": ORIGIN}], "by zero")
+
+
+class TestCases:
+    GOAL = follows(["x", 0], ["y", 0], given=[[["+", ["^", "x", 2], ["^", "y", 2]], 0]])
+    PROOF: ClassVar = {  # x^2 + y^2 = 0 leads to x = 0, y = 0
+        "product": [["x", "y"]],
+        "cofactors": [[1]],
+        "cases": [{"cofactors": [[0, 1, 0], [0, 0, 1]]}],
+        "point": ORIGIN,
+    }
+
+    def test_a_sum_of_squares_vanishes_with_each(self):
+        (found,) = accepted([XY], [self.GOAL], [self.PROOF])
+        assert found.words == "x = 0, y = 0 wherever ((x ^ 2) + (y ^ 2)) = 0"
+
+    def test_but_not_for_complex_names(self):
+        rejected([{**XY, "conjugates": [["x", "y"]]}], [self.GOAL], [self.PROOF], "real names")
+        proof = {**self.PROOF, "point": at(x=0, y=0, i="i")}
+        rejected([{**XY, "steps": [I]}], [self.GOAL], [proof], "real names")
+        proof["point"]["values"][-1][0] = "j"
+        proof["point"]["values"][-1][1] = ["*", 2, "i"]
+        space = {**XY, "steps": [["root", "j", -4]]}
+        rejected([space], [self.GOAL], [proof], "real names")
+
+    def test_other_roots_are_real(self):
+        space = {**XY, "steps": [["root", "r", ["+", "x", 1]]]}
+        assert accepted([space], [self.GOAL], [{**self.PROOF, "point": at(x=0, y=0, r=1)}])
+
+    def test_a_difference_of_squares_is_none(self):
+        goal = {**self.GOAL, "given": [[["^", "x", 2], ["^", "y", 2]]]}
+        rejected([XY], [goal], [self.PROOF], "not equal")
+
+    def test_a_case_left_out(self):
+        goal = follows(["x", 0], given=[[["*", "x", "y"], 0]])
+        proof = {"point": ORIGIN, "product": [["x"], ["y"]], "cofactors": [[1]]}
+        rejected([XY], [goal], [{**proof, "cases": [{"cofactors": [[0, 1]]}]}], "length")
+        proof["product"] = [["x"]]
+        rejected([XY], [goal], [{**proof, "cases": [{"cofactors": [[0, 1]]}]}], "not equal")
+
+    def test_cases_without_a_product(self):
+        goal = follows(["x", 0], given=[["x", 0]])
+        proof = {"point": ORIGIN, "cofactors": [[1]]}
+        rejected([XY], [goal], [{**proof, "cases": [{"cofactors": [[1]]}]}], "cases belong")
+        rejected([XY], [goal], [{**proof, "product": [], "cases": []}], "empty")
+        rejected([XY], [goal], [{**proof, "product": [[]], "cases": [{}]}], "empty")
+        rejected([XY], [goal], [{**proof, "trust": "me"}], "unknown")
+
+
+class TestMotion:
+    POINT: ClassVar = {"point": ORIGIN}
+
+    def test_a_variable_whose_equation_is_missing_does_not_rest(self):
+        """Its derivative is used before the row in which it is given, or would be."""
+        for rest in ([], [[["x"], 1, 1]]):
+            field = [[["y"], 1, ["D", "x"]], *rest]
+            goal = follows([["D", "y"], 0])
+            rejected([{**XY, "field": field}], [goal], [self.POINT], "not known yet")
+        rejected([{**XY, "field": [[["y"], 1, "x"]]}], [goal], [self.POINT], "does not move")
+
+    def test_a_partial_derivative_in_the_field_holds_the_others_fixed(self):
+        energy = ["+", ["^", "x", 2], ["*", "x", "y"]]
+        rates = ["vector", ["d", "y", energy], ["-", ["d", "x", energy]]]
+        space = {**XY, "field": [[["x", "y"], ["vector", 1, 1], rates]]}
+        accepted([space], [follows([["D", energy], 0])], [self.POINT])
+
+    def test_the_conjugate_of_what_is_defined_later(self):
+        steps = [["root", "r", "x"], ["root", "s", ["conj", "r"]]]
+        space = {**XY, "steps": steps, "conjugates": [["x", "y"], ["r", "s"]]}
+        point = at(x=1, y=1, r=1, s=1)
+        rejected([space], [follows(["s", 1])], [{"point": point}], "not defined yet|its square")
+
+    def test_moving_twice_or_though_constant(self):
+        rejected([{**XY, "field": [[["x", "y"], ["vector", 1, 1], ["vector", 1, 1]]] * 2}],
+                 [follows([["D", "x"], 1])], [self.POINT], "twice")  # fmt: skip
+        space = {"variables": ["x"], "constants": ["y"], "field": [[["x"], 1, 1], [["y"], 1, 1]]}
+        rejected([space], [follows([["D", "y"], 1])], [self.POINT], "constant moves")
+
+    def test_a_derivative_without_a_field(self):
+        rejected([XY], [follows([["D", 1], 0])], [self.POINT], "no vector field")
+
+    def test_a_variable_that_is_set_to_a_number_where_it_moves(self):
+        """The formula x and its square are two, but say nothing of y, which is held fixed."""
+        old = {**XY, "field": [[["x", "y"], ["vector", 1, 1], ["vector", "y", "x"]]]}
+        change = {"old": 0, "formulas": [["u", "x"], ["v", ["^", "x", 2]]], "time": 1}
+        steps = [["let", "x", "u"], ["let", "v", ["^", "u", 2]], ["let", "y", 5]]
+        new = {"variables": ["u"], "steps": steps, "change": change}
+        goal = follows([["D", "u"], 5], space=1)
+        rejected([old, new], [goal], [{"point": at(u=0)}], "moves otherwise")
+
+    def test_a_constant_that_becomes_a_variable(self):
+        old = {"variables": ["x"], "constants": ["a"], "field": [[["x"], 1, "a"]]}
+        change = {"old": 0, "formulas": [["u", "x"]], "time": 1}
+        steps = [["let", "x", "u"], ["let", "a", "u"]]
+        new = {"variables": ["u"], "steps": steps, "change": change}
+        goal = follows([["D", "u"], "u"], space=1)
+        rejected([old, new], [goal], [{"point": at(u=0)}], "moves otherwise")
+
+    def change(self, time=1, **more):
+        old = {**XY, "steps": [I], "field": [[["x", "y"], ["vector", 1, 1], ["vector", "y", "x"]]]}
+        u, v = ["+", "x", ["*", "i", "y"]], ["+", "x", ["-", ["*", "i", "y"]]]
+        steps = [
+            I,
+            ["let", "x", ["/", ["+", "u", "v"], 2]],
+            ["let", "y", ["/", ["+", "u", ["-", "v"]], ["*", 2, "i"]]],
+        ]
+        change = {"old": 0, "formulas": [["u", u], ["v", v]], "time": time}
+        return [old, {"variables": ["u", "v"], "steps": steps, "change": change, **more}]
+
+    def test_conjugates_that_contradict_the_change(self):
+        entry = {"point": at(u=2, v=2, i="i")}
+        rejected(self.change(), [follows([["conj", "u"], "u"], space=1)], [entry], "not real")
+        spaces = self.change(conjugates=[["u", "v"]])
+        accepted(spaces, [follows([["conj", "u"], "v"], space=1)], [entry])
+
+    def test_a_time_factor_that_vanishes(self):
+        goal, entry = follows(["u", "u"], space=1), {"point": at(u=2, v=2, i="i")}
+        for time_factor in (0, ["+", "x", ["-", "x"]]):
+            spaces = self.change(time_factor, conjugates=[["u", "v"]])
+            rejected(spaces, [goal], [entry], "by zero")
+        rejected(self.change("y", conjugates=[["u", "v"]]), [goal], [entry], "condition fails")
+        assert accepted(self.change("x", conjugates=[["u", "v"]]), [goal], [entry])[0].where
+
+    def test_a_false_inverse(self):
+        spaces = self.change(conjugates=[["u", "v"]])
+        spaces[1]["steps"][1][2] = ["/", ["+", "u", "v"], 3]
+        rejected(spaces, [follows(["u", "u"], space=1)], [{"point": at(u=2, v=2, i="i")}], "back")
+
+    def test_a_definition_at_zero_with_a_rate(self):
+        row = [["x", "z"], ["vector", 1, 1], ["vector", 1, 1]]
+        space = {"variables": ["x"], "steps": [["let", "z", 0]], "field": [row]}
+        rejected([space], [follows([["D", "x"], 1])], [{"point": at(x=0)}], "moves otherwise")
+
+    def test_a_root_that_leaves_its_relation(self):
+        row = [["x", "r"], ["vector", 1, 1], ["vector", 1, 1]]
+        space = {"variables": ["x"], "steps": [["root", "r", "x"]], "field": [row]}
+        rejected([space], [follows([["D", "r"], 1])], [{"point": at(x=0, r=0)}], "moves otherwise")
+
+    def test_a_printed_equation_of_a_root_that_does_not_hold(self):
+        step = ["root", "r", ["+", "x", 1], [["^", "r", 2], ["+", "x", 1]]]
+        goal, entry = follows(["x", "x"]), {"point": at(x=0, y=0, r=1)}
+        accepted([{**XY, "steps": [step]}], [goal], [entry])
+        step[3][1] = "x"
+        rejected([{**XY, "steps": [step]}], [goal], [entry], "another square")
+
+    def test_old_and_new_field(self):
+        space = {**XY, "field": [], "change": {"old": 0, "formulas": [], "time": 1}}
+        rejected([XY, space], [follows(["x", "x"])], [self.POINT], "a field, or a change")
+
+
+class TestPowers:
+    SPACE: ClassVar = {"variables": ["x"], "constants": ["m"], "steps": [["power", "P", "x", "m"]]}
+
+    def test_only_where_the_base_is_one(self):
+        goal = follows(["P", "P"])
+        accepted([self.SPACE], [goal], [{"point": at(x=1, m=5, P=1)}])
+        for point in (at(x=2, m=2, P=4), at(x=1, m=2, P=-1), at(x=-1, m=2, P=1), at(x=0, m=1, P=0)):
+            rejected([self.SPACE], [goal], [{"point": point}], "no power")
+
+    @pytest.mark.parametrize("exponent", ["x", 2, ["+", "m", 1], "z", None])
+    def test_the_exponent_is_a_constant(self, exponent):
+        space = {**self.SPACE, "steps": [["power", "P", "x", exponent]]}
+        rejected([space], [follows(["x", "x"])], [{"point": at(x=1, m=5, P=1)}], "step")
+
+    def test_the_base_is_real(self):
+        steps = [I, ["power", "P", ["*", "i", "x"], "m"]]
+        point = at(x=["-", "i"], m=1, P=1, i="i")
+        rejected(
+            [{**self.SPACE, "steps": steps}], [follows(["x", "x"])], [{"point": point}], "real"
+        )
+
+    def test_no_partial_derivative_by_the_exponent(self):
+        goal = follows([["d", "m", "P"], 0])
+        rejected([self.SPACE], [goal], [{"point": at(x=1, m=5, P=1)}], "no variable")
+
+    def test_no_rate_of_its_own(self):
+        row = [["x", "P"], ["vector", 1, 1], ["vector", 1, 0]]
+        goal = follows([["D", "P"], 0])
+        rejected(
+            [{**self.SPACE, "field": [row]}], [goal], [{"point": at(x=1, m=5, P=1)}], "by itself"
+        )
+        old = {**self.SPACE, "field": [[["x"], 1, 1]]}
+        change = {"old": 0, "formulas": [["P", "P"]], "time": 1}
+        new = {"variables": [], "constants": ["m", "x"], "change": change}
+        new["steps"] = self.SPACE["steps"]
+        rejected([old, new], [{**goal, "space": 1}], [{"point": at(x=1, m=5, P=1)}], "by itself")
+
+
+class TestExistence:
+    ROTATION: ClassVar = {
+        **XY,
+        "field": [[["x", "y"], ["vector", 1, 1], ["vector", "y", ["-", "x"]]]],
+    }
+
+    def exists(self, *goals, numbers=(), expressions=()):
+        return {
+            "goal": "exists",
+            "numbers": [*numbers],
+            "expressions": [*expressions],
+            "goals": [*goals],
+        }
+
+    def test_a_number_that_is_none(self):
+        goal = self.exists(follows(["k", ["+", "x", "y"]]), numbers=["k"])
+        for value in (["+", "x", "y"], ["sqrt", 2], "k"):
+            entry = {"values": [["k", value]], "evidence": [{"point": ORIGIN}]}
+            rejected([XY], [goal], [entry], "not defined|not declared")
+
+    def test_a_bound_name_that_is_taken_unused_or_without_a_value(self):
+        point = {"point": ORIGIN}
+        for names, used, values in ((["x"], "x", ["x"]), (["M", "N"], "M", ["M", "N"]),
+                                    (["M"], "M", []), (["M"], "M", ["M", "N"]), (["M", "M"], "M", ["M", "M"])):  # fmt: skip
+            goal = self.exists(follows([used, 0]), expressions=names)
+            entry = {"values": [[name, 0] for name in values], "evidence": [point]}
+            rejected([XY], [goal], [entry], "another meaning|not used|other names|twice")
+
+    def test_expressions_that_are_not_defined_on_the_set(self):
+        """x' = M x with M = x'/x where x is not zero; but where x = 0 it may move away."""
+        relation = [["D", "x"], ["*", "M", "x"]]
+        goals = [follows(relation), follows(relation, given=[["x", 0]])]
+        entries = [
+            {"away": ["x"], "point": at(x=1, y=0)},
+            {"away": ["x"], "cofactors": [[0]], "point": at(x=0, y=1)},
+        ]
+        entry = {"values": [["M", ["/", "y", "x"]]], "evidence": entries}
+        rejected(
+            [self.ROTATION], [self.exists(*goals, expressions=["M"])], [entry], "condition fails"
+        )
+        del entries[1]["away"]
+        rejected([self.ROTATION], [self.exists(*goals, expressions=["M"])], [entry], "may be zero")
+
+    def test_denial_of_what_is_an_expression_under_a_derivative(self):
+        """D(e) = y is denied by no point, though it fails for every constant e."""
+        for equation in ([["D", "e"], "y"], [["d", "x", "e"], 1], [["conj", "e"], 1]):
+            goal = self.exists(follows(equation), expressions=["e"])
+            entry = {"goal": 0, "inner": 0, "point": at(x=0, y=1)}
+            rejected([self.ROTATION], [goal], [entry], "unknown|no value", "denied")
+
+    def test_denial_where_the_bound_name_counts(self):
+        for equation in (
+            ["M", 1],
+            [["*", "M", "y"], 1],
+            [["*", "M", ["+", "M", "x"]], 1],
+            [["/", "x", "M"], 1],
+        ):
+            goal = self.exists(follows(equation), expressions=["M"])
+            entry = {"goal": 0, "inner": 0, "point": at(x=0, y=1)}
+            rejected([self.ROTATION], [goal], [entry], "may be equal|no value|condition", "denied")
+
+    def test_no_bound_name(self):
+        goal = self.exists(follows(["x", "x"]))
+        rejected([XY], [goal], [{"values": [], "evidence": [{"point": ORIGIN}]}], "no name")
+
+    def test_existence_of_existence_and_of_nothing(self):
+        inner = self.exists(follows(["M", 0]), expressions=["M"])
+        for goal in (self.exists(inner, expressions=["M"]), self.exists(expressions=["M"])):
+            rejected([XY], [goal], [{"values": [["M", 0]], "evidence": []}], "unknown|nothing")
+
+
+class TestPositive:
+    def goal(self, formula, *given):
+        return {"goal": "positive", "space": 0, "given": [*given], "formula": formula}
+
+    def test_zero_is_not_positive(self):
+        entry = {"point": at(x=1, y=0), "squares": [[1, "x"]], "cofactors": [[]]}
+        rejected([XY], [self.goal(["^", "x", 2])], [entry], "may be zero")
+        rejected([XY], [self.goal(["^", "x", 2])], [{**entry, "zero": {}}], "not equal")
+        (found,) = accepted([XY], [self.goal(["^", "x", 2])], [{**entry, "away": ["x"]}])
+        assert found.where == ["x"]
+
+    def test_squares_that_are_none(self):
+        point = at(x=1, y=0, i="i")
+        space = {**XY, "steps": [I]}
+        for square in ([-1, "x"], [1, ["*", "i", "x"]], [0, "x"]):
+            entry = {"point": point, "squares": [square], "cofactors": [[]], "away": ["x"]}
+            formula = ["-", ["^", "x", 2]] if square[0] else 0
+            rejected([space], [self.goal(formula)], [entry], "taken away|not real")
+
+    def test_a_denial_by_an_irrational_value(self):
+        point = at(2, x=["+", 1, ["-", ["sqrt", 2]]], y=0)
+        rejected([XY], [self.goal("x")], [{"goal": 0, "point": point}], "no rational", "denied")
+
+
+class TestCount:
+    SPACE: ClassVar = {"variables": ["x"], "constants": ["a"], "nonzero": ["a"]}
+    ENTRY: ClassVar = {
+        "point": at(x=1, a=1), "root": "s", "form": "x", "eliminant": [["-", ["^", "a", 2]], 0],
+        "solved": [["x", "s", 1]], "cofactors": [[1], [0]], "quotients": [1, 0],
+        "factors": [{"factor": ["^", "a", 2], "squares": [[1, "a"]]}], "minors": [[2, [0]], [4, [1]]],
+    }  # fmt: skip
+
+    def goal(self, square=("^", "a", 2), number=2):
+        equation = [["^", "x", 2], [*square]]
+        return {
+            "goal": "count",
+            "space": 0,
+            "equations": [equation],
+            "names": ["x"],
+            "number": number,
+        }
+
+    def test_two(self):
+        assert accepted([self.SPACE], [self.goal()], [self.ENTRY])
+        rejected([self.SPACE], [self.goal(number=3)], [self.ENTRY], "is 2")
+        rejected([self.SPACE], [self.goal()], [{"goal": 0, **self.ENTRY}], "as stated", "denied")
+
+    def test_a_factor_that_may_vanish_or_be_negative(self):
+        rejected([{**self.SPACE, "nonzero": []}], [self.goal()], [self.ENTRY], "may be zero")
+        entry = {**self.ENTRY, "eliminant": [["-", "a"], 0], "minors": [[2, [0]], [4, [1]]]}
+        entry["factors"] = [{"factor": "a", "squares": []}]
+        rejected([self.SPACE], [self.goal(("*", 1, "a"))], [entry], "no sum of squares")
+
+    def test_a_condition_on_what_is_counted(self):
+        rejected([{**self.SPACE, "nonzero": ["a", "x"]}], [self.goal()], [self.ENTRY], "is counted")
+        rejected([self.SPACE], [self.goal()], [{**self.ENTRY, "away": ["x"]}], "is counted")
+
+    def test_complex_solutions(self):
+        goal = self.goal(("-", ["^", "a", 2]))
+        entry = {**self.ENTRY, "eliminant": [["^", "a", 2], 0], "minors": [[2, [0]], [-4, [1]]]}
+        rejected([self.SPACE], [goal], [{**entry, "point": at(x="i", a=1)}], "not real")
+
+    def test_a_root_that_is_no_solution_and_one_that_is_left_out(self):
+        cubic = {
+            **self.ENTRY,
+            "eliminant": [0, ["-", ["^", "a", 2]], 0],
+            "minors": [[3, [0]], [6, [1]], [4, [3]]],
+        }
+        cubic |= {"cofactors": [["x"], [0]]}
+        rejected([self.SPACE], [self.goal()], [cubic], "no solution")
+        linear = {**self.ENTRY, "eliminant": [["-", "a"]], "minors": [[1, [0]]]}
+        rejected([self.SPACE], [self.goal()], [linear], "not equal")
+
+    def test_a_name_that_is_a_variable_elsewhere(self):
+        space = {**self.SPACE, "variables": ["x", "y"]}
+        goal = self.goal(("^", "y", 2))
+        rejected([space], [goal], [{**self.ENTRY, "point": at(x=1, y=1, a=1)}], "another name")
+        rejected([self.SPACE], [self.goal()], [{**self.ENTRY, "root": "x"}], "meaning")
+        rejected(
+            [self.SPACE], [self.goal()], [{**self.ENTRY, "eliminant": ["s", 0]}], "not defined"
+        )
+
+    def test_points_that_are_the_same_or_of_other_constants(self):
+        one, other, third = at(x=1, a=1), at(x=-1, a=1), at(x=2, a=2)
+        goal = self.goal(number=1)
+        assert accepted([self.SPACE], [goal], [{"goal": 0, "points": [one, other]}], "denied")
+        for points in ([one, one], [one, third], [one], [one, other, one]):
+            rejected(
+                [self.SPACE],
+                [goal],
+                [{"goal": 0, "points": points}],
+                "same|belong|length",
+                "denied",
+            )
+
+
+class TestNames:
+    @pytest.mark.parametrize("name", ["х", "x y", "x = 0", "(x + y)", "", "1", "1/0", "x\n", "+", "x,y", "é",
+        "x\u202e", "{", "-x", "x^2", "x*y", "x*", "\\", "x{=0}", "x{a b}", ":x", "x^", "x{", "x}", "x{}", "x{\n}"])  # fmt: skip
+    def test_odd_names(self, name):
+        entry = [{"point": {"roots": [], "values": [[name, 0]]}}]
+        rejected([{"variables": [name]}], [follows([name, name])], entry, "odd")
+        space = {"variables": [], "steps": [["let", name, 0]]}
+        rejected([space], [follows([name, name])], [{"point": at()}], "odd")
+
+    def test_a_name_given_twice(self):
+        for space in (
+            {"variables": ["x", "x"]},
+            {"variables": ["x"], "constants": ["x"]},
+            {"variables": ["x"], "steps": [["let", "x", 0]]},
+            {"variables": ["x"], "steps": [["root", "x", 0]]},
+            {"variables": ["x"], "steps": [["let", "f", 0], ["let", "f", "x"]]},
+            {"variables": ["x"], "steps": [["let", "f", 0], ["root", "f", "x"]]},
+            {"variables": ["x"], "constants": ["m"], "steps": [["power", "x", 1, "m"]]},
+        ):
+            rejected([space], [follows(["x", "x"])], [{"point": at(x=0)}], "twice")
+
+    @pytest.mark.parametrize("pairs", [[["x", "x"]], [["x", "y"], ["y", "x"]], [["x", "a"]], [["x", "z"]], [["i", "j"]],
+        [["x"]], ["xy"], [["x", "y", "y"]], [["f", "x"]]])  # fmt: skip
+    def test_odd_conjugates(self, pairs):
+        steps = [I, ["root", "j", -4], ["let", "f", 0]]
+        space = {**XY, "constants": ["a"], "steps": steps, "conjugates": pairs}
+        rejected([space], [follows(["x", "x"])], [{"point": at(x=0, y=0, a=0)}], ".")
+
+    @pytest.mark.parametrize(
+        "claim", ["a\nCERTIFIED 9 of 9", "../c", "c d", "", "ç", 5, None, ["c"]]
+    )
+    def test_odd_claims(self, claim):
+        rejected([XY], [follows(["x", "x"])], [{"point": ORIGIN}], "odd", claim=claim)
+
+    def test_nothing_of_a_file_reaches_another_line(self, tmp_path, capsys):
+        for key in ("spaces", "goals", "evidence", "sign", "claim", "digest", "format", "version"):
+            data = certificate([XY], [follows(["x", "x"])], [{"point": ORIGIN}])
+            data[key] = "a\nCERTIFIED 9 of 9"
+            (tmp_path / "c.json").write_text(json.dumps(data) if key == "digest" else seal(data))
+            assert checker.main([str(tmp_path / "c.json")]) == 5
+        name = "x\nCERTIFIED 9 of 9\u202e"
+        for tree in (name, [name, 1], ["+", name, 1], ["^", "x", name], ["d", name, 1]):
+            (tmp_path / "c.json").write_text(
+                seal(certificate([XY], [follows([tree, tree])], [{"point": ORIGIN}]))
+            )
+            assert checker.main([str(tmp_path / "c.json")]) == 5
+        lines = capsys.readouterr().out.splitlines()
+        assert {line for line in lines if not line.startswith("REJECTED")} == {"CERTIFIED 0 of 1"}
+        assert all(re.fullmatch("[ -~]*", line) for line in lines)
+
+
+class TestNumbers:
+    @pytest.mark.parametrize(
+        "number", [1.0, True, None, "1", "NaN", {}, [], [1], [[]], float("inf")]
+    )
+    def test_what_is_no_number(self, number):
+        tree = ["+", "x", number]
+        rejected([XY], [follows([tree, tree])], [{"point": ORIGIN}], ".")
+
+    @pytest.mark.parametrize("version", [True, 2.0, "2", None, [2], 3, 0])
+    def test_what_is_no_version(self, version):
+        rejected(
+            [XY], [follows(["x", "x"])], [{"point": ORIGIN}], "format|integer", version=version
+        )
+
+    @pytest.mark.parametrize("size", [True, 1.0, "1", -1, None, 10**9])
+    def test_what_is_no_size(self, size):
+        rank = {"goal": "rank", "space": 0, "functions": ["x"], "given": [], "rank": size}
+        rejected([XY], [rank], [{"point": ORIGIN}], "odd|integer")
+        rejected([XY], [rank], [{"goal": 0, "point": ORIGIN}], "odd|integer", "denied")
+
+    @pytest.mark.parametrize("index", [True, -1, 1, "0", None, 0.0, [0]])
+    def test_what_is_no_space_and_no_goal(self, index):
+        rejected([XY], [follows(["x", "x"], space=index)], [{"point": ORIGIN}], "odd|integer")
+        entry = {"goal": index, "point": at(x=1, y=0)}
+        rejected([XY], [follows(["x", 0])], [entry], "odd|integer", "denied")
+
+    def test_towers_of_powers(self):
+        for base in (10**40, ["/", 1, 3], ["+", "x", 10**40]):
+            tree = base
+            for _ in range(12):
+                tree = ["^", tree, 64]
+            rejected([XY], [follows([tree, tree])], [{"point": ORIGIN}], "too large|too much")
+
+    def test_sums_that_never_end(self):
+        names = [f"x_{k}" for k in range(90)]
+        steps = [["let", "t_0", ["+", *names]]]
+        steps += [["let", f"t_{k + 1}", ["*", f"t_{k}", f"t_{k}"]] for k in range(20)]
+        space = {"variables": names, "steps": steps}
+        rejected([space], [follows([0, 0])], [{"point": at()}], "too much|too large")
+        steps = [["let", "t_0", ["^", ["+", *names], 2]]]
+        steps += [["let", f"s_{k}", ["+", *["t_0"] * 5000]] for k in range(5)]
+        space = {"variables": names, "steps": steps}
+        rejected([space], [follows([0, 0])], [{"point": at()}], "too much|too large")
+
+    def test_fractions_with_many_denominators(self):
+        """Each of them is small; what they have in common is not."""
+        primes = [
+            p for p in range(3, 60_000, 2) if all(p % q for q in range(3, int(p**0.5) + 1, 2))
+        ]
+        sums = [["+", *(["/", 1, p] for p in primes[k : k + 300])] for k in range(0, 6000, 300)]
+        whole = ["+", *(["/", ["^", "x", k % 64], p] for k, p in enumerate(primes))]
+        for tree in (
+            ["+", *sums],
+            whole,
+            ["vector", *sums],
+            ["*", *sums],
+            ["^", ["+", "x", *sums], 64],
+        ):
+            goal = follows([tree, tree])
+            start = time.process_time()
+            rejected(
+                [XY],
+                [goal],
+                [{"point": at(x=1, y=1, z=0)}],
+                "too large|too much|value of the point",
+            )
+            assert time.process_time() - start < 20
+
+    def test_many_conclusions(self):
+        goal = {**follows(), "conclusions": [[["x", k] for k in range(30)]] * 12}
+        rejected([XY], [goal], [{"point": ORIGIN}], "too much|too large")
+
+    def test_many_minors(self):
+        names = [f"x_{k}" for k in range(60)]
+        goal = {
+            "goal": "rank",
+            "space": 0,
+            "functions": [["+", *names]] * 30,
+            "given": [],
+            "rank": 3,
+        }
+        rejected([{"variables": names}], [goal], [{"goal": 0, "minors": []}], "too much", "denied")
+
+    def test_a_thousand_names(self):
+        names = [f"x_{k}" for k in range(1000)]
+        rejected([{"variables": names}], [follows([0, 0])], [{"point": at()}], "too many")
+
+    def test_work_belongs_to_one_check(self):
+        goal = follows([["^", ["+", "x", "y"], 40], ["^", ["+", "y", "x"], 40]])
+        for _ in range(40):
+            assert accepted([XY], [goal], [{"point": ORIGIN}])
+
+
+class TestFiles:
+    GOOD = certificate([XY], [follows(["x", "x"])], [{"point": ORIGIN}])
+
+    def run(self, *arguments, flags=("-I", "-S")):
+        command = [sys.executable, *flags, str(CHECKER), *map(str, arguments)]
+        result = subprocess.run(command, capture_output=True, timeout=60)
+        assert not result.stderr
+        return result.returncode, result.stdout.decode("ascii")
+
+    @pytest.mark.parametrize(
+        "flags", [("-I", "-S"), ("-I", "-S", "-O"), ("-I", "-X", "utf8=0"), ()]
+    )
+    def test_noise(self, flags, tmp_path):
+        good = seal(self.GOOD)
+        texts = {
+            "empty": b"", "noise": bytes(range(256)) * 20, "truncated": good[:-4].encode(),
+            "doubled": (good * 2).encode(), "bom": b"\xef\xbb\xbf" + good.encode(), "wide": good.encode("utf-16"),
+            "deep": b"[" * 200_000, "deep_dicts": b'{"a":' * 100_000, "long": b" " * 2_000_000 + good.encode(),
+            "number": b"9" * 500_000, "exponent": b"1e999999999", "null": b"null", "zeros": b"\0" * 5000,
+            "surrogate": good.replace('"x"', '"\\ud800"').encode(),
+            "twice": good.replace('"claim"', '"claim": "c", "claim"').encode(),
+            "list": f"[{good}]".encode(), "nested": good.replace('[["x", "x"]]', "[" * 5000 + "]" * 5000).encode(),
+        }  # fmt: skip
+        paths = []
+        for name, content in texts.items():
+            paths.append(tmp_path / f"{name}.json")
+            paths[-1].write_bytes(content)
+        (tmp_path / "folder.json").mkdir()
+        paths += [
+            tmp_path / "folder.json",
+            tmp_path / "missing.json",
+            tmp_path / "od\udcffd.json",
+            "new\nline",
+        ]
+        code, out = self.run(*paths, flags=flags)
+        assert code == 5
+        *lines, last = out.splitlines()
+        assert len(lines) == len(paths) and all(line.startswith("REJECTED ") for line in lines)
+        assert last == f"CERTIFIED 0 of {len(paths)}"
+        (tmp_path / "c.json").write_text(good)
+        assert self.run(tmp_path / "c.json", flags=flags)[0] == 0
+
+    def test_nothing(self):
+        assert self.run() == (6, "CERTIFIED 0 of 0\n")
+
+    def test_a_certificate_of_format_1(self):
+        data = {"format": checker.FORMAT, "version": 1, "claim": "c", "parts": []}
+        with pytest.raises(checker.Rejected, match=r"format 1.*make certificates"):
+            checker.check(json.dumps(data))
+
+    @pytest.mark.parametrize(
+        "junk", [None, True, 5, "x", [], {}, [[]], [{}], {"x": []}, [["x"]], [None], "\ud800"]
+    )
+    def test_other_types_everywhere(self, junk):
+        """Whatever stands at whatever place, it is a rejection and no other error."""
+        data = json.loads(seal(self.GOOD))
+        data["spaces"][0] |= {
+            "constants": [],
+            "nonzero": [],
+            "steps": [["let", "f", "x"]],
+            "conjugates": [],
+        }
+        data["spaces"][0]["field"] = [[["x", "y"], ["vector", 1, 1], ["vector", "y", "x"]]]
+        for path in places(data):
+            if place(data, path) != junk and path != ("digest",):
+                other = deepcopy(data)
+                place(other, path[:-1])[path[-1]] = junk
+                try:
+                    checker.check(seal(other))
+                except checker.Rejected:
+                    continue
+                assert junk in ([], 5, "x"), path

@@ -1,0 +1,71 @@
+"""Small certificates of every kind, written by hand, and what becomes of them if they are changed."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from kowalevski_cas.problem import checker
+
+from .oracle import is_true
+from .tampering import changed, names_in, others, places, seal
+
+FILES = sorted((Path(__file__).parent / "handwritten").glob("*.json"))
+TEXTS = {path.stem: path.read_text(encoding="utf-8") for path in FILES}
+KINDS = ("follows", "fails", "rank", "exists", "positive", "count")
+
+
+def accepted(data):
+    try:
+        checker.check(seal(data))
+    except checker.Rejected:
+        return False
+    return True
+
+
+def test_all_are_certified(capsys):
+    assert checker.main([*map(str, FILES)]) == 0
+    assert capsys.readouterr().out.endswith(f"CERTIFIED {len(FILES)} of {len(FILES)}\n")
+    assert len(FILES) >= 22
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("sign", ["holds", "denied"])
+def test_every_kind_of_goal_is_there_with_both_signs(kind, sign):
+    found = [json.loads(text) for text in TEXTS.values()]
+    goals = [
+        data["goals"][k]["goal"]
+        for data in found
+        if data["sign"] == sign
+        for k in ([e["goal"] for e in data["evidence"]] if sign == "denied" else range(len(data["goals"])))
+    ]  # fmt: skip
+    inner = [one["goal"] for data in found for g in data["goals"] for one in g.get("goals", [])]
+    assert kind in goals or (sign == "holds" and kind in inner)
+
+
+@pytest.mark.parametrize("claim", TEXTS)
+def test_the_oracle_agrees(claim):
+    assert is_true(json.loads(TEXTS[claim])) == (True, "")
+
+
+@pytest.mark.parametrize("claim", TEXTS)
+def test_every_change_of_the_evidence_is_rejected_or_still_a_proof(claim):
+    tampered(claim, {"evidence", "sign"}, most=0.35)
+
+
+@pytest.mark.parametrize("claim", TEXTS)
+def test_every_change_of_the_problem_is_rejected_or_still_proved(claim):
+    tampered(claim, {"spaces", "goals"}, most=0.6)
+
+
+def tampered(claim, keys, most):
+    data = json.loads(TEXTS[claim])
+    names, through, count = sorted(names_in([data["spaces"], data["goals"]])), 0, 0
+    for path in [p for p in places(data) if p[0] in keys]:
+        for value in others(data, path, names):
+            other, count = changed(data, path, value), count + 1
+            if accepted(other):
+                through += 1
+                true, why = is_true(other)
+                assert true, f"{path} = {str(value)[:80]} got through: {why}"
+    assert count > 10 and through < most * count
