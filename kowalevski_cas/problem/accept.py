@@ -151,7 +151,9 @@ class Judge:
             case Count(), Roots(), _:
                 if (len(evidence.eliminant) == goal.number) != sign:
                     raise Unproved("it is another number of solutions")
-                self.accepted.uses(check_roots(goal, evidence, at))
+                away, left = check_roots(goal, evidence, at)
+                self.accepted.away[-1].extend(away)
+                self.accepted.divides(left)
                 self._point(at, evidence.point, at.differences(goal.equations), goal.space)
             case Count(), Solutions(), False:
                 self.accepted.places += check_solutions(goal, evidence, at)

@@ -764,9 +764,12 @@ def squares_of(space: Space, data: Json) -> Element:
     return space.ring.total(found)
 
 
+PROOF = "product cofactors cases power"
+
+
 def settle(space: Space, goals: list[Element], known: list[Element], proof: Json) -> None:
     """Goals vanish where known elements do: as combinations, or in all cases of a product."""
-    record(proof, "", "product cofactors cases")
+    record(proof, "", PROOF)
     need(("product" in proof) == ("cases" in proof), "cases belong to a product")
     if "product" in proof:
         need(space.all_real(), "cases are for real names")
@@ -778,9 +781,10 @@ def settle(space: Space, goals: list[Element], known: list[Element], proof: Json
         for group in groups:
             whole = whole * (space.ring.total(e * e for e in group) if group[1:] else group[0])
         goals = [whole]
+    power = integer(proof.get("power", 1), 1, 16)
     rows = items(proof["cofactors"], len(goals)) if "cofactors" in proof else [[]] * len(goals)
     for goal, row in zip(goals, rows, strict=True):
-        need(combined(space, goal, row, known), "the two sides are not equal")
+        need(combined(space, goal**power, row, known), "the two sides are not equal")
 
 
 def minors(ring: Ring, matrix: list[list[Element]]) -> list[Element]:
@@ -803,9 +807,6 @@ def minors(ring: Ring, matrix: list[list[Element]]) -> list[Element]:
 # Each function takes a space with the conditions of the goal in it, and the data of the goal
 # and of the evidence. It returns if the evidence shows the goal, or denies it.
 
-PROOF = "product cofactors cases"
-
-
 def part_of(data: Json, keys: str) -> Json:
     """The part of an object under some keys."""
     return {key: data[key] for key in keys.split() if key in data}
@@ -818,8 +819,9 @@ def follows(space: Space, goal: Json, evidence: Json) -> None:
         conclusions = [space.differences(one) for one in items(goal["conclusions"])]
     need(all(conclusions), "nothing is stated")
     if conclusions:
-        record(evidence, "point", f"away {PROOF}")
-        locate(space, evidence["point"], given)
+        record(evidence, "point" if given else "", f"away point {PROOF}")
+        if "point" in evidence:
+            locate(space, evidence["point"], given)
     else:  # a condition that holds nowhere on the set would be the whole proof
         record(evidence, "", PROOF)
     goals = [prod(choice, start=space.ring.number(1)) for choice in product(*conclusions)]
@@ -1006,12 +1008,19 @@ class Solutions:
 
     def positive(self, data: Json) -> Element:
         """A factor over the constants that is positive wherever there is a solution."""
-        record(data, "factor squares", "cofactors")
+        record(data, "factor squares", "cofactors granted")
         factor = self.constant(data["factor"])
         rest = factor - squares_of(self.space, data["squares"])
         row = data.get("cofactors", [])
         need(combined(self.space, rest, row, self.equations), "a factor is no sum of squares")
         self.space.inverse(factor)
+        if "granted" in data:  # where the factor vanishes, something granted would
+            place, row = items(data["granted"], 2)
+            granted = self.space.data.get("nonzero", [])
+            gone = self.space.scalar(granted[integer(place, 0, len(granted) - 1)])
+            bases = [self.space.scalar(base) for _, base in pairs(data["squares"])]
+            same = combined(self.space, gone, row, [*bases, *self.equations])
+            need(same, "what is granted need not vanish with a factor")
         return factor
 
     def power_sums(self) -> list[Element]:
@@ -1149,7 +1158,7 @@ class Problem:
 
     def exists_not(self, goal: Json, evidence: Json) -> Theorem:
         """A point where an equation fails, whatever the bound names stand for."""
-        record(evidence, "inner point")
+        record(evidence, "inner points")
         one = goal["goals"][integer(evidence["inner"], 0, len(goal["goals"]) - 1)]
         plain = one["goal"] == "follows" and one["given"] == [] and len(one["conclusions"]) == 1
         need(plain, "no identity is denied")
@@ -1158,19 +1167,36 @@ class Problem:
         space.ring.unknown |= {bound[name] for name in goal["expressions"]}
         with space.statement():
             differences = space.differences(one["conclusions"][0])
-        at = locate(space, evidence["point"], [])
-        fixed = any(fails_regardless(at, e, [*bound.values()]) for e in differences)
+        weighted = [
+            (rational(space, weight), locate(space, point, []))
+            for weight, point in pairs(evidence["points"])
+        ]
+        need(len(weighted) == 1 or not goal["expressions"], "expressions may differ from point to point")
+        fixed = any(fails_regardless(weighted, e, [*bound.values()]) for e in differences)
         need(fixed, "the two sides may be equal")
         return theorem(sentence(goal, holds=False), space, evidence)
 
 
-def fails_regardless(at: Map, element: Element, unknown: list[str]) -> bool:
-    """Whether an element is not zero at a point, whatever the unknown names stand for."""
-    parts = [(True, element)]
+def fails_regardless(
+    weighted: list[tuple[Fraction, Map]], element: Element, unknown: list[str]
+) -> bool:
+    """Whether a sum of values at points is not zero, whatever the unknown names stand for."""
+    parts = {(): element}
     for name in unknown:
-        parts = [(free and e == 0, p) for free, q in parts for e, p in q.split(name).items()]
-    regardless = not any(at(part).terms for free, part in parts if not free)
-    return regardless and any(differs(at, part) for free, part in parts if free)
+        parts = {(*k, e): p for k, q in parts.items() for e, p in q.split(name).items()}
+    free = parts.pop((0,) * len(unknown), None)
+    if free is None:
+        return False
+    if len(weighted) == 1:
+        ((_, at),) = weighted
+        return not any(at(part).terms for part in parts.values()) and differs(at, free)
+
+    def total(part: Element) -> Fraction:
+        values = [at(part).value() for _, at in weighted]
+        need(None not in values, "a value at a point is no rational number")
+        return sum((w * (v or 0) for (w, _), v in zip(weighted, values, strict=True)), Fraction(0))
+
+    return total(free) != 0 and not any(map(total, parts.values()))
 
 
 def names_of_goal(goal: Json) -> set[str]:

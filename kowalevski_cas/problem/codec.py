@@ -249,7 +249,7 @@ def evidence_data(evidence: Evidence) -> Data:
             return {"values": shown, "evidence": list(map(evidence_data, inner))}
         case Regardless(goal, points):
             weighted = [[encode(number), _point_data(point)["point"]] for number, point in points]
-            return {"goal": goal, "points": weighted}
+            return {"inner": goal, "points": weighted}
         case Squares(squares, row, point, zero):
             data = {**_point_data(point), "squares": _squares(squares), "cofactors": _rows((row,))}
             return data if zero is None else {**data, "zero": _proof_data(zero)}
@@ -278,7 +278,7 @@ def _read_evidence(data: Data, goal: Goal, holds: bool) -> Evidence:
             return Found(values, tuple(read_evidence(entry, one) for entry, one in pairs))
         case Exists():
             weighted = ((decode(number), _read_point(point)) for number, point in data["points"])
-            return Regardless(data["goal"], tuple(weighted))
+            return Regardless(data["inner"], tuple(weighted))
         case Follows() if isinstance(goal, Fails) != holds:
             point = _read_point(data["point"]) if "point" in data else None
             return Shown(_read_proof(data), point)

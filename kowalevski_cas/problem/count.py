@@ -16,7 +16,9 @@ from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Space
 
 
-def check_roots(goal: Count, found: Roots, at: Evaluation) -> list[Element]:
+def check_roots(
+    goal: Count, found: Roots, at: Evaluation
+) -> tuple[list[Element], list[Element]]:
     r"""Check that the solutions are the roots of the eliminant, all real and distinct.
 
     * With the form s of the unknowns, e(s) = 0 and d x = n(s) follow from the equations: every
@@ -26,8 +28,8 @@ def check_roots(goal: Count, found: Roots, at: Evaluation) -> list[Element]:
     * The minors of Hermite are products of factors that are sums of squares where there is a
       solution: all roots are real and distinct where no factor vanishes.
 
-    Returns elements that have the factors and the denominators below them; raises
-    :class:`Misplaced` if a check fails.
+    Returns elements that have the factors and the denominators below them, and those that are
+    left without factors that something granted implies; raises :class:`Misplaced` if a check fails.
     """
     if found.root in (*goal.space.variables, *goal.space.constants, *goal.space.roots):
         raise Misplaced(f"{found.root} is no new name")
@@ -42,7 +44,11 @@ def check_roots(goal: Count, found: Roots, at: Evaluation) -> list[Element]:
     below = [at.scalar(denominator) for _, _, denominator in found.solved]
     implied = [factors[k] for k, e in enumerate(found.factors) if _is_granted(e, at, known)]
     left = [_without(element, implied) for element in (*factors, *below)]
-    return [element.inverse() for element in left if rational_terms(element) is None]
+    return _inverses([*factors, *below]), _inverses(left)
+
+
+def _inverses(elements: list[Element]) -> list[Element]:
+    return [element.inverse() for element in elements if rational_terms(element) is None]
 
 
 def _without(element: Element, factors: list[Element]) -> Element:
@@ -104,8 +110,7 @@ def _solutions_of_roots(
     rests.append(form - inner.scalar(Name(found.root)))
     equation = eliminant_value(found, inner)
     for rest, quotient in zip(rests, found.quotients, strict=True):
-        cleared = Element(inner.ring, rest.parts, {})
-        if not (cleared - inner.scalar(quotient) * equation).is_zero:
+        if not (rest - inner.scalar(quotient) * equation).is_zero:
             raise Misplaced("a root is not shown to give a solution")
 
 

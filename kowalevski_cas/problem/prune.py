@@ -49,11 +49,13 @@ class Reach:
         step = self.setting.step(name)
         if step is None:
             return
-        for formula in formulas_of(step):
-            self.formula(formula)
+        first, *others = formulas_of(step)
+        self.formula(first)
         if isinstance(step, Raised):
             self.name(step.exponent)
         self.steps.append(step)
+        for formula in others:  # the printed equation of a root, in which it stands
+            self.formula(formula)
 
     def _root(self, root: Root) -> None:
         """The declared roots: which of them is meant is a question of values."""

@@ -204,7 +204,7 @@ class Builder:
             quotient, left = divmod(part, equation)
             if not left.is_zero():
                 return None
-            found.append(formula_in(inner.ring.element({0: quotient}, {})))
+            found.append(formula_in(inner.ring.element({0: quotient}, rest.denominator)))
         return tuple(found)
 
     def _split(

@@ -44,7 +44,7 @@ class Stored:
         evidence = self.data.get("evidence")
         if self.data.get("sign") == "denied" and isinstance(evidence, list) and evidence:
             entry = dict(evidence[0])
-            place = entry.pop("denies", None)
+            place = entry.pop("goal", None)
             if not isinstance(place, int) or not 0 <= place < len(statement.goals):
                 raise FormatError(f"{self.path}: it denies no goal")
             return Denial(place, read_evidence(entry, statement.goals[place], False))
@@ -79,7 +79,7 @@ def certificate(statement: Statement, verdicts: Verdicts, accepted: Accepted) ->
     away = iter(accepted.away)
     if isinstance(verdicts, Denial):
         goal = statement.goals[verdicts.goal]
-        evidence = [{"denies": verdicts.goal, **_with_away(verdicts.evidence, goal, away)}]
+        evidence = [{"goal": verdicts.goal, **_with_away(verdicts.evidence, goal, away)}]
     else:
         pairs = zip(verdicts, statement.goals, strict=True)
         evidence = [_with_away(one, goal, away) for one, goal in pairs]

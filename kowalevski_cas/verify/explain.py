@@ -17,6 +17,7 @@ from kowalevski_cas.notation import (
     Sum,
     Vector,
 )
+from kowalevski_cas.paper.claims import Dimension
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
@@ -74,10 +75,12 @@ def conditions(statement: Statement, accepted: Accepted, explain: bool) -> tuple
 def _needed(statement: Statement, conditions: list[Divided]) -> list[Divided]:
     """Conditions without those that say the same on the claim's own scene, or follow there."""
     own = statement.on(statement.claim.scene)
+    named = [own.texts.expression(locus.condition) for locus in own.scene.loci]
     kept: list[Divided] = []
     for setting, formula in sorted(conditions, key=lambda c: c[0] is not own):
+        landmark = next((name for name in named if same(formula, name, own)), None)
         if not any(same(formula, other, own) for _, other in kept):
-            kept.append((setting, formula))
+            kept.append((setting, formula) if landmark is None else (own, landmark))
     return [
         (setting, formula)
         for setting, formula in kept
@@ -113,7 +116,7 @@ def _larger_sets(
 ) -> Iterator[tuple[Elaboration, Locus, Counterexample]]:
     """Loci on which a set has another dimension, with a point each."""
     for goal in statement.goals:
-        if not isinstance(goal, Rank):
+        if not isinstance(goal, Rank) or not isinstance(statement.claim, Dimension):
             continue
         assert isinstance(goal.space, Elaboration)
         for locus in goal.space.scene.loci:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import islice
 
 from kowalevski_cas.arithmetic.numbers import rank
@@ -53,17 +52,19 @@ def _candidates(
             yield Fails(setting, goal.conclusions, (*goal.given, *there))
         if isinstance(goal, Exists):
             for one in goal.goals:
-                if isinstance(one, Fails) and not one.conclusions and one.space is setting:
-                    yield from _leaving(replace(one, given=(*one.given, *there)), len(one.given))
+                if isinstance(one, Follows) and one.given and one.space is setting:
+                    yield from _leaving(setting, one.given, there)
 
 
-def _leaving(inhabited: Fails, count: int) -> Iterator[Fails]:
-    """That a derivative of a function of the set is not zero somewhere on it."""
-    rates = [minus(sides) for sides in inhabited.given[:count]]
+def _leaving(
+    setting: Elaboration, relations: tuple[Equation, ...], there: tuple[Equation, ...]
+) -> Iterator[Fails]:
+    """That a derivative of a function of a set is not zero somewhere on it."""
+    rates = [minus(sides) for sides in relations]
     for _ in range(ORDERS):
         rates = [rate(formula) for formula in rates]
         for formula in rates:
-            yield replace(inhabited, conclusions=((vanishes(formula),),))
+            yield Fails(setting, ((vanishes(formula),),), (*relations, *there))
 
 
 def rank_on(

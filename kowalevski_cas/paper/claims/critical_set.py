@@ -6,7 +6,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
-from kowalevski_cas.notation import Formula, Negative, Number, Partial, Product, Relation, Sum, edits
+from kowalevski_cas.notation import (
+    Formula,
+    Negative,
+    Number,
+    Partial,
+    Product,
+    Relation,
+    Sum,
+    edits,
+)
 from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
 from kowalevski_cas.paper.claims.forms import equation, equations, expression, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.claims.claim import Claim
@@ -18,14 +18,14 @@ from kowalevski_cas.paper.claims.forms import (
 )
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.goals import Exists, Fails, Follows, Goal
+from kowalevski_cas.problem.goals import Exists, Follows, Goal
 
 
 @dataclass(frozen=True, eq=False)
 class InvariantRelations(Claim):
     """The printed equations define an invariant set: (F)' = M F with a matrix M that is found.
 
-    They have a common real point.
+    They have a common real point, at which M is regular.
     """
 
     relations: tuple[Printed, ...]
@@ -34,8 +34,9 @@ class InvariantRelations(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         cofactors = matrix("M", len(self.relations), len(self.relations))
-        goals = (self.moves_by(cofactors, on), self.inhabited(on))
-        yield Exists(goals, names_in(cofactors))
+        moves = self.moves_by(cofactors, on)
+        there = replace(moves, given=equations(on, on(self.scene), self.relations))
+        yield Exists((moves, there), names_in(cofactors))
 
     def functions(self, on: Elaborations) -> list[Formula]:
         """The left minus the right sides of the equations."""
@@ -47,10 +48,6 @@ class InvariantRelations(Claim):
         right = applied(cofactors, functions)
         rows = ((rate(f), side) for f, side in zip(functions, right, strict=True))
         return Follows(on(self.scene), (tuple(rows),), (), self.main)
-
-    def inhabited(self, on: Elaborations) -> Fails:
-        """The goal that the set has a real point."""
-        return Fails(on(self.scene), (), equations(on, on(self.scene), self.relations))
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.relations
