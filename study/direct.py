@@ -14,8 +14,8 @@ from operator import add, mul, neg, sub
 from time import perf_counter
 from typing import Any
 
-from kowalevski_cas.arithmetic.flint import Arithmetic as Flint
-from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
+from kowalevski_cas.algebra.flint import Arithmetic as Flint
+from kowalevski_cas.algebra.polynomials import Polynomials, Terms
 from study.growing import growth
 
 

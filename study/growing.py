@@ -15,9 +15,9 @@ from collections.abc import Iterator
 from time import perf_counter
 
 from kowalevski_cas import arithmetic as arithmetics
-from kowalevski_cas.arithmetic import POINTS, Arithmetic
-from kowalevski_cas.arithmetic.present import formula_of
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra import POINTS, Arithmetic
+from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.claims import InvariantRelations
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.library import find, load

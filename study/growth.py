@@ -11,7 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.arithmetic import EXACT
+from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.systems import SYSTEMS, MissingSystem
 from study.direct import recorded
 from study.growth_chart import chart

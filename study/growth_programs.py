@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.algebra.polynomials import Terms
 from study.direct import FORGET, Operation, Recording, Trace
 
 

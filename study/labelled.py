@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, zip_longest
 
-from kowalevski_cas.arithmetic import EXACT
+from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.claims import Claim, FirstIntegral, Identity
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.library import available, find, load

@@ -14,7 +14,7 @@ from functools import cache, partial
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.arithmetic import EXACT
+from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.library import find, load
 from kowalevski_cas.paper.derivation import Derivation

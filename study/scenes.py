@@ -16,7 +16,7 @@ from statistics import median
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from kowalevski_cas.arithmetic.programs import Op, Program, field_of
+from kowalevski_cas.algebra.programs import Op, Program, field_of
 from kowalevski_cas.claims import (
     Claim,
     CriticalSet,

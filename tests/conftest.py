@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
-from kowalevski_cas.arithmetic import EXACT
+from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.proof.verify import verify

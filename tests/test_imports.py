@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from kowalevski_cas.arithmetic import EXACT, POINTS
+from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.library import available
 
 ROOT = Path(__file__).parents[1]

@@ -18,8 +18,8 @@ from kowalevski_cas.audit.places import Place, find_places
 from kowalevski_cas.audit.session import AuditSession, base_of
 from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import words
-from kowalevski_cas.verify.outcome import Outcome
 from kowalevski_cas.paper.texts import Display
+from kowalevski_cas.verify.outcome import Outcome
 
 MOST = 20_000
 """Formulas in one source."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from kowalevski_cas.verify.outcome import Condition, Correction, Counterexample, Verdict
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.verify.outcome import Condition, Correction, Counterexample, Verdict
 
 GIVEN = "given"
 SUSPECT = "suspect"

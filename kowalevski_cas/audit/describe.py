@@ -22,8 +22,8 @@ from kowalevski_cas.audit.roles import Role, Roles, undefined
 from kowalevski_cas.audit.session import AuditSession, base_of
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.notation import NotationError, split_display
-from kowalevski_cas.verify.outcome import Outcome
 from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.verify.outcome import Outcome
 
 
 class Describer:

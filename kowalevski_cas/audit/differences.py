@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.notation import Formula, NotationError, to_latex
+from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.proof.dependencies import names
 from kowalevski_cas.proof.evidence import Evidence
-from kowalevski_cas.paper.texts import Display, Printed, Texts
 
 
 def spliced(texts: Texts, base: Texts, printed: Printed) -> str:

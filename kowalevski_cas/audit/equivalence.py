@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.roles import places_of
 from kowalevski_cas.audit.session import base_of
@@ -13,8 +13,8 @@ from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.formulas import components
 from kowalevski_cas.notation import Constant, Formula, NotationError, Relation
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.stage import Stage, StageError, evaluate
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.stage import Stage, StageError, evaluate
 
 
 def equivalence(memory: Memory, printed: Printed, old: Formula, new: Formula) -> str:

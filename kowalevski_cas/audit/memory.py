@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 from kowalevski_cas.audit.roles import places_of
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.proof.evidence import Evidence
-from kowalevski_cas.verify.outcome import Outcome
-from kowalevski_cas.stage import Stage
 from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.proof.evidence import Evidence
+from kowalevski_cas.stage import Stage
+from kowalevski_cas.verify.outcome import Outcome
 
 Key = tuple[object, ...]
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from kowalevski_cas.audit.roles import parts_of
 from kowalevski_cas.claims import Claim
-from kowalevski_cas.proof.dependencies import Dependencies, names
 from kowalevski_cas.paper.scene import Change, Scene
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.proof.dependencies import Dependencies, names
 
 
 class Reach(Dependencies):

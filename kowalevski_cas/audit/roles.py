@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, fields
 
 from kowalevski_cas.claims import Claim
-from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.notation import Formula, Name, Relation
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.scene import Change, Scene
 from kowalevski_cas.paper.texts import Printed
 

@@ -16,12 +16,12 @@ from kowalevski_cas.audit.reach import Reach
 from kowalevski_cas.claims import Claim, Finding
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.notation import NotationError
+from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.proof.dependencies import Dependencies
 from kowalevski_cas.proof.evidence import Evidence
+from kowalevski_cas.proof.verify import Session
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
-from kowalevski_cas.proof.verify import Session
-from kowalevski_cas.paper.texts import Display, Printed, Texts
 
 AS_BEFORE = "as the derivation has it"
 """The words for a correction that restores what the author has changed."""

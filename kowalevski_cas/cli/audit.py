@@ -13,7 +13,7 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
-from kowalevski_cas.arithmetic import EXACT
+from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.listing import listing
 from kowalevski_cas.audit.memory import Memory
@@ -29,11 +29,11 @@ from kowalevski_cas.cli.exits import (
     USAGE,
     CommandError,
 )
-from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import available
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.proof.verify import disagreement
+from kowalevski_cas.verify.outcome import Verdict
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

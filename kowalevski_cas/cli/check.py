@@ -1,6 +1,6 @@
 """Check certificates with the independent checker, and compare them with the record.
 
-`python -I -S kowalevski_cas/proof/checker.py FILE...` checks files as well, and
+`python -I -S kowalevski_cas/problem/checker.py FILE...` checks files as well, and
 trusts nothing else of this program.
 """
 
@@ -14,7 +14,7 @@ from pathlib import Path
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
 from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.library import LibraryError, available, find
-from kowalevski_cas.proof.committed import Checked, check_committed, check_files
+from kowalevski_cas.verify.committed import Checked, check_committed, check_files
 from kowalevski_cas.verify.record import RecordError, load_record
 
 

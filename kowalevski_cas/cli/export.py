@@ -12,9 +12,9 @@ from pathlib import Path
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
-from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.export import FORMATS, Export, Json, load
 from kowalevski_cas.files import write_all
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.proof.committed import certificate_files, check_committed, check_files
 from kowalevski_cas.verify.record import RecordError, load_record
 

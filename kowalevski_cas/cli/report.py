@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.arithmetic import EXACT
+from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
 from kowalevski_cas.cli.parallel import each
@@ -17,8 +17,8 @@ from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import RecordError, load_record
 
 if TYPE_CHECKING:
-    from kowalevski_cas.proof.committed import Checked
     from kowalevski_cas.report.witnesses import Certified
+    from kowalevski_cas.verify.committed import Checked
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -63,7 +63,7 @@ def write(run: Run, folder: Path, derivation: Path) -> Checked:
 
 def _checked(derivation: Path) -> Checked:
     """What the checker says of the committed certificates; nothing without a record."""
-    from kowalevski_cas.proof.committed import Checked, check_committed
+    from kowalevski_cas.verify.committed import Checked, check_committed
 
     try:
         return check_committed(derivation, load_record(derivation) or {})
@@ -75,9 +75,10 @@ def _certified(run: Run, checked: Checked) -> Certified:
     """The accepted certificates that are about the statements of the run."""
     from kowalevski_cas.report.witnesses import Certified
 
-    digests = {
-        outcome.claim: checked.digests[outcome.claim]
-        for outcome in run.outcomes
-        if checked.statements.get(outcome.claim) == outcome.digest
-    }
-    return Certified(digests, {claim: checked.notes[claim] for claim in digests})
+    return Certified(
+        {
+            outcome.claim: outcome.digest
+            for outcome in run.outcomes
+            if checked.digests.get(outcome.claim) == outcome.digest
+        }
+    )

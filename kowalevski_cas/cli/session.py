@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 
 from kowalevski_cas.cli import parallel
 from kowalevski_cas.cli.exits import NOTHING, CommandError
-from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import LibraryError, available, find, load
-from kowalevski_cas.proof.evidence import Evidence, load_evidence
+from kowalevski_cas.notation import NotationError
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.problem.accept import Unproved
+from kowalevski_cas.problem.checker import Rejected
+from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.verify.certificate import FOLDER, Stored, load_certificates
+from kowalevski_cas.verify.committed import certificate_files
 from kowalevski_cas.verify.outcome import Run
-from kowalevski_cas.proof.verify import Progress, verify
+from kowalevski_cas.verify.record import RecordError, load_record
+from kowalevski_cas.verify.run import Progress, Session, verify
 
 
 def add_derivations(parser: argparse.ArgumentParser) -> None:
@@ -57,18 +64,56 @@ def run(
     only: Sequence[str] = (),
     explain: bool = False,
     timeout: float | None = None,
-    evidence: dict[str, Evidence] | None = None,
+    stored: Mapping[str, Stored] | None = None,
     seed: int = 1,
 ) -> Run:
-    """A run of a derivation, with the evidence kept in its folder and progress on a terminal."""
+    """A run of a derivation, with the certificates in its folder and progress on a terminal."""
     if not derivation.claims:
         raise CommandError(f"{derivation.name} makes no claims", NOTHING)
-    if evidence is None:
-        evidence = load_evidence(folder)
+    if stored is None:
+        stored = load_certificates(folder)
     with progress_bar() as progress:
         return verify(
-            derivation, arithmetics, only, explain, progress, evidence, timeout, seed=seed
-        )
+            derivation, arithmetics, only, explain, progress, stored, timeout, seed=seed,
+            record=recorded(folder),
+        )  # fmt: skip
+
+
+def recorded(folder: Path) -> Mapping[str, Mapping[str, object]]:
+    """The record in a folder as far as it can be read: it only says what is tried first."""
+    try:
+        return load_record(folder) or {}
+    except RecordError:
+        return {}
+
+
+def certificates(
+    folder: Path, derivation: Derivation, anew: bool = False
+) -> tuple[dict[str, str], dict[str, str]]:
+    """The texts of certificates by name, and reasons why others are missing.
+
+    Evidence that is stored is used again, unless all is to be found ``anew``.
+    """
+    stored = {} if anew else load_certificates(folder)
+    session = Session(derivation, ["flint"], certificates=stored, record=recorded(folder))
+    texts: dict[str, str] = {}
+    reasons: dict[str, str] = {}
+    with progress_bar() as progress:
+        for done, claim in enumerate(derivation.claims):
+            progress(claim.id, done, len(derivation.claims))
+            try:
+                texts.update(session.certificates(claim))
+            except (FormatError, Rejected, Unproved, NotationError, Meaningless) as error:
+                reasons[claim.id] = str(error)
+    return texts, reasons
+
+
+def remove_others(folder: Path, names: Iterable[str]) -> None:
+    """Remove the certificates in a folder that have none of these names."""
+    kept = {folder / FOLDER / f"{name}.json" for name in names}
+    for path in certificate_files(folder):
+        if path not in kept:
+            path.unlink()
 
 
 class progress_bar:

@@ -12,7 +12,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
-from kowalevski_cas.arithmetic import EXACT, POINTS
+from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import (
     AS_RECORDED,
@@ -28,7 +28,7 @@ from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import RecordError, contradictions, differences, load_record
-from kowalevski_cas.proof.verify import disagreement
+from kowalevski_cas.verify.run import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

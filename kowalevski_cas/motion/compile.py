@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from typing import Any
 
-from kowalevski_cas.arithmetic.polynomials import Terms
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.algebra.tower import Element
 
 Function = Callable[..., tuple[Any, ...]]
 
@@ -23,8 +23,8 @@ def function(elements: Sequence[Element], arguments: Sequence[str]) -> Function:
     ``arguments`` are generators or roots of the elements' ring; each element may use
     no others. Products of two or more arguments that occur again are computed once.
 
-    >>> from kowalevski_cas.arithmetic import load
-    >>> from kowalevski_cas.arithmetic.tower import Ring
+    >>> from kowalevski_cas.algebra import load
+    >>> from kowalevski_cas.algebra.tower import Ring
     >>> ring = Ring(load("flint")(("x", "y")))
     >>> x, y = ring.generator("x"), ring.generator("y")
     >>> function([x * x / y, x - y], ["x", "y"])(3.0, 2.0)

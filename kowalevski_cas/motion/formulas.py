@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from kowalevski_cas.arithmetic import load as load_arithmetic
+from kowalevski_cas.algebra import load as load_arithmetic
 from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
 from kowalevski_cas.notation import Formula, Name, replace

@@ -12,9 +12,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from functools import cached_property
 
-from kowalevski_cas.arithmetic import load
-from kowalevski_cas.arithmetic.present import formula_in
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra import load
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
     Application,
     Conjugate,

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.arithmetic.linear import Singular, solve
-from kowalevski_cas.arithmetic.present import polynomial_formula
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.linear import Singular, solve
+from kowalevski_cas.algebra.present import polynomial_formula
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Number, Sum
 from kowalevski_cas.problem.evaluate import Meaningless
 

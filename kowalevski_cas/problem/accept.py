@@ -12,9 +12,9 @@ from fractions import Fraction
 from functools import reduce
 from itertools import combinations, product
 
-from kowalevski_cas.arithmetic.linear import determinant
-from kowalevski_cas.arithmetic.numbers import rank
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.linear import determinant
+from kowalevski_cas.algebra.numbers import rank
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.count import check_roots, check_solutions

@@ -5,9 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import combinations
 
-from kowalevski_cas.arithmetic.hermite import hermite_minors
-from kowalevski_cas.arithmetic.present import divided
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.hermite import hermite_minors
+from kowalevski_cas.algebra.present import divided
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
 from kowalevski_cas.problem.evidence import Factor, Roots, Solutions

@@ -8,9 +8,9 @@ from fractions import Fraction
 from functools import cache, cached_property
 from typing import Any
 
-from kowalevski_cas.arithmetic.derivation import Field, along
-from kowalevski_cas.arithmetic.polynomials import Polynomials, Terms
-from kowalevski_cas.arithmetic.tower import Element, Ring
+from kowalevski_cas.algebra.derivation import Field, along
+from kowalevski_cas.algebra.polynomials import Polynomials, Terms
+from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import (
     Conjugate,
     CrossProduct,

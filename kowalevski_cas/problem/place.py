@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from kowalevski_cas.arithmetic.numbers import Substitution
-from kowalevski_cas.arithmetic.present import fraction_formula
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.numbers import Substitution
+from kowalevski_cas.algebra.present import fraction_formula
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Quotient, Root, Sum
 from kowalevski_cas.problem.evaluate import Evaluation, conjugated
 from kowalevski_cas.problem.evidence import Point

@@ -5,9 +5,9 @@ What has to be derived (squares of roots, the vector field) is taken from an exa
 
 from __future__ import annotations
 
-from kowalevski_cas.arithmetic.derivation import Field
-from kowalevski_cas.arithmetic.programs import Program, Programs
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.derivation import Field
+from kowalevski_cas.algebra.programs import Program, Programs
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation, Value
 from kowalevski_cas.problem.space import Let

@@ -11,12 +11,12 @@ from dataclasses import dataclass
 from typing import Final
 
 from kowalevski_cas import __version__
-from kowalevski_cas.verify.outcome import Condition, Outcome, Run, Verdict
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.graph import Picture, picture
 from kowalevski_cas.report.sections import Section, count, sections
 from kowalevski_cas.report.sentences import opening
 from kowalevski_cas.report.witnesses import Certified, Witness, arithmetics
+from kowalevski_cas.verify.outcome import Condition, Outcome, Run, Verdict
 
 _ALWAYS: Final = (Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED)
 

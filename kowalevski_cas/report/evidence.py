@@ -6,6 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula
+from kowalevski_cas.report.alike import alike
+from kowalevski_cas.systems import title
 from kowalevski_cas.verify.outcome import (
     Condition,
     Correction,
@@ -14,8 +16,6 @@ from kowalevski_cas.verify.outcome import (
     Value,
     Verdict,
 )
-from kowalevski_cas.report.alike import alike
-from kowalevski_cas.systems import title
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kowalevski_cas.notation.latex import LATEX
-from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.report.context import Report, report
 from kowalevski_cas.report.escaping import ascii_only, escaped
 from kowalevski_cas.report.graph.tikz import tikz
@@ -14,6 +13,7 @@ from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.setting import Setter
 from kowalevski_cas.report.witnesses import Certified, Witness
 from kowalevski_cas.report.writer import Writer
+from kowalevski_cas.verify.outcome import Run
 
 
 def render_latex(

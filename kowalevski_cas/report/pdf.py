@@ -12,13 +12,13 @@ from pathlib import Path
 from typing import Final, Literal
 
 from kowalevski_cas.files import write
-from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.report.context import report
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.plates import Plate, copy_plates, plates
 from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.report.witnesses import Certified, programs
+from kowalevski_cas.verify.outcome import Run
 
 Engine = Literal["auto", "latex", "typst"]
 

@@ -6,9 +6,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 from kowalevski_cas.report.evidence import Evidence, evidence
 from kowalevski_cas.report.names import display_of
+from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kowalevski_cas.verify.outcome import Run, Verdict
 from kowalevski_cas.report.sections import count
 from kowalevski_cas.systems import title
+from kowalevski_cas.verify.outcome import Run, Verdict
 
 
 def listed(items: Sequence[str], last: str = "and") -> str:

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from typing import Final
 
 from kowalevski_cas.notation.typst import TYPST
-from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.report.context import Report, report
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.setting import Setter
 from kowalevski_cas.report.witnesses import Certified, Witness
 from kowalevski_cas.report.writer import Writer
+from kowalevski_cas.verify.outcome import Run
 
 _SPECIAL: Final = re.compile(r"([\\#$*_`@<>\[\]~=/])")
 

@@ -14,8 +14,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
-from kowalevski_cas.verify.outcome import Outcome
 from kowalevski_cas.systems import SYSTEMS, title
+from kowalevski_cas.verify.outcome import Outcome
 
 FOLDER: Final = "witnesses"
 

@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Final
 
 from kowalevski_cas.notation import Formula, Number, Relation, print_prose, read_prose
-from kowalevski_cas.verify.outcome import Condition, Outcome, Point, Value, Verdict
 from kowalevski_cas.report.context import Report
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.sentences import listed, number
 from kowalevski_cas.report.setting import Setter
+from kowalevski_cas.verify.outcome import Condition, Outcome, Point, Value, Verdict
 
 _TEMPLATES: Final = Path(__file__).parent / "templates"
 _FILTERS: Final = (

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import islice
 
-from kowalevski_cas.arithmetic.linear import Singular, solve
-from kowalevski_cas.arithmetic.present import formula_in, fraction_formula
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.linear import Singular, solve
+from kowalevski_cas.algebra.present import formula_in, fraction_formula
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import Evaluation, rational_terms

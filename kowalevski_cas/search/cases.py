@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from flint import fmpq_mpoly
 
-from kowalevski_cas.arithmetic.polynomials import Polynomial, Polynomials, Terms
+from kowalevski_cas.algebra.polynomials import Polynomial, Polynomials, Terms
 from kowalevski_cas.search.cofactors import pseudo_divide
 from kowalevski_cas.search.squares import Squares, sum_of_squares
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.arithmetic.tower import Element, Ring
+from kowalevski_cas.algebra.tower import Element, Ring
 
 Monomial = tuple[int, ...]
 Split = dict[Monomial, fmpq_mpoly]

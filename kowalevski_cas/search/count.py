@@ -12,11 +12,11 @@ from fractions import Fraction
 
 from flint import fmpq_mpoly
 
-from kowalevski_cas.arithmetic.hermite import hermite_minors
-from kowalevski_cas.arithmetic.numbers import square_root
-from kowalevski_cas.arithmetic.polynomials import Terms
-from kowalevski_cas.arithmetic.present import formula_in, fraction_formula, polynomial_formula
-from kowalevski_cas.arithmetic.tower import Element, Ring
+from kowalevski_cas.algebra.hermite import hermite_minors
+from kowalevski_cas.algebra.numbers import square_root
+from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.algebra.present import formula_in, fraction_formula, polynomial_formula
+from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product
 from kowalevski_cas.problem.count import eliminant_value
 from kowalevski_cas.problem.evaluate import Evaluation

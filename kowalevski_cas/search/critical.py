@@ -19,10 +19,10 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations, combinations_with_replacement, islice, permutations
 
-from kowalevski_cas.arithmetic.derivation import gradient
-from kowalevski_cas.arithmetic.polynomials import Terms
-from kowalevski_cas.arithmetic.present import formula_in
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.derivation import gradient
+from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
 from kowalevski_cas.problem.evidence import At, Evidence, Point, Proof, Shown

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from flint import fmpq, fmpq_mpoly, fmpz_mat
 
-from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.algebra.polynomials import Terms
 
 LARGEST = 6
 """The largest degree of an eliminant that is looked for."""

@@ -8,7 +8,7 @@ from itertools import product
 
 from flint import fmpq, fmpq_poly
 
-from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.search.eliminants import Eliminant
 
 LARGEST = 4

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
-from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.algebra.polynomials import Terms
 
 
 def irreducible_factors(terms: Terms) -> list[tuple[Terms, int]]:

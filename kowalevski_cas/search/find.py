@@ -6,11 +6,11 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
 from itertools import combinations, islice, product
 
-from kowalevski_cas.arithmetic.linear import determinant
-from kowalevski_cas.arithmetic.numbers import Substitution, gaussian, number_ring, rank
-from kowalevski_cas.arithmetic.points import ExactPoint
-from kowalevski_cas.arithmetic.present import formula_in
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.linear import determinant
+from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring, rank
+from kowalevski_cas.algebra.points import ExactPoint
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.accept import is_real
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Minors, Point, Proof, Shown

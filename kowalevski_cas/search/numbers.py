@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from flint import fmpq, fmpq_mat
 
-from kowalevski_cas.arithmetic.numbers import square_root
-from kowalevski_cas.arithmetic.present import fraction_formula
+from kowalevski_cas.algebra.numbers import square_root
+from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import Formula, Negative, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import rational_terms

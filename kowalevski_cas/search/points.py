@@ -8,7 +8,7 @@ from itertools import count, islice
 
 from flint import fmpq, fmpq_mat, fmpq_mpoly
 
-from kowalevski_cas.arithmetic.numbers import square_root
+from kowalevski_cas.algebra.numbers import square_root
 
 Assignment = dict[int, Fraction]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.arithmetic.present import formula_in, fraction_formula
+from kowalevski_cas.algebra.present import formula_in, fraction_formula
 from kowalevski_cas.problem.evidence import Proof, Squares
 from kowalevski_cas.problem.goals import Positive
 from kowalevski_cas.search.cofactors import cofactors

@@ -12,10 +12,10 @@ from itertools import islice
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.arithmetic.numbers import square_root
-from kowalevski_cas.arithmetic.points import ExactPoint
-from kowalevski_cas.arithmetic.polynomials import Terms
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.numbers import square_root
+from kowalevski_cas.algebra.points import ExactPoint
+from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.search.points import Assignment, constant, distinct, points
 

@@ -8,9 +8,9 @@ from fractions import Fraction
 from itertools import product
 from math import isqrt
 
-from kowalevski_cas.arithmetic.polynomials import Terms
-from kowalevski_cas.arithmetic.present import formula_in
-from kowalevski_cas.arithmetic.tower import Element, Ring
+from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evidence import Proof
 from kowalevski_cas.search.cases import Case, Powers, Reduction

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.algebra.polynomials import Terms
 
 Squares = tuple[tuple[Fraction, Terms], ...]
 """Positive factors, and what is squared."""

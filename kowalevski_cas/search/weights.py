@@ -7,7 +7,7 @@ from math import gcd
 
 from flint import fmpz_mat
 
-from kowalevski_cas.arithmetic.polynomials import Terms
+from kowalevski_cas.algebra.polynomials import Terms
 
 
 def weights(polynomials: Sequence[Terms]) -> tuple[int, ...] | None:

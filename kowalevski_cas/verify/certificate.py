@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from kowalevski_cas.arithmetic.present import formula_in
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.accept import Accepted
 from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read_evidence

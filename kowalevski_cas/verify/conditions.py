@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from kowalevski_cas.arithmetic.present import formula_of
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Product
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.accept import Accepted

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kowalevski_cas.arithmetic.present import formula_of
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
     Derivative,
     Formula,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import islice
 
-from kowalevski_cas.arithmetic.numbers import rank
+from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -37,27 +36,10 @@ def describe(outcome: Outcome) -> dict[str, object]:
     }
 
 
-def dump_record(run: Run, before: Mapping[str, Mapping[str, object]] | None = None) -> str:
-    """The record of a run, as JSON.
-
-    The certificate of a claim is taken over from the record ``before`` if its
-    statement has stayed the same.
-    """
+def dump_record(run: Run) -> str:
+    """The record of a run, as JSON."""
     claims = {outcome.claim: describe(outcome) for outcome in run.outcomes}
-    for claim, entry in claims.items():
-        then = (before or {}).get(claim, {})
-        same = then.get("statement") == entry["statement"]
-        entry["certificate"] = then.get("certificate") if same else None
     return _text({"derivation": run.derivation, "digest": run.digest, "claims": claims})
-
-
-def with_certificates(folder: Path, digests: Mapping[str, str]) -> str | None:
-    """The record in a folder with the digests of the certificates; ``None`` if there is none."""
-    if (claims := load_record(folder)) is None:
-        return None
-    value = json.loads((folder / FILE).read_text(encoding="utf-8"))
-    value["claims"] = {c: {**e, "certificate": digests.get(c)} for c, e in claims.items()}
-    return _text(value)
 
 
 def _text(value: object) -> str:

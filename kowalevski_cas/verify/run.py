@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from hashlib import sha256
 from time import perf_counter
 
-from kowalevski_cas.arithmetic import POINTS, load, load_points
+from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
@@ -18,7 +18,7 @@ from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import FormatError
-from kowalevski_cas.verify.certificate import CORRECTED, Stored
+from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
 from kowalevski_cas.verify.corrections import correction, printed_of
 from kowalevski_cas.verify.explain import conditions, counterexample, steps
 from kowalevski_cas.verify.limits import time_limit
@@ -99,7 +99,7 @@ class Session:
         self.arithmetics = arithmetics
         self.explain = explain
         self.timeout = timeout
-        self.certificates = certificates or {}
+        self.stored = certificates or {}
         self.record = record or {}
         self.points = {name: load_points(name, seed) for name in arithmetics if name in POINTS}
         self.texts = derivation.texts(sources)
@@ -180,7 +180,7 @@ class Session:
 
     def _evidence(self, statement: Statement, name: str) -> Verdicts | None:
         """The evidence that is stored for a statement, or that a search finds."""
-        stored = self.certificates.get(name)
+        stored = self.stored.get(name)
         verdicts = None if stored is None else stored.verdicts(statement)
         if verdicts is not None:
             return verdicts
@@ -215,7 +215,7 @@ class Session:
             for goal, evidence in zip(statement.goals, verdicts, strict=True):
                 judge.holds(goal, evidence)
         except Unproved as error:
-            stored = self.certificates.get(statement.claim.id)
+            stored = self.stored.get(statement.claim.id)
             where = f"{stored.path}: " if stored is not None else ""
             message = f"{where}the evidence does not prove it ({arithmetic}: {error})"
             return Decided(statement, verdicts, judge.accepted, Verdict.ERROR, message)
@@ -234,6 +234,34 @@ class Session:
             return self.evaluations[key]
 
         return of
+
+    # -- certificates --------------------------------------------------------------
+
+    def certificates(self, claim: Claim) -> Iterator[tuple[str, str]]:
+        """The certificate of a claim, and that of its correction, by name.
+
+        Raises ``FormatError`` or ``Rejected`` if one cannot be written, :class:`Unproved` if the
+        claim is not decided.
+        """
+        statement = Statement(claim, self.on(claim))
+        decided = self._judged(statement, self._evidence(statement, claim.id), "flint")
+        yield claim.id, self._certificate(decided)
+        if decided.verdict is not Verdict.REFUTED:
+            return
+        recorded = self.record.get(claim.id, {}).get("correction")
+        found = correction(claim, statement.on, recorded if isinstance(recorded, str) else None)
+        if found is not None:
+            name = f"{CORRECTED}/{claim.id}"
+            mended = Statement(found.claim, statement.on.under(found.texts))
+            yield name, self._certificate(
+                self._judged(mended, self._evidence(mended, name), "flint")
+            )
+
+    @staticmethod
+    def _certificate(decided: Decided) -> str:
+        if decided.verdicts is None or decided.verdict not in DECIDED:
+            raise Unproved(f"the claim is {decided.verdict}")
+        return certificate(decided.statement, decided.verdicts, decided.accepted)
 
     # -- outcomes ------------------------------------------------------------------
 

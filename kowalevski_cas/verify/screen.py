@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import reduce
 from itertools import product
 
-from kowalevski_cas.arithmetic.points import Answer, NoPoint, Points, Question
-from kowalevski_cas.arithmetic.programs import Program
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
+from kowalevski_cas.algebra.programs import Program
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.arithmetic import EXACT, POINTS
+from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.export import FORMATS, load
 from kowalevski_cas.systems import MissingSystem
 from study.methods.arithmetics import ExactArithmetic, PointArithmetic

@@ -6,7 +6,7 @@ import subprocess
 import sys
 from time import perf_counter
 
-from kowalevski_cas.arithmetic import load, load_points
+from kowalevski_cas.algebra import load, load_points
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.proof.screen import screen

@@ -17,9 +17,9 @@ from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.arithmetic import load_points
-from kowalevski_cas.arithmetic.points import Question
-from kowalevski_cas.arithmetic.programs import Program
+from kowalevski_cas.algebra import load_points
+from kowalevski_cas.algebra.points import Question
+from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pictures import INK, new_figure
 from kowalevski_cas.stage import StageError, scalar

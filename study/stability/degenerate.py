@@ -17,12 +17,12 @@ from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.arithmetic import load_points
-from kowalevski_cas.arithmetic.derivation import gradient
-from kowalevski_cas.arithmetic.numbers import rank
-from kowalevski_cas.arithmetic.points import Points, Question
-from kowalevski_cas.arithmetic.programs import Program
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra import load_points
+from kowalevski_cas.algebra.derivation import gradient
+from kowalevski_cas.algebra.numbers import rank
+from kowalevski_cas.algebra.points import Points, Question
+from kowalevski_cas.algebra.programs import Program
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.dimension import Dimension
@@ -114,7 +114,7 @@ def singular_values(family: str, exponents: Sequence[int]) -> Measured:
     """The smallest singular value against the largest, and the rank that NumPy finds."""
     import numpy as np
 
-    from kowalevski_cas.arithmetic.floating import at
+    from kowalevski_cas.algebra.floating import at
 
     _, programs = stages(claim("eq16.invariance").scene)
     assert isinstance(programs, ProgramStage)

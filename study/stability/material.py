@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from kowalevski_cas.arithmetic.tower import Element
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.claims import Claim
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.points import AtPoint

@@ -13,9 +13,9 @@ from math import log2
 from random import Random
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.arithmetic import load_points
-from kowalevski_cas.arithmetic.points import ExactPoint, Question
-from kowalevski_cas.arithmetic.programs import Program
+from kowalevski_cas.algebra import load_points
+from kowalevski_cas.algebra.points import ExactPoint, Question
+from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.pictures import FAINT, new_figure
 from study.charts import curve, marked
 from study.stability.material import bench, claim, sides, stages
@@ -60,7 +60,7 @@ def bits(id: str, exponents: Sequence[int]) -> Measured:
     """How many bits exclude zero at an exact random point; ``None`` beyond the last precision."""
     from flint import ctx
 
-    from kowalevski_cas.arithmetic.ball import ball_point, exact_balls, random_point
+    from kowalevski_cas.algebra.ball import ball_point, exact_balls, random_point
 
     needed: list[int | None] = []
     for exponent in exponents:

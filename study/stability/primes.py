@@ -16,11 +16,11 @@ from typing import TYPE_CHECKING
 
 from flint import fmpz
 
-from kowalevski_cas.arithmetic import load_points
-from kowalevski_cas.arithmetic.bounds import Sizes
-from kowalevski_cas.arithmetic.modular import primes, residue_point
-from kowalevski_cas.arithmetic.points import NoPoint, Question
-from kowalevski_cas.arithmetic.programs import Programs
+from kowalevski_cas.algebra import load_points
+from kowalevski_cas.algebra.bounds import Sizes
+from kowalevski_cas.algebra.modular import primes, residue_point
+from kowalevski_cas.algebra.points import NoPoint, Question
+from kowalevski_cas.algebra.programs import Programs
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.pictures import FAINT, new_figure
 from study.charts import curve, legend_below, marked

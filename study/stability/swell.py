@@ -12,7 +12,7 @@ from functools import partial
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from kowalevski_cas.arithmetic import EXACT, POINTS, load_points
+from kowalevski_cas.algebra import EXACT, POINTS, load_points
 from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.claims.claim import ask
 from kowalevski_cas.library import find

@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from kowalevski_cas.arithmetic.programs import Program
+from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pictures import FAINT, INK, new_figure
 from kowalevski_cas.stage import Stage, scalar
@@ -118,7 +118,7 @@ def _floating(
 ) -> list[float | None]:
     import numpy as np
 
-    from kowalevski_cas.arithmetic.floating import at
+    from kowalevski_cas.algebra.floating import at
 
     ring = program.ring
     values = {
@@ -149,7 +149,7 @@ def _ball(
 ) -> list[float | None]:
     from flint import arb, ctx, fmpq
 
-    from kowalevski_cas.arithmetic.ball import ball_point, exact_balls
+    from kowalevski_cas.algebra.ball import ball_point, exact_balls
 
     errors: list[float | None] = []
     for point, size in zip(points, sizes, strict=True):

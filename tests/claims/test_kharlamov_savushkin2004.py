@@ -4,7 +4,7 @@ from itertools import islice
 
 import pytest
 
-from kowalevski_cas.arithmetic import EXACT
+from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import NotationError, to_latex
 from kowalevski_cas.proof.evidence import load_evidence

@@ -8,8 +8,8 @@ from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.arithmetic import load
-from kowalevski_cas.arithmetic.tower import Ring
+from kowalevski_cas.algebra import load
+from kowalevski_cas.algebra.tower import Ring
 from kowalevski_cas.library import LibraryError
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.compile import function

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kowalevski_cas.arithmetic import POINTS
+from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import contradictions, load_record

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.arithmetic import EXACT, load
+from kowalevski_cas.algebra import EXACT, load
 from kowalevski_cas.library import load as load_derivation
 from kowalevski_cas.notation import (
     Conjugate,

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from kowalevski_cas.arithmetic import load
+from kowalevski_cas.algebra import load
 from kowalevski_cas.systems import SYSTEMS, MissingSystem
 from study.direct import direct, recorded
 from study.growing import growth, steps

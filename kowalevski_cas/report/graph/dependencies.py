@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kowalevski_cas.verify.outcome import Outcome
 from kowalevski_cas.report.names import display_of
+from kowalevski_cas.verify.outcome import Outcome
 
 
 def dependencies(

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.report.graph.dependencies import dependencies
 from kowalevski_cas.report.graph.layout import WIDTH, layout
+from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 BOX: Final = 5.0
 """The height of a box."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Final
 from xml.sax.saxutils import escape
 
-from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.report.graph.drawing import BOX, LETTER, Box, Line, Picture
 from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.verify.outcome import Verdict
 
 _STYLE: Final = {
     Verdict.PROVED: 'fill="#fff" stroke="#000" stroke-width="0.18"',

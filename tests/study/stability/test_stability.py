@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import pytest
 
-from kowalevski_cas.arithmetic import load_points
+from kowalevski_cas.algebra import load_points
 from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.pictures import save
 from study import load

@@ -1,0 +1,56 @@
+"""Polynomials of FLINT, by python-flint: the default arithmetic."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from kowalevski_cas.algebra.polynomials import Polynomials, Terms
+
+
+class Arithmetic(Polynomials):
+    """``fmpq_mpoly`` in lexicographic order."""
+
+    name = "flint"
+
+    def __init__(self, generators: tuple[str, ...]) -> None:
+        super().__init__(generators)
+        names = tuple(f"g{index}" for index in range(len(generators)))
+        self.context = fmpq_mpoly_ctx.get(names, Ordering.lex)
+        self._generators = self.context.gens()
+        self.zero = self.context.constant(0)
+        self.one = self.context.constant(1)
+
+    def generator(self, index: int) -> fmpq_mpoly:
+        return self._generators[index]
+
+    def constant(self, value: Fraction) -> fmpq_mpoly:
+        return self.context.constant(fmpq(value.numerator, value.denominator))
+
+    def derivative(self, polynomial: fmpq_mpoly, index: int) -> fmpq_mpoly:
+        return polynomial.derivative(index)
+
+    def composed(
+        self, polynomial: fmpq_mpoly, values: Sequence[fmpq_mpoly], target: Polynomials
+    ) -> fmpq_mpoly:
+        return (
+            polynomial.compose(*values) if values else super().composed(polynomial, values, target)
+        )
+
+    def is_zero(self, polynomial: fmpq_mpoly) -> bool:
+        return bool(polynomial.is_zero())
+
+    def terms(self, polynomial: fmpq_mpoly) -> Terms:
+        return {
+            tuple(map(int, exponents)): Fraction(int(value.p), int(value.q))
+            if value.q != 1
+            else Fraction(int(value.p))
+            for exponents, value in polynomial.to_dict().items()
+        }
+
+    def from_terms(self, terms: Mapping[tuple[int, ...], Fraction]) -> fmpq_mpoly:
+        return self.context.from_dict(
+            {e: fmpq(value.numerator, value.denominator) for e, value in terms.items()}
+        )

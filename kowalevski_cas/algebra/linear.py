@@ -1,0 +1,45 @@
+"""Linear systems and determinants over a tower of roots."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from kowalevski_cas.algebra.tower import Element
+
+
+class Singular(ArithmeticError):
+    """A linear system without a unique solution."""
+
+
+def solve(matrix: Sequence[Sequence[Element]], right: Sequence[Element]) -> list[Element]:
+    """The solution of a square linear system, by elimination; raises :class:`Singular`."""
+    rows = [[*row, value] for row, value in zip(matrix, right, strict=True)]
+    for column in range(len(rows)):
+        pivot = next((row for row in rows[column:] if not row[column].is_zero), None)
+        if pivot is None:
+            raise Singular("the linear system has no unique solution")
+        rows.remove(pivot)
+        factor = pivot[column].inverse()
+        pivot = [entry * factor for entry in pivot]
+        rows = [
+            row
+            if row[column].is_zero
+            else [a - row[column] * b for a, b in zip(row, pivot, strict=True)]
+            for row in rows
+        ]
+        rows.insert(column, pivot)
+    return [row[-1] for row in rows]
+
+
+def determinant(matrix: Sequence[Sequence[Element]]) -> Element:
+    """The determinant of a small matrix, by expansion along the first row."""
+    first, *rest = matrix
+    if not rest:
+        return first[0]
+    total = first[0].ring.zero
+    for column, entry in enumerate(first):
+        if not entry.is_zero:
+            minor = determinant([[*row[:column], *row[column + 1 :]] for row in rest])
+            product = entry * minor
+            total = total - product if column % 2 else total + product
+    return total

@@ -1,0 +1,177 @@
+"""Elements at exact points: numbers in a tower of square roots over the rationals."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from math import isqrt
+
+from kowalevski_cas.algebra.polynomials import Polynomial, Polynomials, Terms
+from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.algebra.tower import Element, Ring
+from kowalevski_cas.notation import Formula, Vocabulary, to_latex
+
+NUMBERS = Vocabulary(scalars=frozenset({"i"}))
+"""What is needed to print numbers in a tower of roots."""
+
+
+def number_ring(arithmetic: type[Polynomials]) -> Ring:
+    """The rationals with :math:`i` adjoined, as a ring without variables."""
+    ring = Ring(arithmetic(("",)))
+    ring.adjoin("i", ring.number(-1))
+    return ring
+
+
+def gaussian(numbers: Ring, re: Fraction, im: Fraction) -> Element:
+    """The number re + im·i of a :func:`number_ring`."""
+    constant = numbers.polynomials.constant
+    return Element(numbers, {mask: constant(v) for mask, v in ((0, re), (1, im)) if v}, {})
+
+
+def show_number(number: Element) -> Formula:
+    """A number as it is printed."""
+    return formula_of(number, NUMBERS)
+
+
+def square_root(value: Fraction) -> Fraction | None:
+    """The rational square root of a rational number, if there is one."""
+    if value < 0:
+        return None
+    top, bottom = isqrt(value.numerator), isqrt(value.denominator)
+    if top * top == value.numerator and bottom * bottom == value.denominator:
+        return Fraction(top, bottom)
+    return None
+
+
+def rational(number: Element) -> Fraction | None:
+    """The value of a number that is rational; ``None`` if it is not."""
+    if number.is_zero:
+        return Fraction(0)
+    if number.parts.keys() != {0} or number.denominator:
+        return None
+    (value,) = number.terms()[0].values()
+    return value
+
+
+class Substitution:
+    """The homomorphism from ``ring`` to a ring of numbers that an exact point defines.
+
+    ``values`` gives the generators of the polynomials; the roots of the ring
+    become rational where their radicands are squares, and are adjoined where not,
+    unless their values are given as ``roots``.
+    """
+
+    def __init__(
+        self,
+        ring: Ring,
+        values: Mapping[str, Element],
+        numbers: Ring,
+        roots: dict[int, Element] | None = None,
+    ) -> None:
+        self.numbers = numbers
+        self.ring = ring
+        self._inverses: dict[int, Element] = {}
+        self.values = [values[name] for name in ring.polynomials.generators]
+        self._gaussian = _gaussian(self.values, numbers)
+        self._monomials: dict[tuple[int, ...], Element] = {}
+        self.roots: dict[int, Element] = {} if roots is None else roots
+        """The values of the roots, by their places in the ring."""
+        for bit, name in enumerate(ring.roots if roots is None else ()):
+            own = values.get(name)
+            self.roots[bit] = self.root(self(ring.radicands[bit])) if own is None else own
+
+    def root(self, radicand: Element) -> Element:
+        """A square root of a number, adjoined if it has to be."""
+        numbers = self.numbers
+        value = rational(radicand)
+        if value == -1:
+            return numbers.generator("i")
+        if value is not None and (root := square_root(value)) is not None:
+            return numbers.number(root)
+        name = rf"\sqrt{{{to_latex(show_number(radicand))}}}"
+        return numbers.generator(name) if name in numbers.roots else numbers.adjoin(name, radicand)
+
+    def __call__(self, element: Element) -> Element:
+        """The value of an element; raises ``ZeroDivisionError`` on a zero of its denominator."""
+        total = self.numbers.zero
+        for mask, polynomial in element.parts.items():
+            value = self._polynomial(polynomial)
+            for bit, root in self.roots.items():
+                if mask >> bit & 1:
+                    value = value * root
+            total = total + value
+        for index, exponent in element.denominator.items():
+            total = total * self._inverse(index) ** exponent
+        return total
+
+    def _inverse(self, index: int) -> Element:
+        """One over a divisor of the ring; each is computed once."""
+        if index not in self._inverses:
+            self._inverses[index] = self._polynomial(self.ring.divisors[index]).inverse()
+        return self._inverses[index]
+
+    def _polynomial(self, polynomial: Polynomial) -> Element:
+        if self._gaussian is not None:
+            target = self.numbers.polynomials
+            composed = self.ring.polynomials.composed(polynomial, self._gaussian, target)
+            return _reduced(target.terms(composed), self.numbers)
+        total = self.numbers.zero
+        for exponents, coefficient in self.ring.polynomials.terms(polynomial).items():
+            total = total + self.numbers.number(coefficient) * self._monomial(exponents)
+        return total
+
+    def _monomial(self, exponents: tuple[int, ...]) -> Element:
+        """The value of a product of powers; each is computed once."""
+        if exponents not in self._monomials:
+            product = self.numbers.one
+            for value, exponent in zip(self.values, exponents, strict=True):
+                if exponent:
+                    product = product * value**exponent
+            self._monomials[exponents] = product
+        return self._monomials[exponents]
+
+
+def _gaussian(values: Sequence[Element], numbers: Ring) -> list[Polynomial] | None:
+    """The values as polynomials in a letter for i, if they are rational but for i."""
+    if numbers.polynomials.generators != ("",) or numbers.roots[:1] != ["i"]:
+        return None
+    if any(value.denominator or value.parts.keys() - {0, 1} for value in values):
+        return None
+    polynomials = numbers.polynomials
+    letter = polynomials.generator(0)
+    return [
+        value.parts.get(0, polynomials.zero)
+        + polynomials.product(value.parts.get(1, polynomials.zero), letter)
+        for value in values
+    ]
+
+
+def _reduced(terms: Terms, numbers: Ring) -> Element:
+    """The number that a polynomial in a letter for i is, by i² = −1."""
+    parts = [Fraction(0), Fraction(0)]
+    for (exponent,), value in terms.items():
+        parts[exponent & 1] += -value if exponent & 2 else value
+    return gaussian(numbers, *parts)
+
+
+def rank(matrix: list[list[Element]]) -> int:
+    """The rank of a matrix of numbers, by elimination."""
+    rows = [row for row in matrix if any(not entry.is_zero for entry in row)]
+    found = 0
+    while rows:
+        pivot = rows.pop()
+        column = next((k for k, entry in enumerate(pivot) if not entry.is_zero), None)
+        if column is None:
+            continue
+        found += 1
+        factor = pivot[column].inverse()
+        rows = [
+            row
+            if row[column].is_zero
+            else [
+                a - row[column] * factor * b if not b.is_zero else a
+                for a, b in zip(row, pivot, strict=True)
+            ]
+            for row in rows
+        ]
+    return found

@@ -1,0 +1,194 @@
+"""Elements as formulas, to be shown."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from functools import cache
+from math import lcm
+
+from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.algebra.tower import Element, Ring
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Vocabulary,
+    read,
+)
+
+LONGEST = 14_000
+"""The bits of the longest number that is printed."""
+
+
+def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
+    """The formula of an element in the names of its ring as they are read, to be shown.
+
+    A root above the line with its square below it goes below.
+    """
+    ring, terms, below, divisors = _cancelled(element)
+    names = [name_formula(name, vocabulary) for name in ring.names]
+    width = len(ring.polynomials.generators)
+    shown = []
+    for bit, radicand in enumerate(ring.radicands if below else ()):
+        inner = _generators_of(radicand, divisors)
+        if inner is None or any(not below.get(index) for index in inner):
+            continue
+        if terms and all(exponents[width + bit] for exponents in terms):
+            terms = {_lowered(exponents, width + bit): v for exponents, v in terms.items()}
+            for index in inner:
+                below[index] -= 1
+            shown.append(names[width + bit])
+    return _fraction(terms, below, divisors, names, shown)
+
+
+def formula_in(element: Element) -> Formula:
+    """The formula of an element in which the generators and roots of its ring are names."""
+    ring, terms, below, divisors = _cancelled(element)
+    plain: list[Formula] = [Name(name) for name in ring.polynomials.generators]
+    names = list(plain)
+    for root, under in zip(ring.roots, ring.below, strict=True):
+        # The generator is the root times what it is over.
+        over = None if under is None else polynomial_formula(under.terms()[0], plain)
+        names.append(Name(root) if over is None else Product((over, Name(root))))
+    return _fraction(terms, below, divisors, names)
+
+
+def _cancelled(element: Element) -> tuple[Ring, Terms, dict[int, int], dict[int, Terms]]:
+    """The numerator, the divisors that are left below it, and all divisors, in neutral form."""
+    ring = element.ring
+    terms: Terms = {}
+    for mask, part in element.terms().items():
+        extra = tuple(mask >> bit & 1 for bit in range(len(ring.roots)))
+        terms |= {exponents + extra: value for exponents, value in part.items()}
+    below: dict[int, int] = {}
+    divisors: dict[int, Terms] = {}
+    for index, exponent in element.denominator.items():
+        divisors[index] = {
+            exponents + (0,) * len(ring.roots): value
+            for exponents, value in ring.polynomials.terms(ring.divisors[index]).items()
+        }
+        for _ in range(exponent):
+            quotient = divided(terms, divisors[index])
+            if quotient is None:
+                below[index] = below.get(index, 0) + 1
+            else:
+                terms = quotient
+    return ring, terms, below, divisors
+
+
+def _fraction(
+    terms: Terms,
+    below: Mapping[int, int],
+    divisors: Mapping[int, Terms],
+    names: Sequence[Formula],
+    roots: Sequence[Formula] = (),
+) -> Formula:
+    """A polynomial with integer coefficients over a number, divisors and roots."""
+    factor = lcm(*(value.denominator for value in terms.values()))
+    top = polynomial_formula({e: v * factor for e, v in terms.items()}, names)
+    bottom: list[Formula] = [Number(factor)] if factor > 1 else []
+    bottom += [
+        _power(polynomial_formula(divisors[index], names), exponent)
+        for index, exponent in below.items()
+        if exponent
+    ]
+    return _over(top, [*bottom, *roots])
+
+
+def divided(terms: Terms, divisor: Terms) -> Terms | None:
+    """The quotient of two polynomials in neutral form, if the division leaves nothing."""
+    lead = max(divisor)
+    rest, quotient = dict(terms), Terms()
+    while rest:
+        top = max(rest)
+        shift = tuple(a - b for a, b in zip(top, lead, strict=True))
+        if min(shift) < 0:
+            return None
+        factor = rest[top] / divisor[lead]
+        quotient[shift] = factor
+        for exponents, value in divisor.items():
+            key = tuple(a + b for a, b in zip(exponents, shift, strict=True))
+            left = rest.get(key, Fraction(0)) - factor * value
+            if left:
+                rest[key] = left
+            else:
+                rest.pop(key, None)
+    return quotient
+
+
+def _generators_of(radicand: Element, divisors: dict[int, Terms]) -> list[int] | None:
+    """The divisors whose product a radicand is, if it is a product of different generators."""
+    parts = radicand.terms()
+    if parts.keys() != {0} or len(parts[0]) != 1:
+        return None
+    ((exponents, value),) = parts[0].items()
+    if value != 1 or max(exponents) > 1 or not any(exponents):
+        return None
+    singles = {
+        next(iter(terms)).index(1): index
+        for index, terms in divisors.items()
+        if len(terms) == 1 and sum(next(iter(terms))) == 1
+    }
+    places = [place for place, exponent in enumerate(exponents) if exponent]
+    return [singles[p] for p in places] if all(p in singles for p in places) else None
+
+
+def _lowered(exponents: tuple[int, ...], place: int) -> tuple[int, ...]:
+    return (*exponents[:place], exponents[place] - 1, *exponents[place + 1 :])
+
+
+def polynomial_formula(terms: Terms, names: Sequence[Formula]) -> Formula:
+    """The formula of a polynomial, its terms in descending order."""
+    if not terms:
+        return Number(0)
+    summands = [_term(e, terms[e], names) for e in sorted(terms, reverse=True)]
+    return Sum(tuple(summands)) if len(summands) > 1 else summands[0]
+
+
+@cache
+def name_formula(name: str, vocabulary: Vocabulary) -> Formula:
+    """The formula of a generator: a name, a root, or a power; a ring of numbers has none."""
+    return read(name, vocabulary) if name else Number(1)
+
+
+def fraction_formula(value: Fraction) -> Formula:
+    """The formula of a rational number.
+
+    Raises:
+        OverflowError: if it is longer than anybody prints, or Python does.
+    """
+    size = abs(value)
+    if max(size.numerator, size.denominator).bit_length() > LONGEST:
+        raise OverflowError("a number is too long to be printed")
+    shown: Formula = Number(size.numerator)
+    if size.denominator != 1:
+        shown = Quotient(shown, Number(size.denominator))
+    return Negative(shown) if value < 0 else shown
+
+
+def _term(exponents: tuple[int, ...], value: Fraction, names: Sequence[Formula]) -> Formula:
+    factors = [_power(n, e) for n, e in zip(names, exponents, strict=True) if e]
+    size = abs(value)
+    if size != 1 or not factors:
+        factors.insert(0, fraction_formula(size))
+    shown = Product(tuple(factors)) if len(factors) > 1 else factors[0]
+    return Negative(shown) if value < 0 else shown
+
+
+def _power(base: Formula, exponent: int) -> Formula:
+    return base if exponent == 1 else Power(base, Number(exponent))
+
+
+def _over(above: Formula, below: list[Formula]) -> Formula:
+    if not below:
+        return above
+    divisor = Product(tuple(below)) if len(below) > 1 else below[0]
+    if isinstance(above, Negative):
+        return Negative(Quotient(above.argument, divisor))
+    return Quotient(above, divisor)

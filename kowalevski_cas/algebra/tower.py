@@ -1,0 +1,287 @@
+r"""Fractions in a tower of square roots over a ring of polynomials.
+
+An element is :math:`\bigl(\sum_m p_m \prod_{k\in m} g_k\bigr) / \prod_j u_j^{e_j}` with
+polynomials :math:`p_m`, roots :math:`g_k` with :math:`g_k^2 = r_k` (among them
+:math:`i^2=-1` and :math:`s^2=x_1x_2`), and polynomials :math:`u_j` that were
+divided by. Nothing is ever cancelled and no gcd is taken: the denominators are
+remembered, for they are what a statement assumes to be non-zero. A numerator
+has one form only, because the roots appear to the powers 0 and 1, so the test
+for zero is the test that every :math:`p_m` vanishes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any
+
+from kowalevski_cas.algebra.polynomials import Polynomial, Polynomials, Terms
+
+Parts = dict[int, Polynomial]
+Neutral = tuple[dict[int, Terms], list[tuple[Terms, int]]]
+"""An element in no library's form: the numerator by roots, and the divisors with exponents."""
+
+
+class Ring:
+    """A tower of roots over ``polynomials``; it makes the elements.
+
+    ``divisors`` lists the polynomials that were divided by, in the order in which
+    they were met; ``products`` counts multiplications of polynomials.
+    """
+
+    def __init__(self, polynomials: Polynomials) -> None:
+        self.polynomials = polynomials
+        self._is_zero = polynomials.is_zero
+        self._product = polynomials.product
+        self.roots: list[str] = []
+        self.radicands: list[Element] = []
+        self.below: list[Element | None] = []
+        """What each root is over, as an element: the generator is this times the root."""
+        self.divisors: list[Polynomial] = []
+        self.products = 0
+        self._divisor_index: dict[frozenset[Any], int] = {}
+        self._squares: dict[int, Parts] = {}
+        self._numbers: dict[int, Element] = {}
+        self.zero = Element(self, {}, {})
+        self.one = self.number(1)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Generators of the polynomials, then the roots."""
+        return (*self.polynomials.generators, *self.roots)
+
+    def number(self, value: int | Fraction) -> Element:
+        """A rational number; whole ones are made once."""
+        if value.denominator != 1:
+            return Element(self, {0: self.polynomials.constant(Fraction(value))}, {})
+        whole = value.numerator
+        if whole not in self._numbers:
+            constant = self.polynomials.constant(Fraction(whole))
+            self._numbers[whole] = self.element({0: constant}, {})
+        return self._numbers[whole]
+
+    def generator(self, name: str) -> Element:
+        """The generator or root with this name; raises ``ValueError`` if there is none."""
+        if name in self.roots:
+            return Element(self, {1 << self.roots.index(name): self.polynomials.one}, {})
+        index = self.polynomials.generators.index(name)
+        return Element(self, {0: self.polynomials.generator(index)}, {})
+
+    def adjoin(self, name: str, radicand: Element) -> Element:
+        """Add a square root of ``radicand`` and return it.
+
+        A radicand n/d with a denominator gives the generator of the root of nd,
+        and the element that is this root over d.
+        """
+        divisor = self.divisor_product(radicand.denominator)
+        if divisor is not None:
+            factor = Element(self, {0: divisor}, {})
+            radicand = Element(self, radicand.parts, {}) * factor
+        self.roots.append(name)
+        self.radicands.append(radicand)
+        self.below.append(None if divisor is None else factor)
+        root = self.generator(name)
+        return root if divisor is None else root * factor.inverse()
+
+    def element(self, parts: Parts, denominator: dict[int, int]) -> Element:
+        """An element, with vanishing parts dropped."""
+        is_zero = self._is_zero
+        return Element(self, {m: p for m, p in parts.items() if not is_zero(p)}, denominator)
+
+    def multiply(self, left: Polynomial, right: Polynomial) -> Polynomial:
+        """The product of two polynomials, counted."""
+        self.products += 1
+        return self._product(left, right)
+
+    def add_parts(self, left: Parts, right: Parts) -> Parts:
+        """The sum of two numerators, without what vanishes."""
+        result = dict(left)
+        for mask, p in right.items():
+            own = result.get(mask)
+            if own is None:
+                result[mask] = p
+            elif self._is_zero(total := own + p):
+                del result[mask]
+            else:
+                result[mask] = total
+        return result
+
+    def multiply_parts(self, left: Parts, right: Parts) -> Parts:
+        """The product of two numerators, the roots reduced by their squares."""
+        result: Parts = {}
+        for mask, p in left.items():
+            for other, q in right.items():
+                product = {mask ^ other: self.multiply(p, q)}
+                if mask & other:
+                    product = self.multiply_parts(product, self._square(mask & other))
+                for key, value in product.items():
+                    result[key] = result[key] + value if key in result else value
+        return result
+
+    def _square(self, mask: int) -> Parts:
+        """The product of the radicands of the roots in ``mask``."""
+        if mask not in self._squares:
+            bit = mask.bit_length() - 1
+            rest = mask ^ (1 << bit)
+            parts = self.radicands[bit].parts
+            self._squares[mask] = self.multiply_parts(parts, self._square(rest)) if rest else parts
+        return self._squares[mask]
+
+    def divisor(self, polynomial: Polynomial) -> int:
+        """The index of a polynomial among the divisors, where it is entered if it is new."""
+        return self._entered(polynomial, self.polynomials.terms(polynomial))
+
+    def _entered(self, polynomial: Polynomial, terms: Terms) -> int:
+        # Fractions are slow to hash, whole numbers are not.
+        key = frozenset((e, v.numerator, v.denominator) for e, v in terms.items())
+        if key not in self._divisor_index:
+            self._divisor_index[key] = len(self.divisors)
+            self.divisors.append(polynomial)
+        return self._divisor_index[key]
+
+    def divisor_product(self, exponents: Mapping[int, int]) -> Polynomial | None:
+        """The product of divisors to these positive exponents; ``None`` for the empty one."""
+        product = None
+        for index, exponent in exponents.items():
+            for _ in range(exponent):
+                factor = self.divisors[index]
+                product = factor if product is None else self.multiply(product, factor)
+        return product
+
+    def inverse_of_polynomial(self, polynomial: Polynomial) -> Element:
+        """One over a polynomial; a monomial is taken apart into its generators."""
+        terms = self.polynomials.terms(polynomial)
+        if len(terms) > 1:
+            return Element(self, {0: self.polynomials.one}, {self._entered(polynomial, terms): 1})
+        ((exponents, value),) = terms.items()
+        denominator = {
+            self.divisor(self.polynomials.generator(index)): exponent
+            for index, exponent in enumerate(exponents)
+            if exponent
+        }
+        return Element(self, {0: self.polynomials.constant(1 / value)}, denominator)
+
+    def from_terms(self, parts: Mapping[int, Terms]) -> Element:
+        """An element without denominator, from the neutral form of its numerator."""
+        convert = self.polynomials.from_terms
+        return self.element({m: convert(t) for m, t in parts.items()}, {})
+
+    def from_neutral(self, neutral: Neutral) -> Element:
+        """The element with this neutral form."""
+        numerator, divisors = neutral
+        result = self.from_terms(numerator)
+        denominator = {
+            self.divisor(self.polynomials.from_terms(terms)): exponent
+            for terms, exponent in divisors
+        }
+        return Element(self, result.parts, denominator)
+
+
+class Element:
+    """An element of a :class:`Ring`: numerator by roots, denominator by divisors."""
+
+    __slots__ = ("denominator", "parts", "ring")
+
+    def __init__(self, ring: Ring, parts: Parts, denominator: dict[int, int]) -> None:
+        self.ring = ring
+        self.parts = parts
+        self.denominator = denominator
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether the numerator vanishes identically."""
+        return not self.parts
+
+    def __add__(self, other: Element) -> Element:
+        if not self.parts:
+            return other
+        if not other.parts:
+            return self
+        left, right = self.denominator, other.denominator
+        if left == right:
+            return Element(self.ring, self.ring.add_parts(self.parts, other.parts), left)
+        common = {k: max(left.get(k, 0), right.get(k, 0)) for k in (*left, *right)}
+        parts = self.ring.add_parts(self._over(common), other._over(common))
+        return Element(self.ring, parts, common)
+
+    def _over(self, denominator: Mapping[int, int]) -> Parts:
+        """The numerator over a larger denominator."""
+        missing = {k: e - self.denominator.get(k, 0) for k, e in denominator.items()}
+        factor = self.ring.divisor_product(missing)
+        if factor is None:
+            return self.parts
+        return {m: self.ring.multiply(p, factor) for m, p in self.parts.items()}
+
+    def __neg__(self) -> Element:
+        return Element(self.ring, {m: -p for m, p in self.parts.items()}, self.denominator)
+
+    def __sub__(self, other: Element) -> Element:
+        return self + (-other)
+
+    def __mul__(self, other: Element) -> Element:
+        ring = self.ring
+        if other is ring.one:
+            return self
+        if self is ring.one:
+            return other
+        denominator = self.denominator
+        if other.denominator:
+            denominator = dict(denominator)
+            for index, exponent in other.denominator.items():
+                denominator[index] = denominator.get(index, 0) + exponent
+        left, right = self.parts, other.parts
+        if len(left) == len(right) == 1:
+            # One product, which cannot vanish: polynomials have no divisors of zero.
+            ((mask, p),), ((other_mask, q),) = left.items(), right.items()
+            if not mask & other_mask:
+                return Element(ring, {mask | other_mask: ring.multiply(p, q)}, denominator)
+        return ring.element(ring.multiply_parts(left, right), denominator)
+
+    def __pow__(self, exponent: int) -> Element:
+        if exponent < 0:
+            return self.inverse() ** -exponent
+        result = self.ring.one
+        base = self
+        while exponent:
+            if exponent & 1:
+                result = base if result is self.ring.one else result * base
+            exponent >>= 1
+            if exponent:
+                base = base * base
+        return result
+
+    def conjugate_root(self, bit: int) -> Element:
+        """The element with the sign of one root changed."""
+        parts = {m: -p if m >> bit & 1 else p for m, p in self.parts.items()}
+        return Element(self.ring, parts, self.denominator)
+
+    def inverse(self) -> Element:
+        """One over the element, by norms; raises ``ZeroDivisionError`` for zero."""
+        if self is self.ring.one:
+            return self
+        if self.is_zero:
+            raise ZeroDivisionError("division by an expression that vanishes identically")
+        numerator = Element(self.ring, self.parts, {})
+        result = self.ring.one
+        if (factor := self.ring.divisor_product(self.denominator)) is not None:
+            result = Element(self.ring, {0: factor}, {})
+        for bit in reversed(range(len(self.ring.roots))):
+            if any(mask >> bit & 1 for mask in numerator.parts):
+                conjugate = numerator.conjugate_root(bit)
+                result, numerator = result * conjugate, numerator * conjugate
+        if numerator.is_zero:
+            raise ZeroDivisionError("division by a divisor of zero")
+        return result * self.ring.inverse_of_polynomial(numerator.parts[0])
+
+    def __truediv__(self, other: Element) -> Element:
+        return self * other.inverse()
+
+    def terms(self) -> dict[int, Terms]:
+        """The neutral form of the numerator: a polynomial for each product of roots."""
+        return {m: self.ring.polynomials.terms(p) for m, p in self.parts.items()}
+
+    def neutral(self) -> Neutral:
+        """The neutral form of the element, to be carried to another arithmetic."""
+        terms = self.ring.polynomials.terms
+        divisors = self.ring.divisors
+        return self.terms(), [(terms(divisors[k]), e) for k, e in self.denominator.items()]

@@ -1,0 +1,114 @@
+"""FLINT, SymEngine and SymPy compute in one and the same ring of polynomials."""
+
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kowalevski_cas.algebra import EXACT, load
+from tests.arithmetic.strategies import NAMES, fractions, terms
+
+RINGS = {name: load(name)(NAMES) for name in EXACT}
+every_ring = pytest.mark.parametrize("ring", RINGS.values(), ids=RINGS)
+
+
+def value(polynomial, at):
+    """A polynomial in neutral form at a point, by Python's fractions."""
+    total = Fraction(0)
+    for exponents, coefficient in polynomial.items():
+        for x, exponent in zip(at, exponents, strict=True):
+            coefficient *= x**exponent
+        total += coefficient
+    return total
+
+
+@every_ring
+@given(terms(), terms(), terms())
+def test_addition_and_multiplication_obey_the_axioms_of_a_commutative_ring(ring, a, b, c):
+    p, q, r = map(ring.from_terms, (a, b, c))
+    times, same = ring.product, lambda u, v: ring.is_zero(u - v)
+    assert same(p + q, q + p)
+    assert same((p + q) + r, p + (q + r))
+    assert same(times(p, q), times(q, p))
+    assert same(times(times(p, q), r), times(p, times(q, r)))
+    assert same(times(p, q + r), times(p, q) + times(p, r))
+    assert same(p + ring.zero, p)
+    assert same(times(p, ring.one), p)
+    assert ring.is_zero(p + (-p))
+    assert ring.is_zero(times(p, ring.zero))
+
+
+@every_ring
+@given(terms())
+def test_the_neutral_form_is_the_polynomial(ring, a):
+    assert ring.terms(ring.from_terms(a)) == a
+
+
+@every_ring
+def test_the_neutral_form_of_numbers_and_generators(ring):
+    assert ring.terms(ring.zero) == {}
+    assert ring.terms(ring.one) == {(0, 0, 0): 1}
+    assert ring.terms(ring.constant(Fraction(-2, 3))) == {(0, 0, 0): Fraction(-2, 3)}
+    assert ring.terms(ring.generator(1)) == {(0, 1, 0): 1}
+
+
+@every_ring
+@given(terms(), terms())
+def test_only_zero_is_zero(ring, a, b):
+    assert ring.is_zero(ring.from_terms(a)) == (not a)
+    assert ring.is_zero(ring.from_terms(a) - ring.from_terms(b)) == (a == b)
+
+
+@every_ring
+@given(terms(), terms(), fractions, st.integers(0, 2))
+def test_a_partial_derivative_is_a_derivation(ring, a, b, number, k):
+    p, q = ring.from_terms(a), ring.from_terms(b)
+    d = ring.derivative
+    leibniz = ring.product(d(p, k), q) + ring.product(p, d(q, k))
+    assert ring.is_zero(d(ring.product(p, q), k) - leibniz)
+    factor = ring.constant(number)
+    linear = d(p, k) + ring.product(factor, d(q, k))
+    assert ring.is_zero(d(p + ring.product(factor, q), k) - linear)
+
+
+@every_ring
+def test_partial_derivatives_of_generators_are_the_unit_matrix(ring):
+    for j in range(3):
+        for k in range(3):
+            assert ring.terms(ring.derivative(ring.generator(j), k)) == (
+                {(0, 0, 0): 1} if j == k else {}
+            )
+
+
+@given(terms(), terms(), st.integers(0, 2))
+def test_the_three_agree(a, b, k):
+    results = []
+    for ring in RINGS.values():
+        p, q = ring.from_terms(a), ring.from_terms(b)
+        made = (p + q, ring.product(p, q), -p, ring.derivative(ring.product(p, p), k))
+        results.append([ring.terms(polynomial) for polynomial in made])
+    assert results[0] == results[1] == results[2]
+
+
+@every_ring
+@given(terms(), terms(), st.tuples(fractions, fractions, fractions))
+def test_evaluation_at_a_point_is_a_homomorphism(ring, a, b, at):
+    p, q = ring.from_terms(a), ring.from_terms(b)
+    assert value(ring.terms(ring.product(p, q)), at) == value(a, at) * value(b, at)
+    assert value(ring.terms(p - q), at) == value(a, at) - value(b, at)
+
+
+@every_ring
+def test_a_power_of_a_sum_has_binomial_coefficients(ring):
+    power = ring.one
+    for _ in range(6):
+        power = ring.product(power, ring.generator(0) + ring.one)
+    assert [ring.terms(power)[k, 0, 0] for k in range(7)] == [1, 6, 15, 20, 15, 6, 1]
+
+
+def test_an_unknown_arithmetic_is_refused_with_the_known_ones():
+    with pytest.raises(
+        ValueError, match="unknown arithmetic “maple”; there are flint, symengine, sympy"
+    ):
+        load("maple")
