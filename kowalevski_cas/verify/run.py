@@ -9,7 +9,7 @@ from time import perf_counter
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.notation import Formula, NotationError
-from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
@@ -19,7 +19,7 @@ from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
-from kowalevski_cas.verify.corrections import correction, printed_of
+from kowalevski_cas.verify.corrections import correction, printed_of, recorded_correction
 from kowalevski_cas.verify.explain import conditions, counterexample, steps
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import (
@@ -249,7 +249,10 @@ class Session:
         if decided.verdict is not Verdict.REFUTED:
             return
         recorded = self.record.get(claim.id, {}).get("correction")
-        found = correction(claim, statement.on, recorded if isinstance(recorded, str) else None)
+        on = statement.on
+        found = recorded_correction(claim, on, recorded) if isinstance(recorded, str) else None
+        if found is None or self.mended(found.claim, on.under(found.texts)) is None:
+            found = correction(claim, on)
         if found is not None:
             name = f"{CORRECTED}/{claim.id}"
             mended = Statement(found.claim, statement.on.under(found.texts))
@@ -365,14 +368,18 @@ class Session:
         recorded = self.record.get(claim.id, {}).get("correction")
         try:
             with time_limit(self.timeout):
-                wanted = recorded if isinstance(recorded, str) else None
-                neighbour = correction(claim, on, wanted)
+                if isinstance(recorded, str):
+                    known = self._proposed(recorded_correction(claim, on, recorded), on)
+                    if known is not None:
+                        return known
+                return self._proposed(correction(claim, on), on)
         except TimeoutError:
             return None
-        if neighbour is None:
-            return None
-        mended = self.mended(neighbour.claim, on.under(neighbour.texts))
-        if mended is None:
+
+    def _proposed(self, neighbour: Neighbour | None, on: Elaborations) -> Correction | None:
+        """A neighbour as a correction, if it is proved."""
+        mended = None if neighbour is None else self.mended(neighbour.claim, on.under(neighbour.texts))
+        if neighbour is None or mended is None:
             return None
         verdict, needed = mended
         return Correction(
