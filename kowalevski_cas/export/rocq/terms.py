@@ -6,7 +6,7 @@ import re
 from abc import ABC, abstractmethod
 
 from kowalevski_cas.export.format import Inexpressible, identifier
-from kowalevski_cas.proof.trees import Tree
+from kowalevski_cas.problem.trees import Tree
 
 WORDS = set(
     "Add Axiom Claims D Definition Div End Fixpoint I Import Lemma Let Module Mul Notation Num "
