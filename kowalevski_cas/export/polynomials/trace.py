@@ -130,7 +130,9 @@ class Traced(checker.Ring):
             return element
         summands = []
         for m, c in sorted(element.terms.items(), reverse=True):
-            powers = [(text, m >> self.at[name] & checker.MASK) for name, text in self.texts.items()]
+            powers = [
+                (text, m >> self.at[name] & checker.MASK) for name, text in self.texts.items()
+            ]
             factors = [f"{text}^{e}" if e > 1 else text for text, e in powers if e]
             number = self.writer.language.number(Fraction(c, element.below))
             summands.append("*".join([number, *factors]))
@@ -170,7 +172,9 @@ class Element(checker.Element):
 
     def __mul__(self, other: checker.Element) -> checker.Element:
         value = super().__mul__(other)
-        return Element(value, f"({self.text}*{other.text})") if isinstance(other, Element) else value
+        return (
+            Element(value, f"({self.text}*{other.text})") if isinstance(other, Element) else value
+        )
 
     def __pow__(self, exponent: int) -> checker.Element:
         return Element(super().__pow__(exponent), f"({self.text}^{exponent})")

@@ -59,8 +59,12 @@ SHARED = ("Expressions", "Values", "Identities", "Points")
 class Program(Format):
     """Rocq 9, or Coq since 8.16.
 
+    Where something exists, the theorems are about the values found for it; of several
+    conclusions, of which one holds, they say that products of their differences vanish.
+
     It leaves out points whose coordinates are no Gaussian rational numbers, since their
-    roots would have to be numbers that can be computed with, and splits into cases, since
+    roots would have to be numbers that can be computed with; and what needs an order or
+    real numbers: positive formulas, numbers of solutions, and splits into cases, since
     squares that add up to zero vanish for real numbers only.
     """
 

@@ -175,9 +175,7 @@ def _functions(space: Space, goal: Json) -> list[Tree]:
     return [*goal["functions"], *(["+", a, ["-", b]] for a, b in goal["given"])]
 
 
-def rank(
-    section: Theorems, name: str, goal: Json, evidence: Json, sign: str = "true"
-) -> None:
+def rank(section: Theorems, name: str, goal: Json, evidence: Json, sign: str = "true") -> None:
     """There is a point of the given equations where differentials are independent, so many."""
     space, trees = section.space, _functions(section.space, goal)
     given, functions = space.sides(goal["given"]), [f for tree in trees for f in space.parts(tree)]
@@ -200,7 +198,9 @@ def no_rank(section: Theorems, name: str, goal: Json, evidence: Json) -> None:
     if len(functions) > len(words):
         raise Inexpressible("there are more differentials than variables, and nothing to compute")
     rows = [[f"{word} ({f})" for word in words] for f in functions]
-    minors = [_determinant(rows, [*columns]) for columns in combinations(range(len(words)), len(rows))]
+    minors = [
+        _determinant(rows, [*columns]) for columns in combinations(range(len(words)), len(rows))
+    ]
     space.checked.stating = False
     section.combined(name, given, [(m, "0") for m in minors], {"cofactors": evidence["minors"]})
 
