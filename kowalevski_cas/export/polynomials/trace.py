@@ -110,10 +110,10 @@ class Traced(checker.Ring):
         if new:
             self.below = self._divisors()
 
-    def generator(self, name: str) -> checker.Element:
+    def generator(self, name: str) -> Element:
         return Element(super().generator(name), self.texts[name])
 
-    def number(self, value: int | Fraction) -> checker.Element:
+    def number(self, value: int | Fraction) -> Element:
         text = self.writer.language.number(Fraction(value))
         return Element(super().number(value), text)
 
