@@ -16,7 +16,6 @@ from kowalevski_cas.notation.layout import statements
 from kowalevski_cas.notation.lexer import Token, scan
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
-
 CLOSING = r"\}"
 
 
@@ -31,10 +30,10 @@ class Heads(NamedTuple):
 def heads(tex: str) -> tuple[Heads, ...]:
     r"""What each statement of a display defines; raises ``NotationError`` for broken TeX.
 
-    >>> heads(r"H = \omega_1^2 - {\bs \alpha}_1 \equiv h, \quad ({\bs \alpha}, {\bs \alpha}) = a^2")
+    >>> heads(r"H = \omega_1^2 - x \equiv h, \quad ({\bs \alpha}, {\bs \alpha}) = a^2")
     (Heads(names=('H', 'h'), squares=()), Heads(names=(), squares=('a',)))
-    >>> heads(r"\varphi(s) = 4ms^2, \quad \{M_i,M_j\} = -\varepsilon_{ijk}M_k, \quad {\bf e}_1 = (1,0)")[1:]
-    (Heads(names=('\\{M_i,M_j\\}',), squares=()), Heads(names=('\\mathbf{e}_1',), squares=()))
+    >>> [*heads(r"\varphi(s) = 4ms^2, \quad {\bf e}_1 = (1,0)")][1].names
+    ('\\mathbf{e}_1',)
     """
     return tuple(_heads(tokens, tex) for tokens in statements(scan(tex), tex))
 

@@ -77,7 +77,9 @@ class Section:
         ids = ids or [display.id if alone else place.place for place in places]
         words = [says] * len(places) if isinstance(says, str) else says
         if not len(places) == len(ids) == len(words):
-            raise ValueError(f"{display.id}: {len(places)} statements, {len(ids)} ids, {len(words)} words")
+            raise ValueError(
+                f"{display.id}: {len(places)} statements, {len(ids)} ids, {len(words)} words"
+            )
         for id, place, word in zip(ids, places, words, strict=True):
             self.claim(kind(id, on, place, word, **attributes))
         return printed
