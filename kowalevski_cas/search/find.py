@@ -263,7 +263,7 @@ class Finder:
         It is sought among points in general position, and then where one or two variables vanish.
         """
         avoid = [at.scalar(formula) for formula in at.setting.nonzero]
-        avoid += divisors(at, divided)
+        avoid += at.ring.divided_by(divided)
         names = self.names(at.setting)
         norms = [self._norm(at, element) for element in zero]
         for further in self._sections(at):
@@ -316,9 +316,3 @@ def combined(
         inverse = cofactors(known[0], [target], main)
         row = [inverse[0].inverse()] if inverse and not inverse[0].is_zero else None
     return row
-
-
-def divisors(at: Evaluation, elements: Sequence[Element]) -> list[Element]:
-    """What elements are divided by, each once."""
-    indices = sorted({index for element in elements for index in element.denominator})
-    return [Element(at.ring, {0: at.ring.divisors[index]}, {}) for index in indices]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import reduce
 from itertools import product
 
@@ -17,19 +16,8 @@ from kowalevski_cas.problem.evidence import Found
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Positive, Rank, Simple
 from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Setting
-from kowalevski_cas.verify.outcome import Counterexample, Point, Value, Verdict
+from kowalevski_cas.verify.outcome import Counterexample, Point, Screened, Value, Verdict
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
-
-
-@dataclass(frozen=True)
-class Screened:
-    """What an arithmetic of points says about a statement."""
-
-    verdict: Verdict
-    message: str = ""
-    counterexample: Counterexample | None = None
-    chance: float | None = None
-    radius: float | None = None
 
 
 def screen(statement: Statement, verdicts: Verdicts | None, points: Points) -> Screened:
