@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import reduce
 from itertools import product
+from operator import mul
 
 from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
@@ -20,7 +21,13 @@ from kowalevski_cas.verify.outcome import Counterexample, Point, Screened, Value
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
 
-def screen(statement: Statement, verdicts: Verdicts | None, points: Points) -> Screened:
+Stages = dict[Setting, Sampled]
+"""Settings in programs, each made once for a run."""
+
+
+def screen(
+    statement: Statement, verdicts: Verdicts | None, points: Points, stages: Stages
+) -> Screened:
     """What an arithmetic of points says about a statement.
 
     ``probable`` with a bound on the chance that this is wrong, ``enclosed`` with a radius,
@@ -30,7 +37,7 @@ def screen(statement: Statement, verdicts: Verdicts | None, points: Points) -> S
     answers: list[Answer] = []
     unseen: list[str] = []
     try:
-        for question in _questions(statement, verdicts, unseen):
+        for question in _questions(statement, verdicts, unseen, stages):
             answer = points.answer(question)
             if answer.holds is False:
                 return _refuted(answer)
@@ -57,11 +64,9 @@ def _refuted(answer: Answer) -> Screened:
 
 
 def _questions(
-    statement: Statement, verdicts: Verdicts | None, unseen: list[str]
+    statement: Statement, verdicts: Verdicts | None, unseen: list[str], stages: Stages
 ) -> Iterator[Question]:
     """What can be asked at points; what cannot is entered as ``unseen``."""
-    stages: dict[Setting, Sampled] = {}
-
     def at(setting: Setting) -> Sampled:
         if setting not in stages:
             assert isinstance(setting, Elaboration)
@@ -119,7 +124,7 @@ def _asked(goal: Goal, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
 
 def _residuals(goal: Follows, at: Evaluation) -> list[Element]:
     conclusions = [at.differences(one) for one in goal.conclusions]
-    return [reduce(Element.__mul__, choice, at.ring.one) for choice in product(*conclusions)]
+    return [reduce(mul, choice, at.ring.one) for choice in product(*conclusions)]
 
 
 def _ask(
