@@ -10,7 +10,7 @@ from operator import mul
 from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
 from kowalevski_cas.problem.evidence import Found
@@ -97,14 +97,14 @@ def _bound(goal: Simple, found: Found, at: Sampled) -> Evaluation:
     return bound
 
 
-def _mentions(formula: object, name: str) -> bool:
-    from kowalevski_cas.notation import Formula
-
-    assert isinstance(formula, Formula)
+def _mentions(formula: Formula, name: str) -> bool:
     return formula == Name(name) or any(_mentions(child, name) for child in formula.children())
 
 
 def _asked(goal: Goal, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
+    if isinstance(goal, Follows) and goal.given and goal.space.powers:
+        unseen.append("what follows for symbolic exponents cannot be seen at points")
+        return
     match goal:
         case Fails():
             if goal.conclusions:
