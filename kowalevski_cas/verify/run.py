@@ -144,7 +144,7 @@ class Session:
 
     def on(self, claim: Claim) -> Elaborations:
         """The texts for a claim: with the accepted corrections, but for those that it is about."""
-        own = set(claim.establishes())
+        own = set(claim.about())
         read = {place: f for place, f in self.accepted.items() if place not in own}
         return self.elaborations.under(self.texts.reading(read)) if read else self.elaborations
 
@@ -423,7 +423,7 @@ class Session:
 
     def _corrected(self, claim: Claim, statement: Statement) -> tuple[str, ...]:
         """The claims whose accepted corrections a statement rests on."""
-        own = set(claim.establishes())
+        own = set(claim.about())
         used = {p for p in statement.places() if p in self.accepted and p not in own}
         ids = (self.established.get(place, place.place) for place in self.accepted if place in used)
         return tuple(dict.fromkeys(ids))
