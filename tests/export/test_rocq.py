@@ -115,8 +115,9 @@ def test_what_cannot_be_said_is_named(name, reason):
 @needs_rocq
 def test_multiplying_by_a_polynomial_makes_nothing_true(rocq):
     data = certificate("solution.2", "kharlamov_savushkin2004")
-    ((left, right),) = data["goals"][0]["conclusions"][0]
-    data["goals"][0]["conclusions"] = [[[left, ["*", 2, right]]]]
+    (equations,) = data["goals"][0]["conclusions"]
+    left, right = equations[0]
+    equations[0] = [left, ["*", 2, right]]
     assert "Unable to unify" in rocq("multiplied_statement.v", ROCQ.translate(data))
 
 
