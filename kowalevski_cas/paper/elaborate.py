@@ -37,7 +37,6 @@ from kowalevski_cas.notation import (
     Sum,
     Vector,
     rank,
-    replace,
     substitute,
     to_latex,
 )
@@ -83,6 +82,7 @@ class Elaboration(Setting):
         self._steps: dict[str, Step | None] = {}
         self._open: list[str] = []
         self.places: dict[str, tuple[Printed, ...]] = {}
+        self._inverses: dict[object, dict[str, Formula]] = {}
         self.applied: set[str] = set()
         """Functions and brackets, which are written out where they are applied."""
         self.roots = tuple(self._root_names())
@@ -219,11 +219,14 @@ class Elaboration(Setting):
 
     @cached_property
     def inverse(self) -> dict[str, Formula]:
-        """The old variables of a change through the new ones."""
+        """The old variables of a change through the new ones; solved for once a change."""
         assert self.source is not None
-        change = self.change
-        assert change is not None
-        return inverse(self.source, change.formulas)
+        known = self.source._inverses
+        if self.scene.field not in known:
+            change = self.change
+            assert change is not None
+            known[self.scene.field] = inverse(self.source, change.formulas)
+        return known[self.scene.field]
 
     def _zero_names(self) -> Iterator[str]:
         for printed in self.scene.zero:
@@ -388,10 +391,7 @@ class Elaboration(Setting):
                 return self._symbolic(base, exponent)
             case PoissonBracket(left, right):
                 return self.brackets(self._components(left), self._components(right))
-        for place, child in enumerate(formula.children()):
-            if (new := self.plain(child)) is not child:
-                formula = replace(formula, (place,), new)
-        return formula
+        return formula.mapped(self.plain)
 
     def _derivative(self, argument: Formula, mark: str) -> Formula:
         """The rate by the time of the scene, or by the other one that its clock declares."""

@@ -12,6 +12,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from kowalevski_cas.notation import Formula
 
@@ -82,6 +83,11 @@ class Setting(ABC):
     roots: tuple[str, ...]
     powers: tuple[str, ...]
     conjugates: tuple[tuple[str, str], ...]
+
+    @cached_property
+    def mentioned(self) -> dict[str, list[Any]]:
+        """What the formulas of steps mention, as far as it has been looked up."""
+        return {}
 
     @abstractmethod
     def step(self, name: str) -> Step | None:

@@ -13,7 +13,6 @@ from typing import Any
 
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.accept import Accepted
 from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read_evidence
 from kowalevski_cas.problem.evidence import Denial, Evidence
@@ -92,6 +91,8 @@ def certificate(statement: Statement, verdicts: Verdicts, accepted: Accepted) ->
         "evidence": evidence,
         "digest": statement.digest,
     }
+    from kowalevski_cas.problem import checker  # only those who write certificates need it
+
     text = dump(data)
     checker.check(text)
     return text
@@ -127,5 +128,3 @@ def _shown(item: Any) -> str:
         entries = (f'"{key}": {json.dumps(v, separators=(",", ":"))}' for key, v in item.items())
         return "{" + ",\n  ".join(entries) + "}"
     return json.dumps(item, separators=(",", ":"))
-
-

@@ -9,7 +9,7 @@ from time import perf_counter
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.notation import Formula, NotationError
-from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
@@ -19,7 +19,7 @@ from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
-from kowalevski_cas.verify.corrections import correction, printed_of
+from kowalevski_cas.verify.corrections import correction, printed_of, recorded_correction
 from kowalevski_cas.verify.explain import conditions, counterexample, steps
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import (
@@ -197,13 +197,9 @@ class Session:
                     return screen(statement, verdicts, points)
                 return self._judged(statement, verdicts, arithmetic)
         except TimeoutError:
-            return Decided(
-                statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic)
-            )
+            return Decided(statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic))
 
-    def _judged(
-        self, statement: Statement, verdicts: Verdicts | None, arithmetic: str
-    ) -> Decided:
+    def _judged(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
         judge = Judge(self.evaluations_in(arithmetic))
         if verdicts is None:
             message = "neither a proof nor a point where it fails was found"
@@ -249,12 +245,16 @@ class Session:
         if decided.verdict is not Verdict.REFUTED:
             return
         recorded = self.record.get(claim.id, {}).get("correction")
-        found = correction(claim, statement.on, recorded if isinstance(recorded, str) else None)
+        on = statement.on
+        found = recorded_correction(claim, on, recorded) if isinstance(recorded, str) else None
+        if found is None or self.mended(found.claim, on.under(found.texts)) is None:
+            found = correction(claim, on)
         if found is not None:
             name = f"{CORRECTED}/{claim.id}"
             mended = Statement(found.claim, statement.on.under(found.texts))
-            yield name, self._certificate(
-                self._judged(mended, self._evidence(mended, name), "flint")
+            yield (
+                name,
+                self._certificate(self._judged(mended, self._evidence(mended, name), "flint")),
             )
 
     @staticmethod
@@ -365,21 +365,34 @@ class Session:
         recorded = self.record.get(claim.id, {}).get("correction")
         try:
             with time_limit(self.timeout):
-                wanted = recorded if isinstance(recorded, str) else None
-                neighbour = correction(claim, on, wanted)
+                if isinstance(recorded, str):
+                    known = self._proposed(recorded_correction(claim, on, recorded), on)
+                    if known is not None:
+                        return known
+                return self._proposed(correction(claim, on), on)
         except TimeoutError:
             return None
-        if neighbour is None:
-            return None
-        mended = self.mended(neighbour.claim, on.under(neighbour.texts))
-        if mended is None:
+
+    def _proposed(self, neighbour: Neighbour | None, on: Elaborations) -> Correction | None:
+        """A neighbour as a correction, if it is proved."""
+        mended = (
+            None if neighbour is None else self.mended(neighbour.claim, on.under(neighbour.texts))
+        )
+        if neighbour is None or mended is None:
             return None
         verdict, needed = mended
         return Correction(
-            printed_of(neighbour), neighbour.words, verdict, needed, neighbour.printed, neighbour.edit
+            printed_of(neighbour),
+            neighbour.words,
+            verdict,
+            needed,
+            neighbour.printed,
+            neighbour.edit,
         )
 
-    def mended(self, claim: Claim, on: Elaborations) -> tuple[Verdict, tuple[Condition, ...]] | None:
+    def mended(
+        self, claim: Claim, on: Elaborations
+    ) -> tuple[Verdict, tuple[Condition, ...]] | None:
         """The verdict on a corrected claim, and its conditions."""
         statement = Statement(claim, on)
         verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
@@ -429,5 +442,3 @@ class Session:
 def combined(parts: Iterable[str]) -> str:
     """One digest of many texts."""
     return sha256("\n".join(parts).encode()).hexdigest()[:16]
-
-

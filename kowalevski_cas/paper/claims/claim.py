@@ -19,13 +19,24 @@ Names = Callable[[Setting], Sequence[str]]
 
 @dataclass(frozen=True)
 class Neighbour:
-    """A statement that differs a little: a mutant, or a candidate for a correction."""
+    """A statement that differs a little: a mutant, or a candidate for a correction.
+
+    It is that of a claim under texts in which, with an ``edit``, the formula at the place
+    ``printed`` is changed.
+    """
 
     words: str
     claim: Claim
-    texts: Texts
+    base: Texts
     printed: Printed | None = None
     edit: Edit | None = None
+
+    @property
+    def texts(self) -> Texts:
+        """The texts under which the claim says what the neighbour does."""
+        if self.edit is None or self.printed is None:
+            return self.base
+        return self.base.edited(self.printed, self.edit)
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +105,7 @@ class Claim(ABC):
         names = frozenset(self.scene.names()) - {*self.scene.undefined}
         for printed in self.establishes():
             for edit in edits(texts.statement(printed), texts.vocabulary, names):
-                yield Neighbour(edit.words, self, texts.edited(printed, edit), printed, edit)
+                yield Neighbour(edit.words, self, texts, printed, edit)
         for field in fields(self):
             value = getattr(self, field.name)
             if type(value) is int:

@@ -90,8 +90,7 @@ class CriticalSet(Claim):
             yield Neighbour(words, replace(self, zero_level=True), texts)
         assert self.printed is not None
         for edit in edits(texts.statement(self.printed), texts.vocabulary):
-            edited = texts.edited(self.printed, edit)
-            yield Neighbour(edit.words, self, edited, self.printed, edit)
+            yield Neighbour(edit.words, self, texts, self.printed, edit)
 
     def formulas(self, texts: Texts) -> tuple[Formula, ...]:
         assert self.printed is not None
