@@ -1185,7 +1185,7 @@ def fails_regardless(
     weighted: list[tuple[Fraction, Map]], element: Element, unknown: list[str]
 ) -> bool:
     """Whether a sum of values at points is not zero, whatever the unknown names stand for."""
-    parts = {(): element}
+    parts: dict[tuple[int, ...], Element] = {(): element}
     for name in unknown:
         parts = {(*k, e): p for k, q in parts.items() for e, p in q.split(name).items()}
     free = parts.pop((0,) * len(unknown), None)

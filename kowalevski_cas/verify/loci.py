@@ -31,10 +31,10 @@ def failure_on(
     """A goal that fails on a locus and the evidence for it, if some are found."""
     there = setting.equations(locus.equations)
     finder = Finder(finder_of, statement.names)
-    for goal in _candidates(statement, setting, there):
-        evidence = finder.failure(goal, setting.finder)
+    for failing in _candidates(statement, setting, there):
+        evidence = finder.failure(failing, setting.finder)
         if evidence is not None:
-            return goal, evidence
+            return failing, evidence
     for goal in statement.goals:
         if isinstance(goal, Count):
             zero = [setting.finder.scalar(setting.formula(locus.condition))]
@@ -70,7 +70,7 @@ def _leaving(
 def rank_on(
     statement: Statement, goal: Rank, setting: Elaboration, locus: Locus
 ) -> tuple[int, Point] | None:
-    """The rank of the differentials on a locus where an equation of a set says nothing, and a point.
+    """The rank of differentials on a locus where an equation of a set says nothing, and a point.
 
     ``None`` if all equations say something there, or no point is found.
     """

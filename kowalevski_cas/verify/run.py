@@ -28,6 +28,7 @@ from kowalevski_cas.verify.outcome import (
     Counterexample,
     Outcome,
     Run,
+    Step,
     Verdict,
 )
 from kowalevski_cas.verify.screen import Screened, screen
@@ -303,7 +304,7 @@ class Session:
         if outcome.verdict is Verdict.PROVED:
             needed = conditions(statement, accepted, self.explain)
             if needed:
-                verdicts = {
+                verdicts: dict[str, Verdict] = {
                     name: Verdict.CONDITIONAL if v is Verdict.PROVED else v
                     for name, v in outcome.verdicts.items()
                 }
@@ -313,7 +314,7 @@ class Session:
         against: Counterexample | None = None
         if outcome.verdict is Verdict.REFUTED and isinstance(decided.verdicts, Denial):
             against = counterexample(statement, decided.verdicts, decided.accepted)
-        told = ()
+        told: tuple[Step, ...] = ()
         if self.explain and decided.verdicts is not None:
             told = steps(statement, decided.verdicts)
         return replace(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -111,4 +112,5 @@ class Claim(ABC):
             if type(value) is int:
                 for number in dict.fromkeys((value - 1, value + 1, 2 * value)):
                     words = f"{field.name} {number} instead of {value}"
-                    yield Neighbour(words, replace(self, **{field.name: number}), texts)
+                    changed: dict[str, Any] = {field.name: number}
+                    yield Neighbour(words, replace(self, **changed), texts)

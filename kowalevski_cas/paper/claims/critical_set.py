@@ -56,7 +56,7 @@ class CriticalSet(Claim):
     def search(
         self, goals: Sequence[Goal], on: Elaborations, names: Names
     ) -> Mapping[int, Evidence]:
-        """Both directions by the homogeneous function; see :mod:`kowalevski_cas.search.critical`."""
+        """Both directions by the homogeneous function (:mod:`kowalevski_cas.search.critical`)."""
         from kowalevski_cas.search.critical import Critical
 
         assert self.printed is not None

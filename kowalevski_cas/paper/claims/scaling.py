@@ -33,7 +33,7 @@ class Scaling(Claim):
         assert self.printed is not None
         space, simple = on(self.scene), on(self.simple)
         time = expression(on, space, self.printed)
-        measured = {
+        measured: dict[str, Formula] = {
             name: Quotient(Name(name), self._unit(time, power, space.formula(rest)))
             for names, power, rest in self.measures
             for name in names
