@@ -18,7 +18,7 @@ import sympy
 from kowalevski_cas.algebra import load
 from kowalevski_cas.algebra.derivation import Field, along
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name
+from kowalevski_cas.notation import Formula, Name, Sum
 from kowalevski_cas.problem.codec import read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Adjoined, Setting, generators
@@ -136,6 +136,9 @@ class Typed(Evaluation):
             left, right = step.printed
             other = left if right == Name(constant) else right
             self._values[constant, False] = self.scalar(other)
+
+    def polynomial(self, formula: Sum) -> None:
+        """Nothing: a sum stays as it is typed."""
 
     def root(self, argument: Formula, conjugated: bool = False) -> Element:
         value = self.scalar(argument, conjugated)
