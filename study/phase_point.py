@@ -14,12 +14,13 @@ from functools import cache, partial
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.proof.committed import FOLDER
+
+from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.pictures import new_figure
-from kowalevski_cas.proof.committed import FOLDER
 from study.charts import legend_below, list_cases, marked, names, split
 from study.methods.certificates import CALLS, MEBIBYTES, TARGET
 from study.step import Measured, Row, Task

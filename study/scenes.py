@@ -16,7 +16,6 @@ from statistics import median
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from kowalevski_cas.algebra.programs import Op, Program, field_of
 from kowalevski_cas.claims import (
     Claim,
     CriticalSet,
@@ -27,10 +26,12 @@ from kowalevski_cas.claims import (
     LastMultiplier,
 )
 from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.pictures import FAINT, new_figure
 from kowalevski_cas.proof.verify import DECIDED
 from kowalevski_cas.stage.programs import ProgramStage, programs
+
+from kowalevski_cas.algebra.programs import Op, Program, field_of
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.pictures import FAINT, new_figure
 from study.charts import list_cases, marked, names, split
 from study.stability.material import bench, claim, paper
 from study.step import Measured, Row, Task

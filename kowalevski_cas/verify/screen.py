@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import reduce
+from functools import cache, reduce
 from itertools import product
 
 from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
-from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
 from kowalevski_cas.problem.evidence import Found
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Positive, Rank, Simple
@@ -42,7 +41,7 @@ def screen(statement: Statement, verdicts: Verdicts | None, points: Points) -> S
     answers: list[Answer] = []
     unseen: list[str] = []
     try:
-        for question in _questions(statement, verdicts, unseen):
+        for question in questions(statement, verdicts, cache(_sampled), unseen):
             answer = points.answer(question)
             if answer.holds is False:
                 return _refuted(answer)
@@ -68,18 +67,20 @@ def _refuted(answer: Answer) -> Screened:
     return Screened(Verdict.REFUTED, answer.words, found)
 
 
-def _questions(
-    statement: Statement, verdicts: Verdicts | None, unseen: list[str]
+def _sampled(setting: Setting) -> Sampled:
+    return Sampled(finder_of(setting))
+
+
+def questions(
+    statement: Statement,
+    verdicts: Verdicts | None,
+    at: Callable[[Setting], Sampled],
+    unseen: list[str],
 ) -> Iterator[Question]:
-    """What can be asked at points; what cannot is entered as ``unseen``."""
-    stages: dict[Setting, Sampled] = {}
+    """What can be asked at points; what cannot is entered as ``unseen``.
 
-    def at(setting: Setting) -> Sampled:
-        if setting not in stages:
-            assert isinstance(setting, Elaboration)
-            stages[setting] = Sampled(finder_of(setting))
-        return stages[setting]
-
+    ``at`` gives settings in programs, each always in the same ones.
+    """
     for place, goal in enumerate(statement.goals):
         found = verdicts[place] if isinstance(verdicts, tuple) else None
         if isinstance(goal, Exists):

@@ -27,4 +27,15 @@ def methods() -> list[Method]:
     return found
 
 
-__all__ = ["ACCEPTED", "NONE", "REJECTED", "Method", "methods"]
+def missing() -> dict[str, str]:
+    """Why a program is not among the methods, by its name."""
+    reasons = {}
+    for name in FORMATS:
+        try:
+            load(name).system.call()
+        except MissingSystem as reason:
+            reasons[name] = str(reason)
+    return reasons
+
+
+__all__ = ["ACCEPTED", "NONE", "REJECTED", "Method", "methods", "missing"]

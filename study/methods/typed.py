@@ -96,7 +96,8 @@ def _value(element: Element) -> Any:
 @along.register
 def _(element: Expression, field: Field) -> Expression:
     symbols = element.ring.symbols
-    terms = (sympy.diff(element.value, symbols[n]) * _value(r) for n, r in field.items())
+    moving = [(symbols[name], _value(rate)) for name, rate in field.items() if name in symbols]
+    terms = (sympy.diff(element.value, symbol) * rate for symbol, rate in moving)
     return Expression(element.ring, sum(terms, sympy.Integer(0)))
 
 
