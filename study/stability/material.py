@@ -8,6 +8,7 @@ from math import log10 as log
 from typing import Any
 
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.search.find import Candidate
 from study.paper import paper
@@ -16,10 +17,9 @@ Gaussian = tuple[Fraction, Fraction]
 
 
 def sides(id: str, at: Evaluation) -> tuple[Any, Any]:
-    """Both sides of the equation that a claim of the first paper is about, as corrected."""
-    printed = paper().claims[id].printed
-    assert printed is not None
-    on = paper().corrected(paper().claims[id].scene)
+    """Both sides of the corrected equation of a claim of the first paper, read on any scene."""
+    printed, on = paper().claims[id].printed, at.setting
+    assert printed is not None and isinstance(on, Elaboration)
     left, right = (at.scalar(on.plain(m)) for m in on.texts.relation(printed).members[:2])
     return left, right
 

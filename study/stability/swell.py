@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING, Any
 from kowalevski_cas.algebra import EXACT, POINTS, load_points
 from kowalevski_cas.algebra.points import Question
 from kowalevski_cas.pictures import INK, new_figure
+from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.verify.run import verify
 from study.charts import legend_below, marked, names, split
 from study.paper import exact, paper, sampled
-from study.stability.material import sides
 from study.step import Measured, Row, Task
 from study.worker import asked
 
@@ -70,10 +70,11 @@ def _claim(method: str, id: str) -> Measured:
 
 
 def _derivatives(method: str, order: int) -> Measured:
-    space = paper().statement("F2-prime").problem.goals[0].space
+    (goal,) = paper().statement("F2-prime").problem.goals
+    assert isinstance(goal, Follows)
     start = perf_counter()
-    at = sampled()(space) if method in POINTS else exact(method)(space)
-    left, right = sides("F2-prime", at)
+    at = sampled()(goal.space) if method in POINTS else exact(method)(goal.space)
+    ((left, right),) = at.pairs(goal.conclusions[0])
     for _ in range(order):
         left, right = at.derivative(left), at.derivative(right)
     verdict, bound = "refuted", None
