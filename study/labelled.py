@@ -112,7 +112,7 @@ def _statements(source: Paper, mutants: int) -> Iterator[Labelled]:
 
 
 def _versions(source: Paper, claim: Claim, mutants: int) -> Iterator[tuple[str, str, Texts]]:
-    """The texts in which a claim is read, the corrected ones first: an id, a kind, and the texts."""
+    """An id, a kind and texts for each reading of a claim, the corrected one first."""
     place, texts = claim.printed, source.corrected.texts
     if place is None:
         return

@@ -1,21 +1,23 @@
 """No more than a scene needs: generators of each scene and of its claims, and what more would cost.
 
 A claim stands on a scene; its statement uses some of the generators. Where they
-differ, each difference has a derived reason, mostly that another claim on the same
-scene uses the generator. The claims of Section 3 are then proved, searches included, on
+differ, each difference has a derived reason: the vector field is closed with the generator,
+or another claim on the same scene uses it. The claims of Section 3 are then proved, searches included, on
 their own scenes and once more in the ring of all generators of the paper.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cache, partial
 from statistics import median
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pictures import FAINT, new_figure
@@ -88,11 +90,36 @@ def reason(name: str, one: Claim) -> str:
         return "printed by the paper and defined nowhere"
     if name in (exponent for _, exponent in one.scene.powers):
         return "the exponent of a power"
+    if name in (getattr(one, field.name) for field in fields(one)):
+        return "the claim is about what stands for it"
+    if name in closure(statement(one), paper().corrected(one.scene)):
+        return "the vector field is closed with it"
     others = [c for c in paper().claims.values() if c.scene is one.scene and c is not one]
     users = [other.id for other in others if name in statement(other)]
     if users:
         return f"{', '.join(users[:3])}{', …' if len(users) > 3 else ''} on the same scene"
     return ""
+
+
+def closure(used: frozenset[str], setting: Elaboration) -> set[str]:
+    """The generators that the field joins to some of them, in either direction."""
+    moves = setting.field or setting.change is not None
+    rates = setting.finder.rates if moves else {}
+    groups = [{name, *support(rate)} for name, rate in rates.items()]
+    found, before = set(used), 0
+    while before != len(found):
+        before = len(found)
+        found = found.union(*(group for group in groups if group & found))
+    return found
+
+
+def support(element: Element) -> set[str]:
+    """The generators and roots that stand in the numerator of an element."""
+    names, found = element.ring.polynomials.generators, set()
+    for mask, terms in element.terms().items():
+        found |= {name for bit, name in enumerate(element.ring.roots) if mask >> bit & 1}
+        found |= {name for powers in terms for name, e in zip(names, powers, strict=True) if e}
+    return found
 
 
 # -- what more would cost -------------------------------------------------------------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.export import FORMATS, load
-from kowalevski_cas.systems import MissingSystem
+from kowalevski_cas.systems import SYSTEMS, MissingSystem
 from study.methods.arithmetics import ExactArithmetic, PointArithmetic
 from study.methods.certificates import CALLS, ByHand, Checker, Program
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
@@ -32,7 +32,7 @@ def missing() -> dict[str, str]:
     reasons = {}
     for name in FORMATS:
         try:
-            load(name).system.call()
+            SYSTEMS[name].call()
         except MissingSystem as reason:
             reasons[name] = str(reason)
     return reasons
