@@ -2,8 +2,8 @@
 
 A claim stands on a scene; its statement uses some of the generators. Where they
 differ, each difference has a derived reason: the vector field is closed with the generator,
-or another claim on the same scene uses it. The claims of Section 3 are then proved, searches included, on
-their own scenes and once more in the ring of all generators of the paper.
+or another claim on the same scene uses it. The claims of Section 3 are then proved,
+searches included, on their own scenes and once more in the ring of all generators of the paper.
 """
 
 from __future__ import annotations

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import reduce
 from itertools import combinations, product
+from operator import add, mul
 from typing import Any
 
 from kowalevski_cas.algebra.linear import determinant
@@ -143,7 +144,7 @@ class Judge:
         sides = [e for one in pairs for pair in one for e in pair]
         self.accepted.divides([*sides, *known])
         alternatives = [[left - right for left, right in one] for one in pairs]
-        goals = [reduce(Element.__mul__, choice, at.ring.one) for choice in product(*alternatives)]
+        goals = [reduce(mul, choice, at.ring.one) for choice in product(*alternatives)]
         used = list(self._settle(goals, known, evidence.proof, at))
         self.accepted.uses(used)
         if not goal.conclusions and self.accepted.away[-1]:
@@ -164,7 +165,7 @@ class Judge:
             for group, case in zip(groups, proof.cases, strict=True):
                 yield from group
                 yield from self._settle(goals, [*known, *group], case, at)
-            goals = [reduce(Element.__mul__, (_group(group) for group in groups))]
+            goals = [reduce(mul, (_group(group) for group in groups))]
         rows = proof.rows or ((),) * len(goals)
         if len(rows) != len(goals):
             raise Unproved("there is not a row for each goal")
@@ -346,7 +347,7 @@ def _group(group: Sequence[Element]) -> Element:
     """What the checker makes of a group: its one element, or the sum of squares."""
     if len(group) == 1:
         return group[0]
-    return reduce(Element.__add__, (entry * entry for entry in group))
+    return reduce(add, (entry * entry for entry in group))
 
 
 def _names(formula: Formula) -> Iterator[str]:

@@ -18,7 +18,6 @@ from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read
 from kowalevski_cas.problem.evidence import Denial, Evidence
 from kowalevski_cas.problem.goals import Exists, Goal
 from kowalevski_cas.problem.trees import FormatError, encode
-from kowalevski_cas.search.find import divisors
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
 FOLDER = "certificates"
@@ -114,7 +113,7 @@ def _with_away(evidence: Evidence, goal: Goal, away: Any) -> Data:
 
 
 def _enter(data: Data, setting: Any, elements: list[Element]) -> None:
-    found = divisors(finder_of(setting), elements)
+    found = finder_of(setting).ring.divided_by(elements)
     if found:
         data["away"] = [encode(formula_in(element)) for element in found]
 

@@ -14,7 +14,7 @@ from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Ra
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.count import more_solutions
-from kowalevski_cas.search.find import Candidate, Finder, divisors
+from kowalevski_cas.search.find import Candidate, Finder
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.statement import Statement, finder_of
 
@@ -85,7 +85,7 @@ def rank_on(
     names = statement.names(setting)
     avoid = [at.scalar(formula) for formula in setting.nonzero]
     best: tuple[int, Point] | None = None
-    for point in islice(real_points(at, zero, [*avoid, *divisors(at, functions)]), TRIES):
+    for point in islice(real_points(at, zero, [*avoid, *at.ring.divided_by(functions)]), TRIES):
         try:
             candidate = Candidate(at, point)
             if not candidate.vanish(zero):

@@ -16,6 +16,7 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
 from kowalevski_cas.problem.evidence import Denial
+from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
@@ -28,10 +29,10 @@ from kowalevski_cas.verify.outcome import (
     Counterexample,
     Outcome,
     Run,
+    Screened,
     Step,
     Verdict,
 )
-from kowalevski_cas.verify.screen import Screened, screen
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
 Progress = Callable[[str, int, int], None]
@@ -106,6 +107,7 @@ class Session:
         self.texts = derivation.texts(sources)
         self.elaborations = Elaborations(self.texts)
         self.evaluations: dict[tuple[str, Setting], Evaluation] = {}
+        self.stages: dict[Setting, Sampled] = {}
         self.order = {claim.id: k for k, claim in enumerate(derivation.claims)}
         self.established: dict[Printed, str] = {}
         for claim in derivation.claims:
@@ -142,7 +144,7 @@ class Session:
 
     def on(self, claim: Claim) -> Elaborations:
         """The texts for a claim: with the accepted corrections, but for those that it is about."""
-        own = set(claim.establishes())
+        own = set(claim.about())
         read = {place: f for place, f in self.accepted.items() if place not in own}
         return self.elaborations.under(self.texts.reading(read)) if read else self.elaborations
 
@@ -195,7 +197,9 @@ class Session:
             with time_limit(self.timeout):
                 points = self.points.get(arithmetic)
                 if points is not None:
-                    return screen(statement, verdicts, points)
+                    from kowalevski_cas.verify.screen import screen  # proving needs no points
+
+                    return screen(statement, verdicts, points, self.stages)
                 return self._judged(statement, verdicts, arithmetic)
         except TimeoutError:
             return Decided(statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic))
@@ -419,7 +423,7 @@ class Session:
 
     def _corrected(self, claim: Claim, statement: Statement) -> tuple[str, ...]:
         """The claims whose accepted corrections a statement rests on."""
-        own = set(claim.establishes())
+        own = set(claim.about())
         used = {p for p in statement.places() if p in self.accepted and p not in own}
         ids = (self.established.get(place, place.place) for place in self.accepted if place in used)
         return tuple(dict.fromkeys(ids))

@@ -24,7 +24,7 @@ from kowalevski_cas.pictures import INK, new_figure
 from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.verify.screen import questions
 from study.charts import by_place, marked
-from study.paper import both, paper, sampled
+from study.paper import both, paper
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ def both_roots() -> Measured:
             continue
         answers = []
         statement = paper().statement(id)
-        for question in questions(statement, paper().verdicts(statement), sampled(), []):
+        for question in questions(statement, paper().verdicts(statement), [], {}):
             if not question.residuals or ROOT not in question.ring.roots:
                 continue
             bit = question.ring.roots.index(ROOT)

@@ -31,7 +31,7 @@ from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.search.find import Candidate
 from kowalevski_cas.verify.screen import questions
 from study.charts import by_place, marked, split
-from study.paper import both, paper, sampled
+from study.paper import both, paper
 from study.stability.material import Gaussian, as_complex
 from study.step import Measured, Row, Task
 
@@ -172,9 +172,9 @@ def _at(id: str, place: str, points: Points) -> str:
     said = "elsewhere"
     if scene.zero:
         return said  # one field only
-    of = sampled()
-    at = of(paper().corrected(scene))
-    found = questions(statement, paper().verdicts(statement), of, [])
+    setting = paper().corrected(scene)
+    at = Sampled(setting.finder)
+    found = questions(statement, paper().verdicts(statement), [], {setting: at})
     own = [question for question in found if question.ring is at.programs and question.programs()]
     for group in AT[place]:
         equations = _known(at, group)

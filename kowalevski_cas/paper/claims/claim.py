@@ -96,6 +96,10 @@ class Claim(ABC):
         if self.printed is not None:
             yield self.printed
 
+    def about(self) -> Iterator[Printed]:
+        """The places that the claim reads as they are printed, whatever the derivation accepts."""
+        yield from self.establishes()
+
     def formulas(self, texts: Texts) -> tuple[Formula, ...]:
         """The formulas of the claim, as the paper prints them."""
         places = [self.printed] if self.printed is not None else [*self.establishes()]
