@@ -17,7 +17,6 @@ from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import RecordError, load_record
 
 if TYPE_CHECKING:
-    from kowalevski_cas.report.witnesses import Certified
     from kowalevski_cas.verify.committed import Checked
 
 
@@ -71,14 +70,10 @@ def _checked(derivation: Path) -> Checked:
         return Checked()
 
 
-def _certified(run: Run, checked: Checked) -> Certified:
-    """The accepted certificates that are about the statements of the run."""
-    from kowalevski_cas.report.witnesses import Certified
-
-    return Certified(
-        {
-            outcome.claim: outcome.digest
-            for outcome in run.outcomes
-            if checked.digests.get(outcome.claim) == outcome.digest
-        }
-    )
+def _certified(run: Run, checked: Checked) -> dict[str, str]:
+    """The digests of the accepted certificates that are about the statements of the run."""
+    return {
+        outcome.claim: outcome.digest
+        for outcome in run.outcomes
+        if checked.digests.get(outcome.claim) == outcome.digest
+    }

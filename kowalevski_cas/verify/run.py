@@ -20,7 +20,7 @@ from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
 from kowalevski_cas.verify.corrections import correction, printed_of
-from kowalevski_cas.verify.explain import conditions, counterexample, steps
+from kowalevski_cas.verify.explain import conditions, counterexample
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import (
     Condition,
@@ -32,6 +32,7 @@ from kowalevski_cas.verify.outcome import (
 )
 from kowalevski_cas.verify.screen import Screened, screen
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+from kowalevski_cas.verify.steps import steps
 
 Progress = Callable[[str, int, int], None]
 
@@ -197,13 +198,9 @@ class Session:
                     return screen(statement, verdicts, points)
                 return self._judged(statement, verdicts, arithmetic)
         except TimeoutError:
-            return Decided(
-                statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic)
-            )
+            return Decided(statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic))
 
-    def _judged(
-        self, statement: Statement, verdicts: Verdicts | None, arithmetic: str
-    ) -> Decided:
+    def _judged(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
         judge = Judge(self.evaluations_in(arithmetic))
         if verdicts is None:
             message = "neither a proof nor a point where it fails was found"
@@ -253,8 +250,9 @@ class Session:
         if found is not None:
             name = f"{CORRECTED}/{claim.id}"
             mended = Statement(found.claim, statement.on.under(found.texts))
-            yield name, self._certificate(
-                self._judged(mended, self._evidence(mended, name), "flint")
+            yield (
+                name,
+                self._certificate(self._judged(mended, self._evidence(mended, name), "flint")),
             )
 
     @staticmethod
@@ -376,10 +374,17 @@ class Session:
             return None
         verdict, needed = mended
         return Correction(
-            printed_of(neighbour), neighbour.words, verdict, needed, neighbour.printed, neighbour.edit
+            printed_of(neighbour),
+            neighbour.words,
+            verdict,
+            needed,
+            neighbour.printed,
+            neighbour.edit,
         )
 
-    def mended(self, claim: Claim, on: Elaborations) -> tuple[Verdict, tuple[Condition, ...]] | None:
+    def mended(
+        self, claim: Claim, on: Elaborations
+    ) -> tuple[Verdict, tuple[Condition, ...]] | None:
         """The verdict on a corrected claim, and its conditions."""
         statement = Statement(claim, on)
         verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
@@ -392,16 +397,17 @@ class Session:
         return (Verdict.CONDITIONAL if needed else Verdict.PROVED), needed
 
     def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
-        """An error, if the derivation accepts for this claim what nobody has proved."""
-        for place in claim.establishes():
-            if place not in self.accepted or place != claim.printed:
-                continue
-            proposed = outcome.correction.formulas if outcome.correction else ()
-            as_printed = outcome.verdict.likely and outcome.formulas == (self.accepted[place],)
-            if not as_printed and proposed != (self.accepted[place],):
-                message = f"what the derivation accepts at {place.place} has not been proved"
-                return replace(outcome, verdict=Verdict.ERROR, message=message)
-        return outcome
+        """The outcome, with its correction accepted; an error if what is accepted is not proved."""
+        place = claim.printed
+        if place is None or place not in self.accepted or place not in set(claim.establishes()):
+            return outcome
+        formulas, correction = (self.accepted[place],), outcome.correction
+        if correction is not None and correction.formulas == formulas:
+            return replace(outcome, correction=replace(correction, accepted=True))
+        if outcome.verdict.likely and outcome.formulas == formulas:
+            return outcome
+        message = f"what the derivation accepts at {place.place} has not been proved"
+        return replace(outcome, verdict=Verdict.ERROR, message=message)
 
     def _corrected(self, claim: Claim, statement: Statement) -> tuple[str, ...]:
         """The claims whose accepted corrections a statement rests on."""
@@ -429,5 +435,3 @@ class Session:
 def combined(parts: Iterable[str]) -> str:
     """One digest of many texts."""
     return sha256("\n".join(parts).encode()).hexdigest()[:16]
-
-

@@ -61,6 +61,7 @@ def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
         "counterexample": counterexample(outcome.counterexample),
         "correction": correction(outcome.correction),
         "rests_on": list(outcome.rests_on),
+        "corrected": list(outcome.corrected),
         "digest": outcome.digest,
         "message": outcome.message,
     }
@@ -87,6 +88,7 @@ def correction(found: Correction | None) -> dict[str, Any] | None:
         "words": found.words,
         "verdict": str(found.verdict),
         "conditions": conditions(found.conditions),
+        "accepted": found.accepted,
     }
 
 
