@@ -83,10 +83,11 @@ def _steps(rows: Sequence[Outcome]) -> Iterator[Evidence]:
 
 
 def _corrected(rows: Sequence[Outcome]) -> Iterator[Evidence]:
-    """The corrections on which the rows rest."""
+    """The corrections on which some of the rows rest, and not all."""
     having = [(row.claim, row.corrected) for row in rows if row.corrected]
     for claims, ones in alike(having):
-        yield Evidence(_unless_all(claims, rows), corrected=ones[0])
+        if _unless_all(claims, rows):
+            yield Evidence(claims, corrected=ones[0])
 
 
 def _conditions(rows: Sequence[Outcome]) -> Iterator[Evidence]:

@@ -37,7 +37,7 @@ from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Valu
 from kowalevski_cas.verify.shown import named, point
 from kowalevski_cas.verify.statement import Statement, finder_of
 
-SHORT = 80
+SHORT = 160
 """The most letters of an equation in LaTeX that is named within a sentence."""
 
 

@@ -198,9 +198,13 @@ class Session:
                     return screen(statement, verdicts, points)
                 return self._judged(statement, verdicts, arithmetic)
         except TimeoutError:
-            return Decided(statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic))
+            return Decided(
+                statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic)
+            )
 
-    def _judged(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
+    def _judged(
+        self, statement: Statement, verdicts: Verdicts | None, arithmetic: str
+    ) -> Decided:
         judge = Judge(self.evaluations_in(arithmetic))
         if verdicts is None:
             message = "neither a proof nor a point where it fails was found"
@@ -250,9 +254,8 @@ class Session:
         if found is not None:
             name = f"{CORRECTED}/{claim.id}"
             mended = Statement(found.claim, statement.on.under(found.texts))
-            yield (
-                name,
-                self._certificate(self._judged(mended, self._evidence(mended, name), "flint")),
+            yield name, self._certificate(
+                self._judged(mended, self._evidence(mended, name), "flint")
             )
 
     @staticmethod
@@ -374,17 +377,10 @@ class Session:
             return None
         verdict, needed = mended
         return Correction(
-            printed_of(neighbour),
-            neighbour.words,
-            verdict,
-            needed,
-            neighbour.printed,
-            neighbour.edit,
+            printed_of(neighbour), neighbour.words, verdict, needed, neighbour.printed, neighbour.edit
         )
 
-    def mended(
-        self, claim: Claim, on: Elaborations
-    ) -> tuple[Verdict, tuple[Condition, ...]] | None:
+    def mended(self, claim: Claim, on: Elaborations) -> tuple[Verdict, tuple[Condition, ...]] | None:
         """The verdict on a corrected claim, and its conditions."""
         statement = Statement(claim, on)
         verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
@@ -435,3 +431,5 @@ class Session:
 def combined(parts: Iterable[str]) -> str:
     """One digest of many texts."""
     return sha256("\n".join(parts).encode()).hexdigest()[:16]
+
+

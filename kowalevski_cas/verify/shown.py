@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.algebra.present import formula_of, name_formula
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Derivative, Formula, Name
+from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Vocabulary
 from kowalevski_cas.notation.edits import replace
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.space import Setting
@@ -36,6 +36,8 @@ def written(formula: Formula, setting: Setting) -> Formula:
     A dot stands on a name only, and only for the time t.
     """
     assert isinstance(setting, Elaboration)
+    if isinstance(formula, Name):
+        return _read(formula, setting.texts.vocabulary)
     if isinstance(formula, Derivative) and formula.mark == MARK:
         time, argument = setting.scene.time, written(formula.argument, setting)
         return Derivative(argument, MARK if time == "t" and isinstance(argument, Name) else time)
@@ -43,6 +45,14 @@ def written(formula: Formula, setting: Setting) -> Formula:
         if (new := written(child, setting)) is not child:
             formula = replace(formula, (place,), new)
     return formula
+
+
+def _read(name: Name, vocabulary: Vocabulary) -> Formula:
+    """A name of a step, such as a power, as the paper prints it."""
+    try:
+        return name_formula(name.name, vocabulary)
+    except NotationError:
+        return name
 
 
 def size(elements: Iterable[Element]) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from math import isqrt
+from dataclasses import replace
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
@@ -15,9 +15,10 @@ from kowalevski_cas.notation import (
     Power,
     Product,
     Relation,
+    Sum,
     Vector,
 )
-from kowalevski_cas.paper.claims.forms import ONE, ZERO, Matrix, applied, matrix, minus, total
+from kowalevski_cas.paper.claims.forms import ONE, ZERO, total
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
 from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, Roots, Shown
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
@@ -31,12 +32,17 @@ LONGEST = 24
 
 
 def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
-    """The steps that the program took, each once."""
+    """The steps that the program took; formulas of which the same is said stand together."""
     if isinstance(verdicts, Denial):
         goal = statement.goals[verdicts.goal]
-        return tuple(_derivatives(goal)) if isinstance(goal, Follows) else ()
-    both = zip(statement.goals, verdicts, strict=True)
-    return tuple(dict.fromkeys(step for goal, evidence in both for step in _steps(goal, evidence)))
+        told = list(_derivatives(goal)) if isinstance(goal, Follows) else []
+    else:
+        both = zip(statement.goals, verdicts, strict=True)
+        told = [step for goal, evidence in both for step in _steps(goal, evidence)]
+    merged: dict[Step, dict[Formula, None]] = {}
+    for step in told:
+        merged.setdefault(replace(step, formulas=()), {}).update(dict.fromkeys(step.formulas))
+    return tuple(replace(step, formulas=tuple(formulas)) for step, formulas in merged.items())
 
 
 def _steps(goal: Goal, evidence: Evidence) -> Iterator[Step]:
@@ -60,17 +66,9 @@ def _steps(goal: Goal, evidence: Evidence) -> Iterator[Step]:
 def _derivatives(goal: Follows) -> Iterator[Step]:
     """The derivatives that the program generated for left sides."""
     for left, _ in goal.conclusions[0] if goal.conclusions else ():
-        for formula in _rates(left):
-            yield from _derivative(formula, finder_of(goal.space))
-
-
-def _rates(formula: Formula) -> Iterator[Derivative]:
-    """The derivatives in a formula, the outer ones."""
-    if isinstance(formula, Derivative):
-        yield formula
-    else:
-        for child in formula.children():
-            yield from _rates(child)
+        match left:
+            case Derivative() as rate | Product((Number(), Derivative() as rate)):
+                yield from _derivative(rate, finder_of(goal.space))
 
 
 def _derivative(formula: Derivative, at: Evaluation) -> Iterator[Step]:
@@ -97,7 +95,7 @@ def _proof(goal: Follows, proof: Proof) -> Iterator[Step]:
     at = finder_of(goal.space)
     if proof.product:
         yield _cases(proof, at)
-    elif goal.given and proof.rows and len(goal.conclusions) == 1 and proof.power == 1:
+    elif goal.given and proof.rows and len(goal.conclusions) == 1:
         yield _combination(goal, proof, at)
 
 
@@ -122,6 +120,9 @@ def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
     if terms > LONGEST:
         return Step(f"{words}; its coefficients have {terms} terms.")
     lefts = _differences(goal.conclusions[0], at)
+    if proof.power != 1:
+        words = "A power of left minus right side is a combination of what is given"
+        lefts = [Power(left, Number(proof.power)) for left in lefts]
     known = _differences(goal.given, at)
     sums = [_sum(row, known, at.setting) for row in rows]
     return Step(f"{words}:", tuple(map(_equal, lefts, sums)))
@@ -133,10 +134,15 @@ def _differences(equations: Sequence[tuple[Formula, Formula]], at: Evaluation) -
     for sides in equations:
         parts = at.differences((sides,))
         if len(parts) == 1:
-            found.append(written(minus(sides), at.setting))
+            found.append(written(_minus(*sides), at.setting))
         else:
             found += [shown(part, at.setting) for part in parts]
     return found
+
+
+def _minus(left: Formula, right: Formula) -> Formula:
+    terms = left.terms if isinstance(left, Sum) else (left,)
+    return total(terms if right == ZERO else (*terms, Negative(right)))
 
 
 def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Setting) -> Formula:
@@ -151,52 +157,41 @@ def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Setting) -> 
 
 
 def _found(goal: Exists, evidence: Found) -> Iterator[Step]:
-    """The values of bound names; those of a matrix together."""
-    letters: dict[str, list[str]] = {}
-    for name in goal.expressions:
-        letters.setdefault(name.partition("_")[0], []).append(name)
-    for letter, names in letters.items():
-        yield _matrix(letter, isqrt(len(names)), goal, evidence)
+    """The numbers that were found; and the equations that are linear in bound names."""
     if goal.numbers:
-        values = [evidence.values[name] for name in goal.numbers]
-        equations = tuple(_equal(Name(n), v) for n, v in zip(goal.numbers, values, strict=True))
+        equations = tuple(_equal(Name(name), evidence.values[name]) for name in goal.numbers)
         yield Step("The numbers that the program found:", equations)
-
-
-def _matrix(letter: str, rank: int, goal: Exists, evidence: Found) -> Step:
-    """A square matrix; a cofactor matrix with the functions that it combines."""
-    names = matrix(letter, rank, rank)
-    functions, at = _moved(names, goal)
-    setting = at.setting
-    entries = [
-        at.scalar(evidence.values[e.name]) for row in names for e in row if isinstance(e, Name)
-    ]
-    what = "cofactor matrix" if functions else f"matrix ${letter}$"
-    if (terms := size(entries)) > LONGEST:
-        return Step(f"The {what} that the program found has {terms} terms.")
-    values = [shown(entry, setting) for entry in entries]
-    rows = Vector(tuple(Vector(tuple(values[rank * k : rank * (k + 1)])) for k in range(rank)))
-    if not functions:
-        return Step(f"The {what} that the program found:", (_equal(Name(letter), rows),))
-    rates = Vector(tuple(Vector((written(left, setting),)) for left, _ in functions))
-    column = Vector(tuple(Vector((written(one, setting),)) for _, one in functions))
-    words = "The derivatives are combinations of the functions, with a matrix that was found:"
-    return Step(words, (_equal(rates, Product((rows, column))),))
-
-
-def _moved(names: Matrix, goal: Exists) -> tuple[list[tuple[Derivative, Formula]], Evaluation]:
-    """The derivatives that a matrix of names gives, and the functions; and where it lives."""
-    first = finder_of(goal.goals[0].space)
     for one in goal.goals:
-        if not isinstance(one, Follows) or len(one.conclusions) != 1:
+        if not isinstance(one, Follows):
             continue
-        lefts = [left for left, _ in one.conclusions[0] if isinstance(left, Derivative)]
-        functions = [left.argument for left in lefts]
-        if len(functions) == len(names) and list(one.conclusions[0]) == list(
-            zip(lefts, applied(names, functions), strict=True)
-        ):
-            return list(zip(lefts, functions, strict=True)), finder_of(one.space)
-    return [], first
+        for left, right in one.conclusions[0] if one.conclusions else ():
+            terms = _linear(right, goal.bound)
+            if terms is not None:
+                yield _bound(left, terms, evidence, finder_of(one.space))
+
+
+def _linear(formula: Formula, bound: Sequence[str]) -> list[tuple[str, Formula]] | None:
+    """The bound names and their coefficients; ``None`` if a term is no product of such two."""
+    found = []
+    for term in formula.terms if isinstance(formula, Sum) else (formula,):
+        match term:
+            case Product((Name(name), other)) if name in bound:
+                found.append((name, other))
+            case _:
+                return None
+    return found
+
+
+def _bound(
+    left: Formula, terms: Sequence[tuple[str, Formula]], evidence: Found, at: Evaluation
+) -> Step:
+    values = [at.scalar(evidence.values[name]) for name, _ in terms]
+    what = "derivative" if isinstance(left, Derivative) else "function"
+    words = f"A {what} is a combination of functions, with coefficients that the program found"
+    if (many := size(values)) > LONGEST:
+        return Step(f"{words}; they have {many} terms.")
+    right = _sum(values, [written(one, at.setting) for _, one in terms], at.setting)
+    return Step(f"{words}:", (_equal(written(left, at.setting), right),))
 
 
 def _rank(goal: Rank, evidence: At) -> Step:
