@@ -45,8 +45,8 @@ def arithmetics(outcomes: Sequence[Outcome]) -> tuple[Witness, ...]:
 def programs(folder: Path, derivation: str, certified: Mapping[str, str]) -> tuple[Witness, ...]:
     """The programs that confirmed certificates as they are now, in the folder of a report.
 
-    ``certified`` has the digests of the accepted certificates by claim. What was said about another certificate is passed over, and so is a file that
-    cannot be read.
+    ``certified`` has the digests of the accepted certificates by claim. What was said about
+    another certificate is passed over, and so is a file that cannot be read.
     """
     found: dict[str, Witness] = {}
     for file in sorted((folder / FOLDER / derivation).glob("*.json")):

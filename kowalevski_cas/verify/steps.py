@@ -67,7 +67,7 @@ def _derivatives(goal: Follows) -> Iterator[Step]:
     """The derivatives that the program generated for left sides."""
     for left, _ in goal.conclusions[0] if goal.conclusions else ():
         match left:
-            case Derivative() as rate | Product((Number(), Derivative() as rate)):
+            case (Derivative() as rate) | Product((Number(), Derivative() as rate)):
                 yield from _derivative(rate, finder_of(goal.space))
 
 
