@@ -76,7 +76,7 @@ class LatexWriter(Writer):
     def verbatim(self, source: str) -> str:
         return rf"\texttt{{{escaped(' '.join(source.split()))}}}"
 
-    def link(self, claim: str) -> str:
+    def linked(self, claim: str) -> str:
         return rf"\hyperlink{{claim.{anchor(claim)}}}{{\texttt{{{escaped(claim)}}}}}"
 
     def picture(self, report: Report) -> str:

@@ -81,7 +81,7 @@ class TypstWriter(Writer):
     def verbatim(self, source: str) -> str:
         return f"#raw({quoted(' '.join(source.split()))})"
 
-    def link(self, claim: str) -> str:
+    def linked(self, claim: str) -> str:
         return f"#link(<claim.{anchor(claim)}>, raw({quoted(claim)}));"
 
     def picture(self, report: Report) -> str:

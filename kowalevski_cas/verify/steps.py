@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
@@ -95,7 +96,7 @@ def _proof(goal: Follows, proof: Proof) -> Iterator[Step]:
     at = finder_of(goal.space)
     if proof.product:
         yield _cases(proof, at)
-    elif goal.given and proof.rows and len(goal.conclusions) == 1:
+    elif goal.given and proof.rows:
         yield _combination(goal, proof, at)
 
 
@@ -116,13 +117,15 @@ def _squares(group: Sequence[Formula]) -> Formula:
 def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
     rows = [[at.scalar(entry) for entry in row] for row in proof.rows]
     terms = size(entry for row in rows for entry in row)
-    words = "Left minus right side is a combination of what is given"
+    what = "Left minus right side" if len(goal.conclusions) == 1 else "A product of differences"
+    words = f"{what}{' to a power' * (proof.power > 1)} is a combination of what is given"
     if terms > LONGEST:
         return Step(f"{words}; its coefficients have {terms} terms.")
-    lefts = _differences(goal.conclusions[0], at)
-    if proof.power != 1:
-        words = "A power of left minus right side is a combination of what is given"
-        lefts = [Power(left, Number(proof.power)) for left in lefts]
+    choices = product(*(_differences(one, at) for one in goal.conclusions))
+    lefts = [
+        Power(left, Number(proof.power)) if proof.power > 1 else left
+        for left in map(_times, choices)
+    ]
     known = _differences(goal.given, at)
     sums = [_sum(row, known, at.setting) for row in rows]
     return Step(f"{words}:", tuple(map(_equal, lefts, sums)))
