@@ -125,4 +125,4 @@ def _identity(claim: Claim) -> Claim | None:
     """A claim that says that some expressions vanish, and nothing else."""
     if isinstance(claim, Identity):
         return Identity(claim.id, claim.scene, claim.printed, claim.words)
-    return claim if isinstance(claim, FirstIntegral) and not claim.on else None
+    return claim if isinstance(claim, FirstIntegral) and not claim.given else None

@@ -13,11 +13,9 @@ from kowalevski_cas.library import LibraryError, available, find, load
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.problem.accept import Unproved
-from kowalevski_cas.problem.checker import Rejected
 from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import FOLDER, Stored, load_certificates
-from kowalevski_cas.verify.committed import certificate_files
 from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import RecordError, load_record
 from kowalevski_cas.verify.run import Progress, Session, verify
@@ -94,6 +92,8 @@ def certificates(
 
     Evidence that is stored is used again, unless all is to be found ``anew``.
     """
+    from kowalevski_cas.problem.checker import Rejected
+
     stored = {} if anew else load_certificates(folder)
     session = Session(derivation, ["flint"], certificates=stored, record=recorded(folder))
     texts: dict[str, str] = {}
@@ -110,6 +110,8 @@ def certificates(
 
 def remove_others(folder: Path, names: Iterable[str]) -> None:
     """Remove the certificates in a folder that have none of these names."""
+    from kowalevski_cas.verify.committed import certificate_files
+
     kept = {folder / FOLDER / f"{name}.json" for name in names}
     for path in certificate_files(folder):
         if path not in kept:

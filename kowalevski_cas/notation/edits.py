@@ -158,11 +158,7 @@ def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:
     """
     if isinstance(formula, Name):
         return values.get(formula.name, formula)
-    result = formula
-    for place, child in enumerate(formula.children()):
-        if (new := substitute(child, values)) is not child:
-            result = replace(result, (place,), new)
-    return result
+    return formula.mapped(lambda child: substitute(child, values))
 
 
 LARGEST_CHANGE = 4

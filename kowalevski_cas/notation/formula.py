@@ -8,8 +8,10 @@ and of a scene.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields
+from functools import cache
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -18,12 +20,34 @@ class Formula:
 
     def children(self) -> Iterator[Formula]:
         """The subformulas directly below this node, from left to right."""
-        for field in fields(self):
-            value = getattr(self, field.name)
+        for name in self._attributes():
+            value = getattr(self, name)
             if isinstance(value, Formula):
                 yield value
             elif isinstance(value, tuple):
                 yield from (item for item in value if isinstance(item, Formula))
+
+    def mapped(self, change: Callable[[Formula], Formula]) -> Formula:
+        """The formula with its children changed; itself, if no child is another one."""
+        old = [getattr(self, name) for name in self._attributes()]
+        values = [_mapped(value, change) for value in old]
+        same = all(a is b for a, b in zip(values, old, strict=True))
+        return self if same else type(self)(*values)
+
+    @classmethod
+    @cache
+    def _attributes(cls) -> tuple[str, ...]:
+        return tuple(field.name for field in fields(cls))
+
+
+def _mapped(value: Any, change: Callable[[Formula], Formula]) -> Any:
+    """An attribute of a formula, after the change of what is a formula in it."""
+    if isinstance(value, Formula):
+        return change(value)
+    if isinstance(value, tuple):
+        items = tuple(change(item) if isinstance(item, Formula) else item for item in value)
+        return value if all(a is b for a, b in zip(items, value, strict=True)) else items
+    return value
 
 
 @dataclass(frozen=True)

@@ -37,7 +37,6 @@ from kowalevski_cas.notation import (
     Sum,
     Vector,
     rank,
-    replace,
     substitute,
     to_latex,
 )
@@ -83,6 +82,7 @@ class Elaboration(Setting):
         self._steps: dict[str, Step | None] = {}
         self._open: list[str] = []
         self.places: dict[str, tuple[Printed, ...]] = {}
+        self._inverses: dict[object, dict[str, Formula]] = {}
         self.applied: set[str] = set()
         """Functions and brackets, which are written out where they are applied."""
         self.roots = tuple(self._root_names())
@@ -95,7 +95,7 @@ class Elaboration(Setting):
                 yield name
 
     @cached_property
-    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:  # type: ignore[override]
+    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
         """The loci of the scene."""
         return tuple(
             (self.equations(locus.equations), self.formula(locus.condition))
@@ -219,11 +219,14 @@ class Elaboration(Setting):
 
     @cached_property
     def inverse(self) -> dict[str, Formula]:
-        """The old variables of a change through the new ones."""
+        """The old variables of a change through the new ones; solved for once a change."""
         assert self.source is not None
-        change = self.change
-        assert change is not None
-        return inverse(self.source, change.formulas)
+        known = self.source._inverses
+        if self.scene.field not in known:
+            change = self.change
+            assert change is not None
+            known[self.scene.field] = inverse(self.source, change.formulas)
+        return known[self.scene.field]
 
     def _zero_names(self) -> Iterator[str]:
         for printed in self.scene.zero:
@@ -302,7 +305,7 @@ class Elaboration(Setting):
     # -- motion ------------------------------------------------------------------
 
     @cached_property
-    def field(self) -> tuple[Motion, ...]:  # type: ignore[override]
+    def field(self) -> tuple[Motion, ...]:
         """The printed equations of motion."""
         rows = self.scene.field
         return () if isinstance(rows, ChangeOfScene) else tuple(map(self._motion, rows))
@@ -322,7 +325,7 @@ class Elaboration(Setting):
         return Motion(names, self.plain(factor), self.plain(right))
 
     @cached_property
-    def change(self) -> Change | None:  # type: ignore[override]
+    def change(self) -> Change | None:
         """The change of variables that gives the field."""
         change = self.scene.field
         if not isinstance(change, ChangeOfScene):
@@ -388,10 +391,7 @@ class Elaboration(Setting):
                 return self._symbolic(base, exponent)
             case PoissonBracket(left, right):
                 return self.brackets(self._components(left), self._components(right))
-        for place, child in enumerate(formula.children()):
-            if (new := self.plain(child)) is not child:
-                formula = replace(formula, (place,), new)
-        return formula
+        return formula.mapped(self.plain)
 
     def _derivative(self, argument: Formula, mark: str) -> Formula:
         """The rate by the time of the scene, or by the other one that its clock declares."""
@@ -445,9 +445,9 @@ class Elaboration(Setting):
             name = f"{base}^{{{symbol}}}"
             if symbol and name not in self._powers:
                 raise Meaningless(f"the power {base}^{symbol} is not declared", symbol)
-            factor = Name(name if symbol else base)
+            factor: Formula = Name(name if symbol else base)
             (above if multiple > 0 else below).extend([factor] * abs(multiple))
-        top = Number(1) if not above else above[0] if len(above) == 1 else Product(tuple(above))
+        top: Formula = Product(tuple(above)) if len(above) > 1 else next(iter(above), Number(1))
         for factor in below:
             top = Quotient(top, factor)
         return top

@@ -16,9 +16,7 @@ from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Space
 
 
-def check_roots(
-    goal: Count, found: Roots, at: Evaluation
-) -> tuple[list[Element], list[Element]]:
+def check_roots(goal: Count, found: Roots, at: Evaluation) -> tuple[list[Element], list[Element]]:
     r"""Check that the solutions are the roots of the eliminant, all real and distinct.
 
     * With the form s of the unknowns, e(s) = 0 and d x = n(s) follow from the equations: every

@@ -200,6 +200,24 @@ class Evaluation:
                 return root
         raise Meaningless(f"no root of {to_latex(argument)} is declared here")
 
+    def polynomial(self, formula: Sum) -> Element | None:
+        """The value of a sum of monomials in generators, which is what searches find."""
+        places = self._places
+        terms: Terms = {}
+        for term in formula.terms:
+            monomial = _monomial(term, places)
+            if monomial is None:
+                return None
+            exponents, value = monomial
+            terms[exponents] = terms.get(exponents, Fraction(0)) + value
+        return self.ring.from_terms({0: terms})
+
+    @cached_property
+    def _places(self) -> dict[str, int]:
+        """Where generators that stand for themselves stand among those of the ring."""
+        names = self.ring.polynomials.generators
+        return {name: k for k, name in enumerate(names)} if names == self.names else {}
+
     # -- derivatives -------------------------------------------------------------
 
     @property
@@ -340,6 +358,27 @@ def conjugated(element: Element, at: Evaluation) -> Element:
     return at.image(element, lambda name: at.scalar(Name(name), True))
 
 
+def _monomial(
+    formula: Formula, places: Mapping[str, int]
+) -> tuple[tuple[int, ...], Fraction] | None:
+    """The exponents and the coefficient of a product of numbers and powers of generators."""
+    value = Fraction(1)
+    if isinstance(formula, Negative):
+        value, formula = -value, formula.argument
+    exponents = [0] * len(places)
+    for factor in formula.factors if isinstance(formula, Product) else (formula,):
+        power = 1
+        if isinstance(factor, Power) and isinstance(factor.exponent, Number):
+            power, factor = factor.exponent.value, factor.base
+        if isinstance(factor, Number):
+            value *= factor.value**power
+        elif isinstance(factor, Name) and factor.name in places:
+            exponents[places[factor.name]] += power
+        else:
+            return None
+    return tuple(exponents), value
+
+
 # -- rules -----------------------------------------------------------------------
 
 
@@ -368,6 +407,8 @@ def _each(value: Value, function: Callable[[Element], Element]) -> Value:
 
 
 def _sum(formula: Sum, at: Evaluation, bar: bool) -> Value:
+    if not bar and (polynomial := at.polynomial(formula)) is not None:
+        return polynomial
     first, *rest = (at(term, bar) for term in formula.terms)
     for value in rest:
         first = _add(first, value)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Root
+from kowalevski_cas.notation import Derivative, Formula, Name, Number, Root
 from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.goals import Count, Exists, Goal, Problem, Rank, Simple, simple
 from kowalevski_cas.problem.space import (
@@ -17,6 +17,26 @@ from kowalevski_cas.problem.space import (
     Step,
     formulas_of,
 )
+from kowalevski_cas.problem.trees import MARK
+
+MOTION = Derivative(Number(0), MARK)
+"""Stands for the vector field among what a formula mentions."""
+
+Mentions = tuple[Formula, ...]
+
+
+def mentions(formula: Formula) -> Mentions:
+    """The names and printed roots in a formula, from left to right, and whether it moves."""
+    found: dict[Formula, None] = {}
+    waiting = [formula]
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, Name | Root):
+            found[one] = None
+        elif isinstance(one, Derivative):
+            found[MOTION] = None
+        waiting += reversed(list(one.children()))
+    return tuple(found)
 
 
 class Reach:
@@ -31,15 +51,16 @@ class Reach:
 
     def formula(self, formula: Formula) -> None:
         """Reach what a formula uses."""
-        match formula:
-            case Name(name):
-                self.name(name)
-            case Derivative():
+        self._reach(mentions(formula))
+
+    def _reach(self, found: Mentions) -> None:
+        for one in found:
+            if isinstance(one, Name):
+                self.name(one.name)
+            elif isinstance(one, Root):
+                self._root(one)
+            else:
                 self.move()
-            case Root():
-                self._root(formula)
-        for child in formula.children():
-            self.formula(child)
 
     def name(self, name: str) -> None:
         """Reach a name, and what defines it."""
@@ -49,13 +70,20 @@ class Reach:
         step = self.setting.step(name)
         if step is None:
             return
-        first, *others = formulas_of(step)
-        self.formula(first)
+        first, *others = self._mentioned(name, step)
+        self._reach(first)
         if isinstance(step, Raised):
             self.name(step.exponent)
         self.steps.append(step)
-        for formula in others:  # the printed equation of a root, in which it stands
-            self.formula(formula)
+        for found in others:  # the printed equation of a root, in which it stands
+            self._reach(found)
+
+    def _mentioned(self, name: str, step: Step) -> list[Mentions]:
+        """What the formulas of a step mention, looked up once for a setting."""
+        known = self.setting.mentioned
+        if name not in known:
+            known[name] = [mentions(formula) for formula in formulas_of(step)]
+        return known[name]
 
     def _root(self, root: Root) -> None:
         """The declared roots: which of them is meant is a question of values."""
@@ -117,26 +145,10 @@ def pruned(goals: Iterable[Goal]) -> Problem:
     """The problem of some goals, over spaces that hold what the goals lead to and no more."""
     goals = tuple(goals)
     reaches: dict[Setting, Reach] = {}
-
-    def reach(setting: Setting) -> Reach:
-        if setting not in reaches:
-            reaches[setting] = Reach(setting)
-            if setting.change is not None:
-                reach(setting.change.old)
-        return reaches[setting]
-
     for goal in goals:
         bound = goal.bound if isinstance(goal, Exists) else ()
         for one in simple(goal):
-            found = reach(one.space)
-            found.bound |= {*bound}
-            for formula in one.formulas():
-                found.formula(formula)
-            if isinstance(one, Rank):
-                found.whole()
-            if isinstance(one, Count):
-                for name in one.names:
-                    found.name(name)
+            _reach_goal(one, bound, _reach_of(one.space, reaches))
     made: dict[Setting, Space] = {}
     for setting in reversed([*reaches]):
         _reach_source(setting, reaches)
@@ -145,6 +157,26 @@ def pruned(goals: Iterable[Goal]) -> Problem:
     for setting in _sources_first(reaches):
         made[setting] = _space(reaches[setting], made)
     return Problem(tuple(_over(goal, made) for goal in goals))
+
+
+def _reach_of(setting: Setting, reaches: dict[Setting, Reach]) -> Reach:
+    """What is reached of a setting, and of the one behind a change."""
+    if setting not in reaches:
+        reaches[setting] = Reach(setting)
+        if setting.change is not None:
+            _reach_of(setting.change.old, reaches)
+    return reaches[setting]
+
+
+def _reach_goal(goal: Simple, bound: Iterable[str], reach: Reach) -> None:
+    """Reach what a goal uses; a rank is about all variables."""
+    reach.bound |= {*bound}
+    for formula in goal.formulas():
+        reach.formula(formula)
+    if isinstance(goal, Rank):
+        reach.whole()
+    for name in goal.names if isinstance(goal, Count) else ():
+        reach.name(name)
 
 
 def _reach_source(setting: Setting, reaches: dict[Setting, Reach]) -> None:

@@ -12,6 +12,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from kowalevski_cas.notation import Formula
 
@@ -61,7 +62,7 @@ class Motion:
 class Change:
     """The field is that of the space ``old``, carried over by formulas for the new variables.
 
-    ``time`` is the factor of the old time in the new rates: :math:`dx/d\\tau = time\\,dx/dt`.
+    Each rate by the new time is ``time`` times the one by the old time.
     """
 
     old: Setting
@@ -83,6 +84,11 @@ class Setting(ABC):
     powers: tuple[str, ...]
     conjugates: tuple[tuple[str, str], ...]
 
+    @cached_property
+    def mentioned(self) -> dict[str, list[Any]]:
+        """What the formulas of steps mention, as far as it has been looked up."""
+        return {}
+
     @abstractmethod
     def step(self, name: str) -> Step | None:
         """What defines a name; ``None`` for a variable or a constant.
@@ -97,7 +103,7 @@ class Setting(ABC):
 
     @property
     def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
-        """Declared places where something degenerates: equations, and what is not zero elsewhere."""
+        """Declared places of degeneracy: equations, and what does not vanish elsewhere."""
         return ()
 
     @property

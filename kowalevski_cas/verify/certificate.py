@@ -13,13 +13,11 @@ from typing import Any
 
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.accept import Accepted
 from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read_evidence
 from kowalevski_cas.problem.evidence import Denial, Evidence
 from kowalevski_cas.problem.goals import Exists, Goal
 from kowalevski_cas.problem.trees import FormatError, encode
-from kowalevski_cas.search.find import divisors
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
 FOLDER = "certificates"
@@ -92,6 +90,8 @@ def certificate(statement: Statement, verdicts: Verdicts, accepted: Accepted) ->
         "evidence": evidence,
         "digest": statement.digest,
     }
+    from kowalevski_cas.problem import checker  # only those who write certificates need it
+
     text = dump(data)
     checker.check(text)
     return text
@@ -109,7 +109,7 @@ def _with_away(evidence: Evidence, goal: Goal, away: Any) -> Data:
 
 
 def _enter(data: Data, setting: Any, elements: list[Element]) -> None:
-    found = divisors(finder_of(setting), elements)
+    found = finder_of(setting).ring.divided_by(elements)
     if found:
         data["away"] = [encode(formula_in(element)) for element in found]
 
@@ -127,5 +127,3 @@ def _shown(item: Any) -> str:
         entries = (f'"{key}": {json.dumps(v, separators=(",", ":"))}' for key, v in item.items())
         return "{" + ",\n  ".join(entries) + "}"
     return json.dumps(item, separators=(",", ":"))
-
-

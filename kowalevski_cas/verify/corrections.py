@@ -6,31 +6,40 @@ A correction is a proposal. It stands in for the print elsewhere only if the der
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.goals import Fails, Follows
-from kowalevski_cas.problem.sampled import Sampled
-from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.verify.statement import Statement, finder_of
+
+if TYPE_CHECKING:
+    from kowalevski_cas.problem.sampled import Sampled
 
 DECIDED = 400
 """How many candidates are decided in full, for claims that cannot be screened."""
 
 
-def correction(claim: Claim, on: Elaborations, recorded: str | None = None) -> Neighbour | None:
+def recorded_correction(claim: Claim, on: Elaborations, recorded: str) -> Neighbour | None:
+    """The neighbour of a claim that a record has as its correction, in LaTeX."""
+    try:
+        wanted = on.texts.expression(recorded)
+    except NotationError:
+        return None
+    return next((n for n in claim.neighbours(on.texts) if printed_of(n) == (wanted,)), None)
+
+
+def correction(claim: Claim, on: Elaborations) -> Neighbour | None:
     """The first neighbour of a refuted claim that is true, the most plausible first.
 
-    The one that is ``recorded``, in LaTeX, is tried before all others. Candidates are screened at
-    points modulo primes where their goals allow it; the others are decided in full, with FLINT.
+    Candidates are screened at points modulo primes where their goals allow it; the others are
+    decided in full, with FLINT.
     """
     neighbours = sorted(
         claim.neighbours(on.texts), key=lambda n: n.edit is not None and n.edit.path[:1] == (0,)
     )
-    if recorded is not None:
-        neighbours.sort(key=lambda n: in_latex(printed_of(n)) != recorded)
     for neighbour in _screened(neighbours, on):
         try:
             if Statement(neighbour.claim, on.under(neighbour.texts)).holds():
@@ -60,10 +69,10 @@ def _screened(neighbours: list[Neighbour], on: Elaborations) -> Iterator[Neighbo
             yield neighbour
 
 
-def _passes(
-    neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]
-) -> bool | None:
+def _passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]) -> bool | None:
     """Whether identities hold at points; ``None`` if there are other goals."""
+    from kowalevski_cas.problem.sampled import Sampled  # a recorded correction is only looked up
+
     try:
         goals = list(neighbour.claim.goals(on.under(neighbour.texts)))
         simple = [g for g in goals if isinstance(g, Follows) and not isinstance(g, Fails)]
@@ -78,5 +87,3 @@ def _passes(
     except (NotationError, Meaningless, ZeroDivisionError):
         return False
     return True
-
-

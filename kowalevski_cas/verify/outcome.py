@@ -61,6 +61,17 @@ class Counterexample:
 
 
 @dataclass(frozen=True)
+class Screened:
+    """What an arithmetic of points says about a statement."""
+
+    verdict: Verdict
+    message: str = ""
+    counterexample: Counterexample | None = None
+    chance: float | None = None
+    radius: float | None = None
+
+
+@dataclass(frozen=True)
 class Condition:
     """An expression assumed non-zero, and what happens where it vanishes."""
 

@@ -9,17 +9,18 @@ from time import perf_counter
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.notation import Formula, NotationError
-from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
 from kowalevski_cas.problem.evidence import Denial
+from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
-from kowalevski_cas.verify.corrections import correction, printed_of
+from kowalevski_cas.verify.corrections import correction, printed_of, recorded_correction
 from kowalevski_cas.verify.explain import conditions, counterexample
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import (
@@ -28,9 +29,10 @@ from kowalevski_cas.verify.outcome import (
     Counterexample,
     Outcome,
     Run,
+    Screened,
+    Step,
     Verdict,
 )
-from kowalevski_cas.verify.screen import Screened, screen
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 from kowalevski_cas.verify.steps import steps
 
@@ -106,6 +108,7 @@ class Session:
         self.texts = derivation.texts(sources)
         self.elaborations = Elaborations(self.texts)
         self.evaluations: dict[tuple[str, Setting], Evaluation] = {}
+        self.stages: dict[Setting, Sampled] = {}
         self.order = {claim.id: k for k, claim in enumerate(derivation.claims)}
         self.established: dict[Printed, str] = {}
         for claim in derivation.claims:
@@ -142,7 +145,7 @@ class Session:
 
     def on(self, claim: Claim) -> Elaborations:
         """The texts for a claim: with the accepted corrections, but for those that it is about."""
-        own = set(claim.establishes())
+        own = set(claim.about())
         read = {place: f for place, f in self.accepted.items() if place not in own}
         return self.elaborations.under(self.texts.reading(read)) if read else self.elaborations
 
@@ -195,16 +198,14 @@ class Session:
             with time_limit(self.timeout):
                 points = self.points.get(arithmetic)
                 if points is not None:
-                    return screen(statement, verdicts, points)
+                    from kowalevski_cas.verify.screen import screen  # proving needs no points
+
+                    return screen(statement, verdicts, points, self.stages)
                 return self._judged(statement, verdicts, arithmetic)
         except TimeoutError:
-            return Decided(
-                statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic)
-            )
+            return Decided(statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic))
 
-    def _judged(
-        self, statement: Statement, verdicts: Verdicts | None, arithmetic: str
-    ) -> Decided:
+    def _judged(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
         judge = Judge(self.evaluations_in(arithmetic))
         if verdicts is None:
             message = "neither a proof nor a point where it fails was found"
@@ -250,12 +251,16 @@ class Session:
         if decided.verdict is not Verdict.REFUTED:
             return
         recorded = self.record.get(claim.id, {}).get("correction")
-        found = correction(claim, statement.on, recorded if isinstance(recorded, str) else None)
+        on = statement.on
+        found = recorded_correction(claim, on, recorded) if isinstance(recorded, str) else None
+        if found is None or self.mended(found.claim, on.under(found.texts)) is None:
+            found = correction(claim, on)
         if found is not None:
             name = f"{CORRECTED}/{claim.id}"
             mended = Statement(found.claim, statement.on.under(found.texts))
-            yield name, self._certificate(
-                self._judged(mended, self._evidence(mended, name), "flint")
+            yield (
+                name,
+                self._certificate(self._judged(mended, self._evidence(mended, name), "flint")),
             )
 
     @staticmethod
@@ -304,7 +309,7 @@ class Session:
         if outcome.verdict is Verdict.PROVED:
             needed = conditions(statement, accepted, self.explain)
             if needed:
-                verdicts = {
+                verdicts: dict[str, Verdict] = {
                     name: Verdict.CONDITIONAL if v is Verdict.PROVED else v
                     for name, v in outcome.verdicts.items()
                 }
@@ -314,7 +319,7 @@ class Session:
         against: Counterexample | None = None
         if outcome.verdict is Verdict.REFUTED and isinstance(decided.verdicts, Denial):
             against = counterexample(statement, decided.verdicts, decided.accepted)
-        told = ()
+        told: tuple[Step, ...] = ()
         if self.explain and decided.verdicts is not None:
             told = steps(statement, decided.verdicts)
         return replace(
@@ -366,21 +371,34 @@ class Session:
         recorded = self.record.get(claim.id, {}).get("correction")
         try:
             with time_limit(self.timeout):
-                wanted = recorded if isinstance(recorded, str) else None
-                neighbour = correction(claim, on, wanted)
+                if isinstance(recorded, str):
+                    known = self._proposed(recorded_correction(claim, on, recorded), on)
+                    if known is not None:
+                        return known
+                return self._proposed(correction(claim, on), on)
         except TimeoutError:
             return None
-        if neighbour is None:
-            return None
-        mended = self.mended(neighbour.claim, on.under(neighbour.texts))
-        if mended is None:
+
+    def _proposed(self, neighbour: Neighbour | None, on: Elaborations) -> Correction | None:
+        """A neighbour as a correction, if it is proved."""
+        mended = (
+            None if neighbour is None else self.mended(neighbour.claim, on.under(neighbour.texts))
+        )
+        if neighbour is None or mended is None:
             return None
         verdict, needed = mended
         return Correction(
-            printed_of(neighbour), neighbour.words, verdict, needed, neighbour.printed, neighbour.edit
+            printed_of(neighbour),
+            neighbour.words,
+            verdict,
+            needed,
+            neighbour.printed,
+            neighbour.edit,
         )
 
-    def mended(self, claim: Claim, on: Elaborations) -> tuple[Verdict, tuple[Condition, ...]] | None:
+    def mended(
+        self, claim: Claim, on: Elaborations
+    ) -> tuple[Verdict, tuple[Condition, ...]] | None:
         """The verdict on a corrected claim, and its conditions."""
         statement = Statement(claim, on)
         verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
@@ -407,7 +425,7 @@ class Session:
 
     def _corrected(self, claim: Claim, statement: Statement) -> tuple[str, ...]:
         """The claims whose accepted corrections a statement rests on."""
-        own = set(claim.establishes())
+        own = set(claim.about())
         used = {p for p in statement.places() if p in self.accepted and p not in own}
         ids = (self.established.get(place, place.place) for place in self.accepted if place in used)
         return tuple(dict.fromkeys(ids))
@@ -431,5 +449,3 @@ class Session:
 def combined(parts: Iterable[str]) -> str:
     """One digest of many texts."""
     return sha256("\n".join(parts).encode()).hexdigest()[:16]
-
-

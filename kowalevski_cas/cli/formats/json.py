@@ -9,8 +9,14 @@ from typing import Any
 
 from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.notation import to_latex
-from kowalevski_cas.verify.outcome import Condition, Correction, Counterexample, Outcome, Value
-from kowalevski_cas.verify.record import in_latex
+from kowalevski_cas.verify.outcome import (
+    Condition,
+    Correction,
+    Counterexample,
+    Outcome,
+    Value,
+    in_latex,
+)
 
 
 def render(results: Sequence[Result]) -> str:

@@ -83,6 +83,9 @@ class Unit(Claim):
         except (Meaningless, NotationError):
             return False
 
+    def about(self) -> Iterator[Printed]:
+        yield from (*super().about(), *self.rows)
+
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         """The other sign on the right side."""
         for neighbour in super().neighbours(texts):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -19,13 +20,24 @@ Names = Callable[[Setting], Sequence[str]]
 
 @dataclass(frozen=True)
 class Neighbour:
-    """A statement that differs a little: a mutant, or a candidate for a correction."""
+    """A statement that differs a little: a mutant, or a candidate for a correction.
+
+    It is that of a claim under texts in which, with an ``edit``, the formula at the place
+    ``printed`` is changed.
+    """
 
     words: str
     claim: Claim
-    texts: Texts
+    base: Texts
     printed: Printed | None = None
     edit: Edit | None = None
+
+    @property
+    def texts(self) -> Texts:
+        """The texts under which the claim says what the neighbour does."""
+        if self.edit is None or self.printed is None:
+            return self.base
+        return self.base.edited(self.printed, self.edit)
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +96,10 @@ class Claim(ABC):
         if self.printed is not None:
             yield self.printed
 
+    def about(self) -> Iterator[Printed]:
+        """The places that the claim reads as they are printed, whatever the derivation accepts."""
+        yield from self.establishes()
+
     def formulas(self, texts: Texts) -> tuple[Formula, ...]:
         """The formulas of the claim, as the paper prints them."""
         places = [self.printed] if self.printed is not None else [*self.establishes()]
@@ -94,10 +110,11 @@ class Claim(ABC):
         names = frozenset(self.scene.names()) - {*self.scene.undefined}
         for printed in self.establishes():
             for edit in edits(texts.statement(printed), texts.vocabulary, names):
-                yield Neighbour(edit.words, self, texts.edited(printed, edit), printed, edit)
+                yield Neighbour(edit.words, self, texts, printed, edit)
         for field in fields(self):
             value = getattr(self, field.name)
             if type(value) is int:
                 for number in dict.fromkeys((value - 1, value + 1, 2 * value)):
                     words = f"{field.name} {number} instead of {value}"
-                    yield Neighbour(words, replace(self, **{field.name: number}), texts)
+                    changed: dict[str, Any] = {field.name: number}
+                    yield Neighbour(words, replace(self, **changed), texts)

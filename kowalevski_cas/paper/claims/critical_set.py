@@ -56,7 +56,7 @@ class CriticalSet(Claim):
     def search(
         self, goals: Sequence[Goal], on: Elaborations, names: Names
     ) -> Mapping[int, Evidence]:
-        """Both directions by the homogeneous function; see :mod:`kowalevski_cas.search.critical`."""
+        """Both directions by the homogeneous function (:mod:`kowalevski_cas.search.critical`)."""
         from kowalevski_cas.search.critical import Critical
 
         assert self.printed is not None
@@ -90,8 +90,7 @@ class CriticalSet(Claim):
             yield Neighbour(words, replace(self, zero_level=True), texts)
         assert self.printed is not None
         for edit in edits(texts.statement(self.printed), texts.vocabulary):
-            edited = texts.edited(self.printed, edit)
-            yield Neighbour(edit.words, self, edited, self.printed, edit)
+            yield Neighbour(edit.words, self, texts, self.printed, edit)
 
     def formulas(self, texts: Texts) -> tuple[Formula, ...]:
         assert self.printed is not None

@@ -17,21 +17,21 @@ from kowalevski_cas.problem.goals import Fails, Follows, Goal, identity
 
 @dataclass(frozen=True, eq=False)
 class FirstIntegral(Claim):
-    """The printed expression is constant along every motion on the set ``on``.
+    """The printed expression is constant along every motion on the set ``given``.
 
     With a set, the claim includes that it is not constant off the set.
     """
 
-    on: tuple[Printed, ...] = ()
+    given: tuple[Printed, ...] = ()
     main: tuple[tuple[str, ...], ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         still = tuple(vanishes(rate(space.plain(m))) for m in self.constants(on, space))
-        if not self.on:
+        if not self.given:
             yield identity(space, *still)
             return
-        yield Follows(space, (still,), equations(on, space, self.on), self.main)
+        yield Follows(space, (still,), equations(on, space, self.given), self.main)
         yield Fails(space, (still,))
 
     def constants(self, on: Elaborations, space: Elaboration) -> list[Formula]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Formula, Negative, Relation, replace
+from kowalevski_cas.notation import Formula, Negative, Relation
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import equation, equations, expression, vanishes
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -49,7 +49,4 @@ def _flipped(formula: Formula, root: Formula) -> Formula:
     """The formula with the other value of a root."""
     if formula == root:
         return Negative(root)
-    for place, child in enumerate(formula.children()):
-        if (new := _flipped(child, root)) is not child:
-            formula = replace(formula, (place,), new)
-    return formula
+    return formula.mapped(lambda child: _flipped(child, root))

@@ -77,4 +77,4 @@ class Limit(Claim):
         for printed in self.special.relations:
             for edit in edits(texts.statement(printed), texts.vocabulary):
                 if edit.kind == "sign":
-                    yield Neighbour(edit.words, self, texts.edited(printed, edit), printed, edit)
+                    yield Neighbour(edit.words, self, texts, printed, edit)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Formula, Name, Quotient, replace
+from kowalevski_cas.notation import Formula, Name, Quotient
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import expression, rate, times
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -33,7 +33,7 @@ class Scaling(Claim):
         assert self.printed is not None
         space, simple = on(self.scene), on(self.simple)
         time = expression(on, space, self.printed)
-        measured = {
+        measured: dict[str, Formula] = {
             name: Quotient(Name(name), self._unit(time, power, space.formula(rest)))
             for names, power, rest in self.measures
             for name in names
@@ -60,7 +60,4 @@ def _measured(formula: Formula, values: dict[str, Formula], simple: Elaboration)
             return values[formula.name]
         step = simple.step(formula.name)
         return _measured(step.formula, values, simple) if isinstance(step, Let) else formula
-    for place, child in enumerate(formula.children()):
-        if (new := _measured(child, values, simple)) is not child:
-            formula = replace(formula, (place,), new)
-    return formula
+    return formula.mapped(lambda child: _measured(child, values, simple))
