@@ -318,7 +318,10 @@ class Session:
                 )
         against: Counterexample | None = None
         if outcome.verdict is Verdict.REFUTED and isinstance(decided.verdicts, Denial):
-            against = counterexample(statement, decided.verdicts, decided.accepted)
+            try:
+                against = counterexample(statement, decided.verdicts, decided.accepted)
+            except OverflowError as error:
+                return replace(outcome, verdict=Verdict.ERROR, message=str(error))
         told: tuple[Step, ...] = ()
         if self.explain and decided.verdicts is not None:
             told = steps(statement, decided.verdicts)

@@ -315,8 +315,8 @@ def claim(tex):
         (r'"\x00\x01\udcff = x"', "t: "),
         ('"x = " + "1" * 5000', "digits"),
         ('"x = \\\\frac{1}{x-x}"', "vanishes identically"),
-        ('"x"', "an equation is expected instead of x"),
-        ('"x = \\\\sqrt{2}"', "declares no root of 2"),
+        ('"x"', "an equation is expected at t.1"),
+        ('"x = \\\\sqrt{2}"', "no root of 2 is declared here"),
     ],
 )
 def test_a_formula_that_cannot_be_used_is_named(cli, write, tex, words):
