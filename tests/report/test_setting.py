@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from kowalevski_cas.notation import Product, to_typst
+from kowalevski_cas.notation import to_typst
 from kowalevski_cas.notation.latex import LATEX
 from kowalevski_cas.notation.typst import TYPST
 from kowalevski_cas.report.latex import LatexSetter
