@@ -21,7 +21,7 @@ from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
 from kowalevski_cas.verify.corrections import correction, printed_of, recorded_correction
-from kowalevski_cas.verify.explain import conditions, counterexample, steps
+from kowalevski_cas.verify.explain import conditions, counterexample
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import (
     Condition,
@@ -34,6 +34,7 @@ from kowalevski_cas.verify.outcome import (
     Verdict,
 )
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+from kowalevski_cas.verify.steps import steps
 
 Progress = Callable[[str, int, int], None]
 
@@ -317,7 +318,10 @@ class Session:
                 )
         against: Counterexample | None = None
         if outcome.verdict is Verdict.REFUTED and isinstance(decided.verdicts, Denial):
-            against = counterexample(statement, decided.verdicts, decided.accepted)
+            try:
+                against = counterexample(statement, decided.verdicts, decided.accepted)
+            except OverflowError as error:
+                return replace(outcome, verdict=Verdict.ERROR, message=str(error))
         told: tuple[Step, ...] = ()
         if self.explain and decided.verdicts is not None:
             told = steps(statement, decided.verdicts)
@@ -410,16 +414,17 @@ class Session:
         return (Verdict.CONDITIONAL if needed else Verdict.PROVED), needed
 
     def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
-        """An error, if the derivation accepts for this claim what nobody has proved."""
-        for place in claim.establishes():
-            if place not in self.accepted or place != claim.printed:
-                continue
-            proposed = outcome.correction.formulas if outcome.correction else ()
-            as_printed = outcome.verdict.likely and outcome.formulas == (self.accepted[place],)
-            if not as_printed and proposed != (self.accepted[place],):
-                message = f"what the derivation accepts at {place.place} has not been proved"
-                return replace(outcome, verdict=Verdict.ERROR, message=message)
-        return outcome
+        """The outcome, with its correction accepted; an error if what is accepted is not proved."""
+        place = claim.printed
+        if place is None or place not in self.accepted or place not in set(claim.establishes()):
+            return outcome
+        formulas, correction = (self.accepted[place],), outcome.correction
+        if correction is not None and correction.formulas == formulas:
+            return replace(outcome, correction=replace(correction, accepted=True))
+        if outcome.verdict.likely and outcome.formulas == formulas:
+            return outcome
+        message = f"what the derivation accepts at {place.place} has not been proved"
+        return replace(outcome, verdict=Verdict.ERROR, message=message)
 
     def _corrected(self, claim: Claim, statement: Statement) -> tuple[str, ...]:
         """The claims whose accepted corrections a statement rests on."""
