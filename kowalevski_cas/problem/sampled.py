@@ -8,7 +8,7 @@ from __future__ import annotations
 from kowalevski_cas.algebra.derivation import Field
 from kowalevski_cas.algebra.programs import Program, Programs
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name
+from kowalevski_cas.notation import Formula, Name, Sum
 from kowalevski_cas.problem.evaluate import Evaluation, Value
 from kowalevski_cas.problem.space import Let
 
@@ -39,6 +39,10 @@ class Sampled(Evaluation):
         if key not in self._memory:
             self._memory[key] = formula, super().__call__(formula, conjugated)
         return self._memory[key][1]
+
+    def polynomial(self, formula: Sum) -> Element | None:
+        """Nothing: a sum is added up like any other formula."""
+        return None
 
     def carry(self, element: Element) -> Program:
         """An exact element as a program."""
