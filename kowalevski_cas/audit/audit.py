@@ -63,7 +63,7 @@ def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
 
 
 def audit(source: Source, base: AuditSession) -> Audit:
-    """Decide every claim of a derivation, which ``base`` has decided, on the formulas of a source."""
+    """Decide every claim on the formulas of a source; ``base`` is the run of the derivation."""
     start = perf_counter()
     expanded, typed = typed_formulas(source)
     places = find_places(base.derivation, typed)

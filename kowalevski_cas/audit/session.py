@@ -43,7 +43,7 @@ class AuditSession(Session):
         certificates: Mapping[str, Stored] | None = None,
         timeout: float | None = None,
         record: Mapping[str, Mapping[str, object]] | None = None,
-        patience: float = PATIENCE,
+        patience: float | None = PATIENCE,
     ) -> None:
         super().__init__(
             derivation, arithmetics, certificates=certificates, timeout=timeout, record=record
@@ -79,7 +79,7 @@ class AuditSession(Session):
             proposed = outcome.correction
             if proposed is not None and proposed.printed is not None and proposed.edit is not None:
                 found[proposed.printed] = proposed.edit
-        yield from ((printed, edit) for printed, edit in found.items() if printed.display == display)
+        yield from ((place, edit) for place, edit in found.items() if place.display == display)
 
     def _correct(self, claim: Claim, on: Elaborations) -> Correction | None:
         """The nearest true statement, unless another formula is what makes the claim false."""
@@ -222,9 +222,7 @@ class AuthorSession(AuditSession):
             return False
         if not self.known[claim.id].verdict.green and self._as_in_base(claim, self.texts):
             return False
-        guilty = [
-            places for places in suspects.values() if self._as_in_base(claim, self._restored(places))
-        ]
+        guilty = [ps for ps in suspects.values() if self._as_in_base(claim, self._restored(ps))]
         every = [place for places in suspects.values() for place in places]
         if not guilty and self._as_in_base(claim, self._restored(every)):
             guilty = [every]
