@@ -9,6 +9,7 @@ both agree, it is an edit, of a formula about which nothing is claimed.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 
@@ -20,7 +21,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.verify.certificate import Stored
-from kowalevski_cas.verify.corrections import true_ones
+from kowalevski_cas.verify.corrections import printed_of, true_ones
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.verify.run import Session
@@ -175,10 +176,9 @@ class AuthorSession(AuditSession):
         except Exception as error:  # what an author types must not end the audit of the rest
             message = f"it cannot be decided as it is typed ({type(error).__name__}: {error})"
             outcome = self._unread(claim, self.on(claim), Verdict.ERROR, message)
-        if outcome.verdict is Verdict.ERROR:
-            return replace(outcome, correction=self._correct(claim, self.on(claim)))
-        if outcome.verdict in (Verdict.UNDECIDED, Verdict.TIMEOUT):
-            self._blame_changes(claim)
+        unclear = outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT)
+        if unclear and not self._blame_changes(claim):
+            outcome = replace(outcome, correction=self._restored(claim, self.on(claim)))
         return outcome
 
     def _same(self, claim: Claim, known: Outcome) -> bool:
@@ -187,28 +187,35 @@ class AuthorSession(AuditSession):
             on = self.on(claim)
             said = claim.formulas(on.texts) == known.formulas
             return known.verdict.green and said and Statement(claim, on).digest == known.digest
-        except Exception:
+        except Exception:  # then deciding it says why
             return False
+
+    def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
+        """Nothing is wrong with the derivation where the author has caused what is."""
+        return outcome if claim.id in self.causes else super()._with_acceptance(claim, outcome)
 
     def _correct(self, claim: Claim, on: Elaborations) -> Correction | None:
         if self._blame_changes(claim):
             return None
         try:
-            found = super()._correct(claim, on)
-        except Exception:  # the same as in ``decide``: an author may type anything
-            found = None
-        own = tuple(place for place in claim.establishes() if place in self.changed)
-        if own:
-            self.causes[claim.id] = own
-            found = found or self._as_before(claim, own)
-        return found
+            return self._restored(claim, on) or super()._correct(claim, on)
+        except Exception:  # candidates are made of what an author types
+            return None
 
-    def _as_before(self, claim: Claim, own: Iterable[Printed]) -> Correction | None:
-        """What the derivation has for a claim, if that is true where the rest is as it is typed."""
+    def _restored(self, claim: Claim, on: Elaborations) -> Correction | None:
+        """What the derivation has for a claim, if the author has changed that and it is true."""
+        own = tuple(place for place in claim.establishes() if place in self.changed)
         known = self.known[claim.id]
         good: Outcome | Correction | None = known if known.verdict.green else known.correction
-        if good is None or not self._as_in_base(claim, self._restored(own)):
+        if not own:
             return None
+        self.causes[claim.id] = own
+        if good is None or not self._as_in_base(claim, self._without(own)):
+            return None
+        with suppress(NotationError):
+            for neighbour in claim.neighbours(on.texts):
+                if printed_of(neighbour) == good.formulas:
+                    return self._proposed(neighbour, on)
         return Correction(good.formulas, AS_BEFORE, good.verdict, good.conditions)
 
     def _blame_changes(self, claim: Claim) -> bool:
@@ -222,15 +229,15 @@ class AuthorSession(AuditSession):
             return False
         if not self.known[claim.id].verdict.green and self._as_in_base(claim, self.texts):
             return False
-        guilty = [ps for ps in suspects.values() if self._as_in_base(claim, self._restored(ps))]
+        guilty = [ps for ps in suspects.values() if self._as_in_base(claim, self._without(ps))]
         every = [place for places in suspects.values() for place in places]
-        if not guilty and self._as_in_base(claim, self._restored(every)):
+        if not guilty and self._as_in_base(claim, self._without(every)):
             guilty = [every]
         if guilty:
             self.causes[claim.id] = tuple(place for places in guilty for place in places)
         return bool(guilty)
 
-    def _restored(self, places: Iterable[Printed]) -> Texts:
+    def _without(self, places: Iterable[Printed]) -> Texts:
         """The author's texts with the displays of some places as the derivation has them."""
         gone = {printed.display for printed in places}
         kept = {printed.display for printed in self.changed} - gone

@@ -61,7 +61,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="decide in this arithmetic, or in all three (flint)",
     )
     parser.add_argument(
-        "--timeout", type=_positive, default=20.0, metavar="SECONDS", help="for each claim (20)"
+        "--timeout", type=_positive, default=5.0, metavar="SECONDS", help="for each claim (5)"
     )
 
 
