@@ -154,7 +154,7 @@ class Describer:
             audited.message = f"it does not define {', '.join(lost)}"
         elif idle:
             audited.message = f"nothing depends on {', '.join(idle)} any more"
-        elif printed in session.misprints:
+        elif audited.breaks and printed in session.misprints:
             mended = to_latex(session.misprints[printed].formula)
             audited.message = f"what rests on it is true with ${mended}$"
         if (lost or idle or audited.breaks) and audited.verdict not in WRONG:

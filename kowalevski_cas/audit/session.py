@@ -53,19 +53,51 @@ class AuditSession(Session):
         self.causes: dict[str, tuple[Printed, ...]] = {}
         self.misprints: dict[Printed, Edit] = {}
         """Edits of formulas about which nothing is claimed, by which claims become true."""
-        self.green: list[Claim] = []
-        """The claims that were found to be true."""
         self._places: dict[Claim, frozenset[Printed]] = {}
 
     @cached_property
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim."""
-        found: dict[str, Outcome] = {}
-        for claim in self.derivation.claims:
-            found[claim.id] = self.decide(claim)
-            if found[claim.id].verdict.green:
-                self.green.append(claim)
+        claims = self.derivation.claims
+        found = {claim.id: self.decide(claim) for claim in claims}
+        for claim in claims:
+            if self._unexplained(claim, found[claim.id]):
+                for id in self._misprint(claim, found):
+                    found[id] = replace(found[id], correction=None)
         return found
+
+    def _unexplained(self, claim: Claim, outcome: Outcome) -> bool:
+        """Whether nothing is known that would make a refuted claim true."""
+        refuted = outcome.verdict is Verdict.REFUTED
+        return refuted and outcome.correction is None and claim.id not in self.causes
+
+    def _misprint(self, claim: Claim, outcomes: Mapping[str, Outcome]) -> list[str]:
+        """The refuted claims that one edit elsewhere makes true, this one among them.
+
+        Of the edits that leave true what is true, the one is taken that makes most claims true.
+        """
+        best: tuple[Neighbour, list[str]] | None = None
+        claims = self.derivation.claims
+        on = self.on(claim)
+        with suppress(TimeoutError, NotationError, Meaningless), time_limit(self.patience):
+            for found in true_ones(self._elsewhere(claim, on), on.apart(on.texts)):
+                assert found.printed is not None and found.edit is not None
+                texts = self.texts.edited(found.printed, found.edit)
+                about = [c for c in claims if found.printed in self.places(c)]
+                green = (c for c in about if outcomes[c.id].verdict.green)
+                if not all(self._true(c, texts) for c in green):
+                    continue
+                refuted = [c for c in about if outcomes[c.id].verdict is Verdict.REFUTED]
+                mended = [c.id for c in refuted if self._true(c, texts)]
+                if best is None or len(mended) > len(best[1]):
+                    best = found, mended
+                if len(mended) == len(refuted):
+                    break
+        if best is None or best[0].printed is None or best[0].edit is None:
+            return []
+        self.misprints[best[0].printed] = best[0].edit
+        self.causes.update((id, (best[0].printed,)) for id in best[1])
+        return best[1]
 
     def places(self, claim: Claim) -> frozenset[Printed]:
         """Every place on which the outcome for a claim can depend."""
@@ -82,45 +114,12 @@ class AuditSession(Session):
                 found[proposed.printed] = proposed.edit
         yield from ((place, edit) for place, edit in found.items() if place.display == display)
 
-    def _correct(self, claim: Claim, on: Elaborations) -> Correction | None:
-        """The nearest true statement, unless another formula is what makes the claim false."""
-        if self._blame_misprints(claim, on):
-            return None
-        found = super()._correct(claim, on)
-        if found is None:
-            self._find_misprint(claim, on)
-        return found
-
-    def _blame_misprints(self, claim: Claim, on: Elaborations) -> bool:
-        """Whether a misprint that is known makes a claim false."""
-        for printed, edit in self.misprints.items():
-            if printed in self.places(claim) and self._true(claim, on.texts.edited(printed, edit)):
-                self.causes[claim.id] = (printed,)
-                return True
-        return False
-
     def _true(self, claim: Claim, texts: Texts) -> bool:
         """Whether a claim holds under other texts."""
         try:
             return Statement(claim, self.on(claim, texts)).holds()
         except (NotationError, Meaningless, ZeroDivisionError):
             return False
-
-    def _find_misprint(self, claim: Claim, on: Elaborations) -> None:
-        """Find an edit by which a claim becomes true, and all that was true remains so."""
-        apart = on.apart(on.texts)
-        try:
-            with time_limit(self.patience):
-                for found in true_ones(self._elsewhere(claim, on), apart):
-                    assert found.printed is not None and found.edit is not None
-                    texts = self.texts.edited(found.printed, found.edit)
-                    rest = (c for c in self.green if found.printed in self.places(c))
-                    if all(self._true(c, texts) for c in rest):
-                        self.misprints[found.printed] = found.edit
-                        self.causes[claim.id] = (found.printed,)
-                        return
-        except TimeoutError:
-            return
 
     def _elsewhere(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
         """A claim with one edit of a formula on which it stands, and which no claim is about."""
@@ -142,10 +141,10 @@ class AuthorSession(AuditSession):
             base.derivation, base.arithmetics, base.stored, base.timeout, base.record, base.patience
         )
         self.base = base
+        self.known = base.outcomes
         self.causes = {**base.causes}
         self.misprints = {**base.misprints}
         self._places = base._places
-        self.known = base.outcomes
         self.texts = self._with(base.texts, sources)
         self.elaborations = base.elaborations.apart(self.texts)
         self.changed = frozenset(
@@ -180,6 +179,9 @@ class AuthorSession(AuditSession):
         if unclear and not self._blame_changes(claim):
             outcome = replace(outcome, correction=self._restored(claim, self.on(claim)))
         return outcome
+
+    def _unexplained(self, claim: Claim, outcome: Outcome) -> bool:
+        return outcome is not self.known[claim.id] and super()._unexplained(claim, outcome)
 
     def _same(self, claim: Claim, known: Outcome) -> bool:
         """Whether a claim that is true in the derivation is typed as the same problem."""
