@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import sys
+from importlib import invalidate_caches
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from types import ModuleType
 
 from kowalevski_cas.paper.derivation import Derivation
 
@@ -39,20 +41,30 @@ def find(name: str) -> Path:
     raise LibraryError(f"there is no derivation “{name}”; the library has: {known}")
 
 
+SHELF = "kowalevski_cas_derivations"
+"""The package below which derivations are loaded, beside those that they rest on."""
+
+
 def load(name: str) -> Derivation:
     """The derivation with this name or in this folder.
 
-    Raises :class:`LibraryError` if the folder does not hold one. Its modules are
-    Python and are executed: load only derivations that you would run.
+    It can rest on another one in the folder beside it or in the library, and imports it from
+    there: ``from ..kharlamov2002.section1 import eq3``. Raises :class:`LibraryError` if the
+    folder does not hold a derivation. Its modules are Python and are executed: load only
+    derivations that you would run.
     """
-    folder = find(name)
-    module_name = f"kowalevski_cas_derivation_{folder.resolve().name}"
+    folder = find(name).resolve()
     initial = folder / "__init__.py"
+    for known in [m for m in sys.modules if m == SHELF or m.startswith(f"{SHELF}.")]:
+        del sys.modules[known]
+    shelf = ModuleType(SHELF)
+    shelf.__path__ = [str(folder.parent), str(library())]
+    sys.modules[SHELF] = shelf
+    invalidate_caches()
+    module_name = f"{SHELF}.{folder.name.replace('.', '_')}"
     spec = spec_from_file_location(module_name, initial, submodule_search_locations=[str(folder)])
     assert spec is not None and spec.loader is not None
     module = module_from_spec(spec)
-    for known in [m for m in sys.modules if m == module_name or m.startswith(f"{module_name}.")]:
-        del sys.modules[known]
     sys.modules[module_name] = module
     try:
         spec.loader.exec_module(module)
@@ -74,7 +86,7 @@ def _place(error: Exception, folder: Path) -> str:
     trace = error.__traceback__
     while trace is not None:
         file = trace.tb_frame.f_code.co_filename
-        if Path(file).is_relative_to(folder.resolve()) or Path(file).is_relative_to(folder):
+        if Path(file).is_relative_to(folder.resolve()):
             place = f"{file}:{trace.tb_lineno}"
         trace = trace.tb_next
     return place

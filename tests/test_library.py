@@ -55,3 +55,34 @@ def test_a_file_is_no_derivation(tmp_path):
         LibraryError, match=r"is no derivation: a folder with an __init__\.py is expected"
     ):
         find(str(file))
+
+
+BELOW = """
+from kowalevski_cas.paper.derivation import Derivation, Section
+section = Section("1", "")
+law = section.display("law", r"x=x")
+derivation = Derivation("below", "", "", "", (section,))
+"""
+
+ABOVE = """
+from kowalevski_cas.paper.derivation import Derivation
+from ..{below} import derivation as below
+derivation = Derivation("above", "", "", "", (), rests_on=(below,))
+"""
+
+
+def test_a_derivation_rests_on_one_beside_it_or_in_the_library(tmp_path):
+    for name, source in {"below": BELOW, "above": ABOVE.format(below="below")}.items():
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "__init__.py").write_text(source)
+    (below,) = load(str(tmp_path / "above")).rests_on
+    assert [display.id for display in below.displays()] == ["law"]
+    (tmp_path / "above" / "__init__.py").write_text(ABOVE.format(below="kharlamov2002") + "\n")
+    (below,) = load(str(tmp_path / "above")).rests_on
+    assert below.name == "kharlamov2002"
+
+
+def test_what_it_rests_on_and_is_not_there_is_an_error(tmp_path):
+    (tmp_path / "__init__.py").write_text(ABOVE.format(below="euler1758"))
+    with pytest.raises(LibraryError, match=r"__init__\.py:3: ModuleNotFoundError: .*euler1758"):
+        load(str(tmp_path))

@@ -2,6 +2,7 @@
 
 from kowalevski_cas.paper.derivation import Derivation
 
+from ..kharlamov2002 import derivation as kharlamov2002
 from . import (
     across,
     bifurcation,
@@ -32,5 +33,6 @@ derivation = Derivation(
         bifurcation.section,
         across.section,
     ),
+    rests_on=(kharlamov2002,),
     closed_form=closed_form.offer,
 )

@@ -1,22 +1,21 @@
 """The formulas by which motions are computed; none is typed here a second time."""
 
-from dataclasses import replace
-
-from kowalevski_cas.library import load
 from kowalevski_cas.paper.closed_form import ClosedForm, Member, Values
 from kowalevski_cas.paper.derivation import Scene
 
+from ..kharlamov2002.section1 import ALPHA, BETA, OMEGA
+from ..kharlamov2002.section2 import F1, F2, F_prime, c, eq13, eq16, unit, xi
 from .elliptic import CN, DN, SN, jacobi, jacobi_rates
 from .phase_point import fields, velocity
-from .setting import ALPHA, BETA, COMPLEX, OMEGA, X, initial, unit
-from .third_integral import real
+from .setting import complex_variables, initial
+from .third_integral import VECTORS, G
 
 STATE = (*OMEGA, *ALPHA, *BETA)
 ROOT = r"\sqrt{x_1x_2}"
 
 supplied = ("s_1s_2-a^2", "s_1s_2-b^2", r"\ell-2ms_1", r"\ell-2ms_2", "rS_2")
 by = ("S_1", "S_2", "f_1", "f_2", "d", r"\psi", *supplied, "r")
-known = (*X, r"\omega_3")
+known = complex_variables.variables
 invariants = ("F_1", "F_2", "U_1", "U_2")
 
 point = Scene(
@@ -30,52 +29,39 @@ functions = Scene(
     "sn, cn, dn as variables",
     variables=(SN, CN, DN),
     constants=("n", "k"),
-    field=(jacobi[3], jacobi_rates[1], jacobi_rates[2]),
-)
+).moving(jacobi[3], jacobi_rates)
 
-with_G = replace(
-    initial, vectors=real.vectors, definitions={**initial.definitions, **real.definitions}
-)
+with_G = initial.having(vectors=VECTORS).defining(G)
 
-beside = Scene(
-    "beside N⁴",
-    "the variables (9) with $\\sqrt{x_1x_2}$",
-    variables=known,
-    unit=unit[1],
-    roots={ROOT: None},
-    definitions=COMPLEX,
+with_xi = initial.defining(xi)
+
+beside = (
+    Scene("beside N⁴", "the variables (9) with $\\sqrt{x_1x_2}$", variables=known)
+    .with_unit(unit[1])
+    .adjoining(ROOT)
+    .defining(c, eq13[1], eq13[2], F1, F2)
 )
 
 linear = Scene(
     "across N⁴",
     "$F_1$, $F_2$, $U_1$, $U_2$ as variables",
     variables=(*invariants, "x_1", "x_2"),
-    roots={ROOT: None},
-)
+).adjoining(ROOT)
 
 
 def offer() -> ClosedForm:
-    """The closed form, with the relations (16) and the cofactors from Kharlamov (2002)."""
-    printed = {display.id: display for display in load("kharlamov2002").displays()}
-    xi, eq16, cofactors = printed["xi"], printed["eq16"], printed["F-prime"]
-    with_xi = replace(
-        initial, definitions={**initial.definitions, r"\xi_1": xi[1], r"\xi_2": xi[2]}
-    )
+    """The closed form, with the relations (16) and the cofactors of the first paper."""
     return ClosedForm(
         equations=Values(initial, tuple(rf"\dot{{{name}}}" for name in STATE), STATE),
         integrals=Values(
-            with_xi, ("H", "K", "a^2", "b^2", "c", Member(eq16[1], 0), Member(eq16[2], 0)), STATE
+            with_xi, ("H", "K", "a^2", "b^2", "c", *(Member(printed, 0) for printed in eq16)), STATE
         ),
         constants=Values(
             with_G, ("x_1x_2", "x_1x_2+z_1z_2", "w_1w_2", "H", "G", "p^2", "c_1c_2"), STATE
         ),
         phase_point=Values(
             point,
-            tuple(
-                Member(display[k], 1)
-                for display, count in ((velocity, 3), (fields, 6))
-                for k in range(1, count + 1)
-            ),
+            tuple(Member(printed, 1) for printed in (*velocity, *fields)),
             by,
             supplied,
         ),
@@ -85,6 +71,6 @@ def offer() -> ClosedForm:
         complex_variables=Values(initial, known, (*STATE, "i")),
         across=Values(beside, invariants, (*known, ROOT)),
         across_rates=Values(
-            linear, (Member(cofactors[1], 1), Member(cofactors[2], 1)), (*linear.variables, ROOT)
+            linear, tuple(Member(printed, 1) for printed in F_prime), (*linear.variables, ROOT)
         ),
     )

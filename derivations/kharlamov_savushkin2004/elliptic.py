@@ -5,7 +5,7 @@ from kowalevski_cas.paper.derivation import Scene, Section
 
 from .separation import phi, separated
 
-section = Section("6", "Elliptic functions")
+section = Section("6", "Elliptic functions", copied=False)
 
 SN, CN, DN = r"\mathrm{sn}", r"\mathrm{cn}", r"\mathrm{dn}"
 
@@ -44,12 +44,6 @@ jacobi = section.lemma(
     "Jacobi's elliptic functions of $n(t-t_j)$ with the modulus $k$",
 )
 
-jacobi_rates = section.lemma(
-    "jacobi-rates",
-    r"\dot{\rm cn} = -n\,{\rm sn}\,{\rm dn}, \quad \dot{\rm dn} = -nk^2\,{\rm sn}\,{\rm cn}",
-    "the derivatives of the other two",
-)
-
 quartic = section.lemma(
     "quartic",
     r"""
@@ -66,79 +60,103 @@ D = C-k^2(1-\kappa)\lambda""",
     r"$k$ and $\kappa$ solved for the roots, $\lambda$ being any number",
 )
 
-# -- scenes --------------------------------------------------------------------
-
-FUNCTIONS = {CN: jacobi[1], DN: jacobi[2]}
-SOLUTION = {"n": parameters[2], "s_1": solution[1], "s_2": solution[2]}
-
-any_regime = Scene(
-    "any regime",
-    "Jacobi's functions with any four roots $A$, $B$, $C$, $D$, by $k$, $\\kappa$ and $\\lambda$",
-    variables=(SN,),
-    constants=("C", "k", r"\kappa", r"\lambda", "m"),
-    field=(jacobi[3],),
-    roots={r"\sqrt{m(A-C)(B-D)}": None, **FUNCTIONS},
-    nonzero=(r"\lambda", r"\kappa", r"1-\kappa", r"\kappa-k^2"),
-    definitions={"A": by_modulus[1], "B": by_modulus[2], "D": by_modulus[3], **SOLUTION},
+any_regime = (
+    Scene(
+        "any regime",
+        "Jacobi's functions with any four roots $A$, $B$, $C$, $D$, by $k$, $\\kappa$ and $\\lambda$",
+        variables=(SN,),
+        constants=("C", "k", r"\kappa", r"\lambda", "m"),
+        nonzero=(r"\lambda", r"\kappa", r"1-\kappa", r"\kappa-k^2"),
+    )
+    .moving(jacobi[3])
+    .adjoining(r"\sqrt{m(A-C)(B-D)}", jacobi[1], jacobi[2])
+    .defining(by_modulus, parameters[2], solution)
 )
 
-for_s1 = Scene(
-    "first variable",
-    "Jacobi's functions with the roots of the equation for $s_1$",
-    variables=(SN,),
-    constants=("a", "m", r"\ell", "s"),
-    field=(jacobi[3],),
-    roots={"k": parameters[1], r"\sqrt{m(A-C)(B-D)}": None, **FUNCTIONS},
-    nonzero=("m", "a"),
-    definitions={
-        **SOLUTION,
-        r"\kappa": parameters[3],
-        "A": roots_of_phi[1],
-        "B": first[1],
-        "C": roots_of_phi[2],
-        "D": first[2],
-        r"\varphi(s)": phi[1],
-    },
+section.states(
+    Identity, parameters[1], on=any_regime, says="the modulus by the roots", ids=("modulus",)
+)
+section.states(
+    Identity, parameters[3], on=any_regime, says=r"$\kappa$ by the roots", ids=("kappa",)
 )
 
-for_s2 = Scene(
-    "second variable",
-    "Jacobi's functions with the roots of the equation for $s_2$",
-    variables=(SN,),
-    constants=("b", "m", r"\ell"),
-    field=(jacobi[3],),
-    roots=for_s1.roots,
-    nonzero=("m", "b"),
-    definitions={**for_s1.definitions, "B": second[1], "D": second[2]},
-)
-
-# -- claims --------------------------------------------------------------------
-
-BETWEEN = (
-    "the solution between $B$ and $A$, in any regime",
-    "the solution between $D$ and $C$, in any regime",
-)
-
-section.claim(
-    Identity("modulus", any_regime, parameters[1], "the modulus by the roots"),
-    Identity("kappa", any_regime, parameters[3], r"$\kappa$ by the roots"),
-    Identity("cn", any_regime, jacobi_rates[1], r"the derivative of $\mathrm{cn}$"),
-    Identity("dn", any_regime, jacobi_rates[2], r"the derivative of $\mathrm{dn}$"),
-    *(
-        Definition(
-            f"solution.{k}",
-            any_regime,
-            solution[k],
-            words,
-            equation=quartic[k],
-        )
-        for k, words in enumerate(BETWEEN, 1)
+jacobi_rates = section.states(
+    Identity,
+    section.lemma(
+        "jacobi-rates",
+        r"\dot{\rm cn} = -n\,{\rm sn}\,{\rm dn}, \quad \dot{\rm dn} = -nk^2\,{\rm sn}\,{\rm cn}",
+        "the derivatives of the other two",
     ),
-    Definition(
-        "frequency", any_regime, parameters[2], "what multiplies the time", equation=quartic[1]
-    ),
-    Definition("A", for_s1, roots_of_phi[1], r"one root of $\varphi$", equation=factors[1]),
-    Definition("C", for_s1, roots_of_phi[2], r"the other root of $\varphi$", equation=factors[1]),
-    Identity("elliptic.1", for_s1, separated[1], "the solution of the first separated equation"),
-    Identity("elliptic.2", for_s2, separated[2], "the solution of the second separated equation"),
+    on=any_regime,
+    says=(r"the derivative of $\mathrm{cn}$", r"the derivative of $\mathrm{dn}$"),
+    ids=("cn", "dn"),
+)
+
+section.states(
+    Definition,
+    solution[1],
+    on=any_regime,
+    says="the solution between $B$ and $A$, in any regime",
+    equation=quartic[1],
+)
+section.states(
+    Definition,
+    solution[2],
+    on=any_regime,
+    says="the solution between $D$ and $C$, in any regime",
+    equation=quartic[2],
+)
+section.states(
+    Definition,
+    parameters[2],
+    on=any_regime,
+    says="what multiplies the time",
+    ids=("frequency",),
+    equation=quartic[1],
+)
+
+one_variable = (
+    Scene("", "", variables=(SN,))
+    .moving(jacobi[3])
+    .adjoining(parameters[1], r"\sqrt{m(A-C)(B-D)}", jacobi[1], jacobi[2])
+    .defining(parameters[2], parameters[3], solution, roots_of_phi, phi)
+)
+
+for_s1 = (
+    one_variable.described(
+        "first variable", "Jacobi's functions with the roots of the equation for $s_1$"
+    )
+    .having(constants=("a", "m", r"\ell", "s"), nonzero=("m", "a"))
+    .defining(first)
+)
+
+for_s2 = (
+    one_variable.described(
+        "second variable", "Jacobi's functions with the roots of the equation for $s_2$"
+    )
+    .having(constants=("b", "m", r"\ell"), nonzero=("m", "b"))
+    .defining(second)
+)
+
+section.states(
+    Definition,
+    roots_of_phi,
+    on=for_s1,
+    says=(r"one root of $\varphi$", r"the other root of $\varphi$"),
+    ids=("A", "C"),
+    equation=factors[1],
+)
+section.states(
+    Identity,
+    separated[1],
+    on=for_s1,
+    says="the solution of the first separated equation",
+    ids=("elliptic.1",),
+)
+section.states(
+    Identity,
+    separated[2],
+    on=for_s2,
+    says="the solution of the second separated equation",
+    ids=("elliptic.2",),
 )

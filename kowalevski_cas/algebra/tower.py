@@ -11,7 +11,7 @@ for zero is the test that every :math:`p_m` vanishes.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
@@ -160,6 +160,11 @@ class Ring:
             if exponent
         }
         return Element(self, {0: self.polynomials.constant(1 / value)}, denominator)
+
+    def divided_by(self, elements: Iterable[Element]) -> list[Element]:
+        """What elements are divided by, each polynomial once."""
+        indices = sorted({index for element in elements for index in element.denominator})
+        return [Element(self, {0: self.divisors[index]}, {}) for index in indices]
 
     def from_terms(self, parts: Mapping[int, Terms]) -> Element:
         """An element without denominator, from the neutral form of its numerator."""

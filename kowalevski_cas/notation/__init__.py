@@ -32,6 +32,7 @@ from kowalevski_cas.notation.formula import (
     Unwritten,
     Vector,
 )
+from kowalevski_cas.notation.heads import Heads, heads
 from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.plain import to_plain
@@ -50,6 +51,7 @@ __all__ = [
     "Diagonal",
     "Edit",
     "Formula",
+    "Heads",
     "ImaginaryPart",
     "Name",
     "Negative",
@@ -71,6 +73,7 @@ __all__ = [
     "Vector",
     "Vocabulary",
     "edits",
+    "heads",
     "is_small_change",
     "print_prose",
     "rank",

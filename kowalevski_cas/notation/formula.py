@@ -20,7 +20,7 @@ class Formula:
 
     def children(self) -> Iterator[Formula]:
         """The subformulas directly below this node, from left to right."""
-        for name in _attributes(type(self)):
+        for name in self._attributes():
             value = getattr(self, name)
             if isinstance(value, Formula):
                 yield value
@@ -29,17 +29,15 @@ class Formula:
 
     def mapped(self, change: Callable[[Formula], Formula]) -> Formula:
         """The formula with its children changed; itself, if no child is another one."""
-        values = [_mapped(getattr(self, name), change) for name in _attributes(type(self))]
-        same = all(
-            new is getattr(self, name)
-            for new, name in zip(values, _attributes(type(self)), strict=True)
-        )
+        old = [getattr(self, name) for name in self._attributes()]
+        values = [_mapped(value, change) for value in old]
+        same = all(a is b for a, b in zip(values, old, strict=True))
         return self if same else type(self)(*values)
 
-
-@cache
-def _attributes(kind: type[Formula]) -> tuple[str, ...]:
-    return tuple(field.name for field in fields(kind))
+    @classmethod
+    @cache
+    def _attributes(cls) -> tuple[str, ...]:
+        return tuple(field.name for field in fields(cls))
 
 
 def _mapped(value: Any, change: Callable[[Formula], Formula]) -> Any:

@@ -2,36 +2,87 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any, TypeVar
 
-from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims import Claim, Identity
 from kowalevski_cas.paper.closed_form import ClosedForm
 from kowalevski_cas.paper.scene import Change, Locus, Scene, vocabulary
-from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.paper.texts import Display, Printed, Texts, statements
+
+Says = str | Sequence[str]
+Shown = TypeVar("Shown", Display, Printed)
 
 
 @dataclass(eq=False)
 class Section:
-    """A section of a paper: it collects displays and claims in the order of the paper."""
+    """A section of a paper: it collects displays and claims in the order of the paper.
+
+    ``copied`` says whether its displays are what the edition prints, sign by sign, or restate it.
+    """
 
     number: str
     title: str
+    copied: bool = True
     displays: list[Display] = field(default_factory=list)
     claims: list[Claim] = field(default_factory=list)
     accepted: dict[Printed, str] = field(default_factory=dict)
 
-    def display(self, id: str, tex: str) -> Display:
-        """A displayed formula, as printed."""
-        return self._add(Display(id, tex, self.number))
+    def display(self, id: str, tex: str, label: str = "") -> Display:
+        """A displayed formula; ``eq3`` is labelled (3) if nothing else is said."""
+        return self._add(id, tex, label=label or _label(id), copied=self.copied)
 
-    def inline(self, id: str, tex: str) -> Display:
-        """A formula in running text, as printed."""
-        return self._add(Display(id, tex, self.number, inline=True))
+    def inline(self, id: str, tex: str, label: str = "") -> Display:
+        """A formula in running text."""
+        return self._add(id, tex, inline=True, label=label, copied=self.copied)
 
     def lemma(self, id: str, tex: str, source: str) -> Display:
         """A formula that the paper uses and does not print, with its source."""
-        return self._add(Display(id, tex, self.number, source=source))
+        return self._add(id, tex, source=source, copied=False)
+
+    def identity(
+        self, id: str, tex: str, *, on: Scene, says: Says, ids: Sequence[str] = ()
+    ) -> Display:
+        """A displayed formula, and the claim that it is an identity; see :meth:`states`."""
+        return self.states(Identity, self.display(id, tex), on=on, says=says, ids=ids)
+
+    def states(
+        self,
+        kind: type[Claim],
+        printed: Shown,
+        *,
+        on: Scene,
+        says: Says,
+        ids: Sequence[str] = (),
+        **attributes: Any,
+    ) -> Shown:
+        """A claim of this kind for each statement that is printed; returns what is printed.
+
+        Args:
+            kind: the kind of claim.
+            printed: a display that stands in some section, or one statement of it.
+            on: the scene.
+            says: what is claimed, in words; one for each statement, if it is not the same for all.
+            ids: the ids of the claims, if they are others than that of the display, which is
+                followed by a number where the display has several statements.
+            attributes: what the kind of claim asks for besides.
+
+        Raises:
+            ValueError: if there are not as many words or ids as statements.
+        """
+        places = tuple(statements(printed))
+        display = places[0].display
+        alone = len(tuple(display)) == 1
+        ids = ids or [display.id if alone else place.place for place in places]
+        words = [says] * len(places) if isinstance(says, str) else says
+        if not len(places) == len(ids) == len(words):
+            raise ValueError(
+                f"{display.id}: {len(places)} statements, {len(ids)} ids, {len(words)} words"
+            )
+        for id, place, word in zip(ids, places, words, strict=True):
+            self.claim(kind(id, on, place, word, **attributes))
+        return printed
 
     def claim(self, *claims: Claim) -> None:
         """Statements that the paper makes here; raises ``TypeError`` for anything else."""
@@ -44,20 +95,37 @@ class Section:
         """Read this in place of what is printed, in all that follows from it.
 
         The program proposes corrections, and takes none by itself: every verdict that rests on
-        an accepted one says so.
+        an accepted one says so. Derivations that rest on this one read it so everywhere.
         """
         self.accepted[printed] = tex
 
-    def _add(self, display: Display) -> Display:
+    def _add(self, id: str, tex: str, **attributes: Any) -> Display:
+        display = Display(id, tex, self.number, **attributes)
         self.displays.append(display)
         return display
+
+
+def _label(id: str) -> str:
+    """The number of an equation by its id; none if it has none."""
+    number = id.removeprefix("eq")
+    return f"({number})" if number != id and number.isdecimal() else ""
 
 
 @dataclass(eq=False)
 class Derivation:
     """A paper as a sequence of sections.
 
-    ``closed_form`` gives what motions are computed with, if the paper solves its problem.
+    Args:
+        name: the name of its folder.
+        title: the title of the paper.
+        author: its author or authors.
+        source: the edition that the displays are from.
+        sections: the sections, in their order.
+        rests_on: the derivations whose displays and scenes it uses, as they are corrected.
+        closed_form: gives what motions are computed with, if the paper solves its problem.
+
+    Raises:
+        ValueError: if an id is given twice, here or in what it rests on.
     """
 
     name: str
@@ -65,13 +133,14 @@ class Derivation:
     author: str
     source: str
     sections: tuple[Section, ...]
+    rests_on: tuple[Derivation, ...] = ()
     closed_form: Callable[[], ClosedForm] | None = None
 
     def __post_init__(self) -> None:
         """Refuse ids that are given twice, for everything goes by them."""
         for kind, ids in (
             ("claims", [claim.id for claim in self.claims]),
-            ("displays", [display.id for display in self.displays()]),
+            ("displays", [display.id for display in self._known_displays()]),
         ):
             twice = sorted({id for id in ids if ids.count(id) > 1})
             if twice:
@@ -92,12 +161,22 @@ class Derivation:
                     found[scene.field.source] = None
         return tuple(found)
 
-    def texts(self, sources: Mapping[str, str] | None = None) -> Texts:
-        """The texts of the derivation, to be read in the words of its scenes.
+    def texts(self, sources: Mapping[str, str] | None = None, *more: Scene) -> Texts:
+        """The texts of the derivation, to be read in the words of its scenes, and of more.
 
-        ``sources`` holds displays, by id, whose source is another one.
+        ``sources`` holds displays, by id, whose source is another one. What it rests on is read
+        with the corrections that are accepted there.
         """
-        return Texts(vocabulary(self.scenes()), sources)
+        corrected = {id: tex for one in self.rests_on for id, tex in one.corrected().items()}
+        return Texts(vocabulary((*self.scenes(), *more)), {**corrected, **(sources or {})})
+
+    def corrected(self) -> dict[str, str]:
+        """The displays that are read otherwise than they are printed, with what it rests on."""
+        found = {id: tex for one in self.rests_on for id, tex in one.corrected().items()}
+        rows: dict[Display, dict[int, str]] = {}
+        for place, tex in self.accepted.items():
+            rows.setdefault(place.display, {})[place.number] = tex
+        return found | {display.id: display.reading(row) for display, row in rows.items()}
 
     @property
     def accepted(self) -> dict[Printed, str]:
@@ -112,6 +191,12 @@ class Derivation:
         """All displays in the order of the paper."""
         for section in self.sections:
             yield from section.displays
+
+    def _known_displays(self) -> Iterator[Display]:
+        """The displays that it may use."""
+        known = (display for one in self.rests_on for display in one._known_displays())
+        yield from dict.fromkeys(known)
+        yield from self.displays()
 
 
 __all__ = ["Change", "Derivation", "Locus", "Scene", "Section"]

@@ -95,7 +95,7 @@ class Elaboration(Setting):
                 yield name
 
     @cached_property
-    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:  # type: ignore[override]
+    def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
         """The loci of the scene."""
         return tuple(
             (self.equations(locus.equations), self.formula(locus.condition))
@@ -305,7 +305,7 @@ class Elaboration(Setting):
     # -- motion ------------------------------------------------------------------
 
     @cached_property
-    def field(self) -> tuple[Motion, ...]:  # type: ignore[override]
+    def field(self) -> tuple[Motion, ...]:
         """The printed equations of motion."""
         rows = self.scene.field
         return () if isinstance(rows, ChangeOfScene) else tuple(map(self._motion, rows))
@@ -325,7 +325,7 @@ class Elaboration(Setting):
         return Motion(names, self.plain(factor), self.plain(right))
 
     @cached_property
-    def change(self) -> Change | None:  # type: ignore[override]
+    def change(self) -> Change | None:
         """The change of variables that gives the field."""
         change = self.scene.field
         if not isinstance(change, ChangeOfScene):
@@ -445,9 +445,9 @@ class Elaboration(Setting):
             name = f"{base}^{{{symbol}}}"
             if symbol and name not in self._powers:
                 raise Meaningless(f"the power {base}^{symbol} is not declared", symbol)
-            factor = Name(name if symbol else base)
+            factor: Formula = Name(name if symbol else base)
             (above if multiple > 0 else below).extend([factor] * abs(multiple))
-        top = Number(1) if not above else above[0] if len(above) == 1 else Product(tuple(above))
+        top: Formula = Product(tuple(above)) if len(above) > 1 else next(iter(above), Number(1))
         for factor in below:
             top = Quotient(top, factor)
         return top

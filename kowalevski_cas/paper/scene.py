@@ -1,17 +1,18 @@
-"""Scenes: the smallest stage on which a claim can stand, and changes between them.
+"""Scenes: the smallest setting on which a claim can stand, and changes between them.
 
-A scene only says what there is, in the words of the paper; an arithmetic gives
-it meaning (:mod:`kowalevski_cas.stage`).
+A scene only says what there is, in the words of the paper; an elaboration gives it meaning
+(:mod:`kowalevski_cas.paper.elaborate`). Scenes derive from each other by a few verbs, each of
+which gives a new scene: ``kowalevski.defining(eq9).with_unit(unit[1])``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Container, Iterator, Mapping
+from dataclasses import dataclass, replace
 from dataclasses import field as default
 
 from kowalevski_cas.notation import Vocabulary
-from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.paper.texts import Display, Printed, statements
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,6 +95,133 @@ class Scene:
     conjugates: tuple[tuple[str, str], ...] = ()
     nonzero: tuple[str, ...] = ()
     loci: tuple[Locus, ...] = ()
+
+    # -- verbs -------------------------------------------------------------------
+
+    def described(self, name: str, words: str) -> Scene:
+        """The scene under a name of its own."""
+        return replace(self, name=name, words=words)
+
+    def having(
+        self,
+        *,
+        vectors: Mapping[str, tuple[str, ...]] | None = None,
+        variables: tuple[str, ...] = (),
+        constants: tuple[str, ...] = (),
+        powers: tuple[tuple[str, str], ...] = (),
+        undefined: tuple[str, ...] = (),
+        conjugates: tuple[tuple[str, str], ...] = (),
+        nonzero: tuple[str, ...] = (),
+        loci: tuple[Locus, ...] = (),
+    ) -> Scene:
+        """The scene with more of all these; raises ``ValueError`` for names that it has."""
+        for name in (*variables, *constants, *undefined):
+            self._is_new(name, self.variables, self.constants, self.definitions, self.undefined)
+        return replace(
+            self,
+            vectors={**self.vectors, **(vectors or {})},
+            variables=(*self.variables, *variables),
+            constants=(*self.constants, *constants),
+            powers=(*self.powers, *powers),
+            undefined=(*self.undefined, *undefined),
+            conjugates=(*self.conjugates, *conjugates),
+            nonzero=(*self.nonzero, *nonzero),
+            loci=(*self.loci, *loci),
+        )
+
+    def moving(self, *by: Display | Printed) -> Scene:
+        """The scene with these equations of motion, and no others."""
+        return replace(self, field=tuple(statements(*by)))
+
+    def with_unit(self, unit: Printed, clock: Printed | None = None) -> Scene:
+        """The scene with the imaginary unit, and perhaps with another independent variable."""
+        return replace(self, unit=unit, clock=clock)
+
+    def defining(self, *by: Display | Printed) -> Scene:
+        """The scene where printed statements define all names that are new in them.
+
+        These are the bare names, heads of functions and brackets among their members that are
+        no variables or constants. Raises ``ValueError`` if a name is defined already, or if a
+        statement defines none.
+        """
+        return self._defining(by, again=False)
+
+    def redefining(self, *by: Display | Printed) -> Scene:
+        """The scene where printed statements define names in place of what did so before."""
+        return self._defining(by, again=True)
+
+    def naming(self, name: str, by: Printed) -> Scene:
+        """The scene with a name for what is printed; raises ``ValueError`` if it has it."""
+        self._is_new(name, self.definitions, self.variables, self.constants)
+        return replace(self, definitions={**self.definitions, name: by})
+
+    def adjoining(self, *roots: str | Display | Printed) -> Scene:
+        r"""The scene with square roots: printed ones, as ``\sqrt{x_1x_2}``, and printed squares.
+
+        A printed statement gives the root whose square is one of its members, as a in
+        :math:`(\alpha,\alpha)=a^2`. Raises ``ValueError`` if there is none, or if it is known.
+        """
+        scene = self
+        for root in roots:
+            if isinstance(root, str):
+                scene = scene._with_root(root, None)
+                continue
+            for place in statements(root):
+                if len(place.heads.squares) != 1:
+                    raise ValueError(f"{place.place} does not give the square of one name")
+                scene = scene._with_root(place.heads.squares[0], place)
+        return scene
+
+    def solving(self, root: str, by: Printed) -> Scene:
+        """The scene with a square root by an equation in which its square stands somewhere."""
+        return self._with_root(root, by)
+
+    def restricted(self, *by: Display | Printed) -> Scene:
+        """The scene where printed equations set variables to zero."""
+        zero = tuple(statements(*by))
+        names = {name for place in zero for name in place.heads.names}
+        names.update(part for name in names & {*self.vectors} for part in self.vectors[name])
+        kept = tuple(name for name in self.variables if name not in names)
+        return replace(self, variables=kept, zero=(*self.zero, *zero))
+
+    def changed(self, by: Display, time: Printed, keeping: tuple[str, ...] = ()) -> Scene:
+        """The scene in the variables that a display gives, with those that are kept.
+
+        Args:
+            by: the change of variables, a statement each.
+            time: the relation of the new independent variable to the old one.
+            keeping: old variables that are variables again.
+        """
+        return Scene(
+            self.name,
+            self.words,
+            variables=(*(name for place in by for name in place.heads.names), *keeping),
+            field=Change(self, tuple(by), time),
+            time=time.heads.names[0],
+        )
+
+    def _defining(self, by: tuple[Display | Printed, ...], again: bool) -> Scene:
+        known = {*self.variables, *self.constants}
+        definitions = dict(self.definitions)
+        for place in statements(*by):
+            names = [name for name in place.heads.names if name not in known]
+            if not names:
+                raise ValueError(f"{place.place} defines no new name on the scene “{self.name}”")
+            for name in names:
+                if not again:
+                    self._is_new(name, definitions)
+                definitions[name] = place
+        return replace(self, definitions=definitions)
+
+    def _with_root(self, name: str, place: Printed | None) -> Scene:
+        self._is_new(name, self.roots, self.definitions)
+        return replace(self, roots={**self.roots, name: place})
+
+    def _is_new(self, name: str, *known: Container[str]) -> None:
+        if any(name in names for names in known):
+            raise ValueError(f"{name} has a meaning already on the scene “{self.name}”")
+
+    # -- what there is ------------------------------------------------------------
 
     def places(self) -> Iterator[Printed]:
         """Every place of the paper on which the scene rests."""

@@ -8,13 +8,14 @@ with other texts.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
 from kowalevski_cas.notation import (
     Edit,
     Formula,
+    Heads,
     Name,
     Negative,
     NotationError,
@@ -22,8 +23,10 @@ from kowalevski_cas.notation import (
     Relation,
     Statement,
     Vocabulary,
+    heads,
     read,
     read_display,
+    split_display,
 )
 
 
@@ -31,7 +34,9 @@ from kowalevski_cas.notation import (
 class Display:
     """A displayed or inline formula of the paper, as printed.
 
-    ``display[k]`` is its k-th statement in reading order, counted from 1.
+    ``display[k]`` is its k-th statement in reading order, counted from 1, and iterating gives all
+    of them. ``copied`` says whether it is what the edition prints, sign by sign, or restates it;
+    ``label`` where it stands there: the number of the equation, or the page.
     """
 
     id: str
@@ -40,9 +45,24 @@ class Display:
     inline: bool = False
     source: str = ""
     """Where a formula comes from that the paper itself does not print."""
+    label: str = ""
+    copied: bool = True
 
     def __getitem__(self, number: int) -> Printed:
         return Printed(self, number)
+
+    def __iter__(self) -> Iterator[Printed]:
+        """The statements; raises ``NotationError`` for broken TeX."""
+        return (Printed(self, k) for k, _ in enumerate(heads(self.tex), 1))
+
+    def reading(self, accepted: Mapping[int, str]) -> str:
+        """The TeX with other statements at some numbers."""
+        tex = self.tex
+        spans = split_display(tex)
+        for number in sorted(accepted, reverse=True):
+            start, end = spans[number - 1]
+            tex = tex[:start] + accepted[number] + tex[end:]
+        return tex
 
 
 @dataclass(frozen=True)
@@ -56,6 +76,26 @@ class Printed:
     def place(self) -> str:
         """The public name of the place: ``eq10.3``."""
         return f"{self.display.id}.{self.number}"
+
+    @property
+    def tex(self) -> str:
+        """The TeX of the statement alone, as the derivation has it."""
+        start, end = split_display(self.display.tex)[self.number - 1]
+        return self.display.tex[start:end]
+
+    @property
+    def heads(self) -> Heads:
+        """What the statement defines."""
+        return heads(self.display.tex)[self.number - 1]
+
+
+def statements(*printed: Display | Printed) -> Iterator[Printed]:
+    """Single statements, and all those of displays."""
+    for one in printed:
+        if isinstance(one, Display):
+            yield from one
+        else:
+            yield one
 
 
 class Texts:

@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import reduce
 from itertools import combinations, product
+from operator import add, mul
+from typing import Any
 
 from kowalevski_cas.algebra.linear import determinant
 from kowalevski_cas.algebra.numbers import rank
@@ -129,48 +131,24 @@ class Judge:
     ) -> None:
         self.accepted.starts(goal)
         self.accepted.uses(values)
-        match goal, evidence, sign:
-            case Fails(), At(), True:
-                self._fails(goal, evidence, at)
-            case Fails(), Shown(), False:
-                self._follows(goal, evidence, at)
-            case Fails(), _, _:
-                raise Unproved("it is no evidence for this goal")
-            case Follows(), Shown(), True:
-                self._follows(goal, evidence, at)
-            case Follows(), At(), False:
-                self._fails(goal, evidence, at)
-            case Rank(), At(), _:
-                self._rank(goal, evidence, sign, at)
-            case Rank(), Minors(), False:
-                self._minors(goal, evidence, at)
-            case Positive(), Squares(), True:
-                self._positive(goal, evidence, at)
-            case Positive(), At(), False:
-                self._not_positive(goal, evidence, at)
-            case Count(), Roots(), _:
-                if (len(evidence.eliminant) == goal.number) != sign:
-                    raise Unproved("it is another number of solutions")
-                away, left = check_roots(goal, evidence, at)
-                self.accepted.away[-1].extend(away)
-                self.accepted.divides(left)
-                self._point(at, evidence.point, at.differences(goal.equations), goal.space)
-            case Count(), Solutions(), False:
-                self.accepted.places += check_solutions(goal, evidence, at)
-            case _:
-                raise Unproved("it is no evidence for this goal")
+        rule = _RULES.get((type(goal), type(evidence), sign))
+        if rule is None:
+            raise Unproved("it is no evidence for this goal")
+        rule(self, goal, evidence, at, sign)
 
     # -- what follows --------------------------------------------------------------
 
-    def _follows(self, goal: Follows, evidence: Shown, at: Evaluation) -> None:
+    def _follows(self, goal: Follows, evidence: Shown, at: Evaluation, sign: bool) -> None:
         known = at.differences(goal.given)
         pairs = [at.pairs(one) for one in goal.conclusions]
         sides = [e for one in pairs for pair in one for e in pair]
         self.accepted.divides([*sides, *known])
         alternatives = [[left - right for left, right in one] for one in pairs]
-        goals = [reduce(Element.__mul__, choice, at.ring.one) for choice in product(*alternatives)]
+        goals = [reduce(mul, choice, at.ring.one) for choice in product(*alternatives)]
         used = list(self._settle(goals, known, evidence.proof, at))
         self.accepted.uses(used)
+        if not goal.conclusions and self.accepted.away[-1]:
+            raise Unproved("a condition that fails on the whole set would prove anything")
         if evidence.point is not None:
             self._point(at, evidence.point, known, goal.space)
         elif goal.conclusions and goal.given:
@@ -187,7 +165,7 @@ class Judge:
             for group, case in zip(groups, proof.cases, strict=True):
                 yield from group
                 yield from self._settle(goals, [*known, *group], case, at)
-            goals = [reduce(Element.__mul__, (_group(group) for group in groups))]
+            goals = [reduce(mul, (_group(group) for group in groups))]
         rows = proof.rows or ((),) * len(goals)
         if len(rows) != len(goals):
             raise Unproved("there is not a row for each goal")
@@ -214,7 +192,7 @@ class Judge:
         self.accepted.places.append(place)
         return place
 
-    def _fails(self, goal: Follows, evidence: At, at: Evaluation) -> None:
+    def _fails(self, goal: Follows, evidence: At, at: Evaluation, sign: bool) -> None:
         place = self._point(at, evidence.point, at.differences(goal.given), goal.space)
         for conclusion in goal.conclusions:
             values = [(place(a), place(b)) for a, b in at.pairs(conclusion)]
@@ -229,7 +207,7 @@ class Judge:
         self.accepted.divides(chosen)
         return [[at.partial(f, name) for name in goal.space.variables] for f in chosen]
 
-    def _rank(self, goal: Rank, evidence: At, sign: bool, at: Evaluation) -> None:
+    def _rank(self, goal: Rank, evidence: At, at: Evaluation, sign: bool) -> None:
         rows = self._rows(goal, at)
         place = self._point(at, evidence.point, at.differences(goal.given), goal.space)
         if rank([[place(entry) for entry in row] for row in rows]) != len(rows):
@@ -237,7 +215,7 @@ class Judge:
         if (len(rows) == goal.rank) != sign:
             raise Unproved(f"there are {len(rows)} independent differentials")
 
-    def _minors(self, goal: Rank, evidence: Minors, at: Evaluation) -> None:
+    def _minors(self, goal: Rank, evidence: Minors, at: Evaluation, sign: bool) -> None:
         rows = self._rows(goal, at)
         known = at.differences(goal.given)
         columns = combinations(range(len(goal.space.variables)), len(rows))
@@ -247,7 +225,7 @@ class Judge:
 
     # -- signs ---------------------------------------------------------------------
 
-    def _positive(self, goal: Positive, evidence: Squares, at: Evaluation) -> None:
+    def _positive(self, goal: Positive, evidence: Squares, at: Evaluation, sign: bool) -> None:
         value, known = at.scalar(goal.formula), at.differences(goal.given)
         rest = value
         for number, base in evidence.squares:
@@ -264,11 +242,24 @@ class Judge:
         self.accepted.uses(used)
         self._point(at, evidence.point, known, goal.space)
 
-    def _not_positive(self, goal: Positive, evidence: At, at: Evaluation) -> None:
+    def _not_positive(self, goal: Positive, evidence: At, at: Evaluation, sign: bool) -> None:
         place = self._point(at, evidence.point, at.differences(goal.given), goal.space)
         value = rational_terms(place(at.scalar(goal.formula)))
         if value is None or value > 0:
             raise Unproved("it is positive at the point, or not rational")
+
+    # -- counts --------------------------------------------------------------------
+
+    def _count(self, goal: Count, evidence: Roots, at: Evaluation, sign: bool) -> None:
+        if (len(evidence.eliminant) == goal.number) != sign:
+            raise Unproved("it is another number of solutions")
+        away, left = check_roots(goal, evidence, at)
+        self.accepted.away[-1].extend(away)
+        self.accepted.divides(left)
+        self._point(at, evidence.point, at.differences(goal.equations), goal.space)
+
+    def _solutions(self, goal: Count, evidence: Solutions, at: Evaluation, sign: bool) -> None:
+        self.accepted.places += check_solutions(goal, evidence, at)
 
     # -- what exists ---------------------------------------------------------------
 
@@ -334,11 +325,29 @@ def _adds_to_zero(elements: Sequence[Element], weighted: Sequence[tuple[Fraction
     return True
 
 
+Rule = Callable[[Judge, Any, Any, Evaluation, bool], None]
+_RULES: dict[tuple[type, type, bool], Rule] = {
+    (Fails, At, True): Judge._fails,
+    (Fails, Shown, False): Judge._follows,
+    (Follows, Shown, True): Judge._follows,
+    (Follows, At, False): Judge._fails,
+    (Rank, At, True): Judge._rank,
+    (Rank, At, False): Judge._rank,
+    (Rank, Minors, False): Judge._minors,
+    (Positive, Squares, True): Judge._positive,
+    (Positive, At, False): Judge._not_positive,
+    (Count, Roots, True): Judge._count,
+    (Count, Roots, False): Judge._count,
+    (Count, Solutions, False): Judge._solutions,
+}
+"""What checks a kind of evidence for a kind of goal, or against it."""
+
+
 def _group(group: Sequence[Element]) -> Element:
     """What the checker makes of a group: its one element, or the sum of squares."""
     if len(group) == 1:
         return group[0]
-    return reduce(Element.__add__, (entry * entry for entry in group))
+    return reduce(add, (entry * entry for entry in group))
 
 
 def _names(formula: Formula) -> Iterator[str]:

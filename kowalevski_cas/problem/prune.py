@@ -145,26 +145,10 @@ def pruned(goals: Iterable[Goal]) -> Problem:
     """The problem of some goals, over spaces that hold what the goals lead to and no more."""
     goals = tuple(goals)
     reaches: dict[Setting, Reach] = {}
-
-    def reach(setting: Setting) -> Reach:
-        if setting not in reaches:
-            reaches[setting] = Reach(setting)
-            if setting.change is not None:
-                reach(setting.change.old)
-        return reaches[setting]
-
     for goal in goals:
         bound = goal.bound if isinstance(goal, Exists) else ()
         for one in simple(goal):
-            found = reach(one.space)
-            found.bound |= {*bound}
-            for formula in one.formulas():
-                found.formula(formula)
-            if isinstance(one, Rank):
-                found.whole()
-            if isinstance(one, Count):
-                for name in one.names:
-                    found.name(name)
+            _reach_goal(one, bound, _reach_of(one.space, reaches))
     made: dict[Setting, Space] = {}
     for setting in reversed([*reaches]):
         _reach_source(setting, reaches)
@@ -173,6 +157,26 @@ def pruned(goals: Iterable[Goal]) -> Problem:
     for setting in _sources_first(reaches):
         made[setting] = _space(reaches[setting], made)
     return Problem(tuple(_over(goal, made) for goal in goals))
+
+
+def _reach_of(setting: Setting, reaches: dict[Setting, Reach]) -> Reach:
+    """What is reached of a setting, and of the one behind a change."""
+    if setting not in reaches:
+        reaches[setting] = Reach(setting)
+        if setting.change is not None:
+            _reach_of(setting.change.old, reaches)
+    return reaches[setting]
+
+
+def _reach_goal(goal: Simple, bound: Iterable[str], reach: Reach) -> None:
+    """Reach what a goal uses; a rank is about all variables."""
+    reach.bound |= {*bound}
+    for formula in goal.formulas():
+        reach.formula(formula)
+    if isinstance(goal, Rank):
+        reach.whole()
+    for name in goal.names if isinstance(goal, Count) else ():
+        reach.name(name)
 
 
 def _reach_source(setting: Setting, reaches: dict[Setting, Reach]) -> None:

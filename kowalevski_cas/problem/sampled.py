@@ -40,9 +40,8 @@ class Sampled(Evaluation):
             self._memory[key] = formula, super().__call__(formula, conjugated)
         return self._memory[key][1]
 
-    def polynomial(self, formula: Sum) -> Element | None:
-        """Nothing: a sum is added up like any other formula."""
-        return None
+    def polynomial(self, formula: Sum) -> None:
+        """Nothing: a program is never expanded."""
 
     def carry(self, element: Element) -> Program:
         """An exact element as a program."""

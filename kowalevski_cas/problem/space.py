@@ -62,7 +62,7 @@ class Motion:
 class Change:
     """The field is that of the space ``old``, carried over by formulas for the new variables.
 
-    ``time`` is the factor of the old time in the new rates: :math:`dx/d\\tau = time\\,dx/dt`.
+    Each rate by the new time is ``time`` times the one by the old time.
     """
 
     old: Setting
@@ -103,7 +103,7 @@ class Setting(ABC):
 
     @property
     def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
-        """Declared places where something degenerates: equations, and what is not zero elsewhere."""
+        """Declared places of degeneracy: equations, and what does not vanish elsewhere."""
         return ()
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 from kowalevski_cas.notation import (
@@ -64,13 +65,16 @@ def decode(tree: Tree) -> Formula:
     >>> decode(["D", "x_1"]) == Derivative(Name("x_1"), MARK)
     True
     """
+    if type(tree) is str:
+        return _name(tree)
+    if type(tree) is int:
+        return Number(tree) if tree >= 0 else Negative(Number(-tree))
+    if type(tree) is not list or len(tree) < 2 or type(tree[0]) is not str:
+        raise FormatError("a formula is expected")
+    op, *parts = tree
+    if op in _KINDS and op not in ("/", "D"):
+        return _made(op, tuple(map(decode, parts)))
     match tree:
-        case bool():
-            pass
-        case str():
-            return Name(tree)
-        case int():
-            return Number(tree) if tree >= 0 else Negative(Number(-tree))
         case ["^", base, int(exponent)]:
             return Power(decode(base), Number(exponent))
         case ["d", str(name), argument]:
@@ -82,9 +86,10 @@ def decode(tree: Tree) -> Formula:
             for divisor in divisors:
                 result = Quotient(result, decode(divisor))
             return result
-        case [str(op), *parts] if op in _KINDS and parts:
-            return _made(op, tuple(map(decode, parts)))
     raise FormatError("a formula is expected")
+
+
+_name = cache(Name)
 
 
 def _made(op: str, parts: tuple[Formula, ...]) -> Formula:

@@ -12,7 +12,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
-from kowalevski_cas.problem.evidence import Evidence, Found, Regardless
+from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.cofactors import cofactors
@@ -139,7 +139,7 @@ def never(goal: Exists, finder: Finder) -> Regardless | None:
 
 def _no_expressions(
     sides: Equation, goal: Exists, finder: Finder, one: Follows
-) -> tuple[tuple[Formula, object], ...] | None:
+) -> tuple[tuple[Formula, Point], ...] | None:
     """A point where all that multiplies bound names vanishes, and the rest does not."""
     at = finder.of(one.space)
     collected = collect(Sum((sides[0], Negative(sides[1]))), goal.bound)
@@ -153,7 +153,7 @@ def _no_expressions(
 
 def _no_numbers(
     sides: Equation, goal: Exists, finder: Finder, one: Follows
-) -> tuple[tuple[Formula, object], ...] | None:
+) -> tuple[tuple[Formula, Point], ...] | None:
     """Points with weights at which an equation adds up to a number."""
     at = finder.of(one.space)
     collected = collect(Sum((sides[0], Negative(sides[1]))), goal.bound)

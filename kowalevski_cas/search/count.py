@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from flint import fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
 from kowalevski_cas.algebra.hermite import hermite_minors
 from kowalevski_cas.algebra.numbers import square_root
@@ -66,7 +66,8 @@ def system_of(goal: Count, at: Evaluation) -> System | None:
     levels, values = [], []
     own = {places[name] for name in unknowns}
     for polynomial in rest:
-        inner, outer = {}, {}
+        inner: dict[tuple[int, ...], fmpq] = {}
+        outer: dict[tuple[int, ...], fmpq] = {}
         for exponents, coefficient in polynomial.to_dict().items():
             inside = any(exponents[k] for k in own)
             if inside and any(e for k, e in enumerate(exponents) if k not in own):
@@ -81,7 +82,7 @@ def system_of(goal: Count, at: Evaluation) -> System | None:
 
 def _through(solved: list[tuple[str, fmpq_mpoly]], at: Evaluation) -> list[tuple[str, fmpq_mpoly]]:
     """Variables that were solved for in turn, all through the unknowns."""
-    images = list(at.ring.polynomials.context.gens())
+    images = list(at.ring.polynomials.zero.context().gens())
     found = []
     for name, expression in reversed(solved):
         images[at.names.index(name)] = expression.compose(*images)
@@ -267,7 +268,8 @@ class Builder:
         rest = self.at.scalar(factor)
         constants = {self.at.names.index(name) for name in self.at.setting.constants}
         for element in self.known:
-            inner, outer = {}, {}
+            inner: Terms = {}
+            outer: Terms = {}
             for exponents, v in element.terms()[0].items():
                 inside = any(exponents[k] for k in constants)
                 (inner if inside else outer)[exponents] = v

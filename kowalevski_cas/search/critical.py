@@ -155,7 +155,7 @@ class Critical:
         return [*rates, function] if self.zero_level else rates
 
     def _excess(self, homogeneous: Element) -> Row | None:
-        """By what the rates of the homogeneous function differ, over the equation of the surface."""
+        """By how much the rates of the homogeneous function differ, over that of the surface."""
         polynomials = self.at.ring.polynomials
         found = []
         pairs = zip(self._rates(self.function), self._rates(homogeneous), strict=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
 from itertools import combinations, islice, product
+from operator import add, mul
 
 from kowalevski_cas.algebra.linear import determinant
 from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring, rank
@@ -170,7 +171,7 @@ class Finder:
             ).is_zero:
                 continue
             group = at.differences(equations)
-            total = reduce(Element.__add__, (e * e for e in group))
+            total = reduce(add, (e * e for e in group))
             there = cofactors(goals[0], [*known, *group], ())
             if there is None or any(entry.denominator for entry in there):
                 continue
@@ -263,7 +264,7 @@ class Finder:
         It is sought among points in general position, and then where one or two variables vanish.
         """
         avoid = [at.scalar(formula) for formula in at.setting.nonzero]
-        avoid += divisors(at, divided)
+        avoid += at.ring.divided_by(divided)
         names = self.names(at.setting)
         norms = [self._norm(at, element) for element in zero]
         for further in self._sections(at):
@@ -304,7 +305,7 @@ class Finder:
 def alternatives(goal: Follows, at: Evaluation) -> list[Element]:
     """What has to vanish: the products of one difference from each conclusion."""
     conclusions = [at.differences(one) for one in goal.conclusions]
-    return [reduce(Element.__mul__, choice, at.ring.one) for choice in product(*conclusions)]
+    return [reduce(mul, choice, at.ring.one) for choice in product(*conclusions)]
 
 
 def combined(
@@ -316,9 +317,3 @@ def combined(
         inverse = cofactors(known[0], [target], main)
         row = [inverse[0].inverse()] if inverse and not inverse[0].is_zero else None
     return row
-
-
-def divisors(at: Evaluation, elements: Sequence[Element]) -> list[Element]:
-    """What elements are divided by, each once."""
-    indices = sorted({index for element in elements for index in element.denominator})
-    return [Element(at.ring, {0: at.ring.divisors[index]}, {}) for index in indices]

@@ -26,9 +26,9 @@ Row = list[Fraction]
 
 
 def solved_numbers(goal: Exists, finder: Finder) -> dict[str, Formula] | None:
-    """Numbers for which the one equation of the goal, quadratic in a combination, holds.
+    r"""Numbers for which the one equation of the goal, quadratic in a combination, holds.
 
-    In each point the equation is a quadratic one for the combination :math:`\\sum_k q_kb_k` of
+    In each point the equation is a quadratic one for the combination :math:`\sum_k q_kb_k` of
     the numbers. Where its roots are rational, one of them is the value of the combination:
     as many points as there are numbers determine these, up to the choice of the roots.
     """

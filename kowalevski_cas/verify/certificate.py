@@ -18,7 +18,6 @@ from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read
 from kowalevski_cas.problem.evidence import Denial, Evidence
 from kowalevski_cas.problem.goals import Exists, Goal
 from kowalevski_cas.problem.trees import FormatError, encode
-from kowalevski_cas.search.find import divisors
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
 FOLDER = "certificates"
@@ -82,20 +81,24 @@ def certificate(statement: Statement, verdicts: Verdicts, accepted: Accepted) ->
     else:
         pairs = zip(verdicts, statement.goals, strict=True)
         evidence = [_with_away(one, goal, away) for one, goal in pairs]
-    data: dict[str, Any] = {
-        "format": FORMAT,
-        "version": VERSION,
-        "claim": statement.claim.id,
-        **problem_data(statement.problem),
-        "sign": "denied" if isinstance(verdicts, Denial) else "holds",
-        "evidence": evidence,
-        "digest": statement.digest,
-    }
-    from kowalevski_cas.problem import checker  # only those who write certificates need it
-
-    text = dump(data)
+    text = written(statement, "denied" if isinstance(verdicts, Denial) else "holds", evidence)
     checker.check(text)
     return text
+
+
+def written(statement: Statement, sign: str, evidence: list[Data]) -> str:
+    """The text of a certificate that nobody has checked."""
+    return dump(
+        {
+            "format": FORMAT,
+            "version": VERSION,
+            "claim": statement.claim.id,
+            **problem_data(statement.problem),
+            "sign": sign,
+            "evidence": evidence,
+            "digest": statement.digest,
+        }
+    )
 
 
 def _with_away(evidence: Evidence, goal: Goal, away: Any) -> Data:
@@ -110,7 +113,7 @@ def _with_away(evidence: Evidence, goal: Goal, away: Any) -> Data:
 
 
 def _enter(data: Data, setting: Any, elements: list[Element]) -> None:
-    found = divisors(finder_of(setting), elements)
+    found = finder_of(setting).ring.divided_by(elements)
     if found:
         data["away"] = [encode(formula_in(element)) for element in found]
 

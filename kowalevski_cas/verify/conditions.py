@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Product
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -13,8 +12,8 @@ from kowalevski_cas.problem.accept import Accepted
 from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.goals import Follows, Simple
 from kowalevski_cas.search.factors import irreducible_factors
-from kowalevski_cas.search.find import Finder, divisors
 from kowalevski_cas.search.squares import sum_of_squares
+from kowalevski_cas.verify.shown import shown
 
 Shape = frozenset[object]
 """A polynomial up to a constant factor, as a key."""
@@ -40,9 +39,11 @@ def conditions_of(accepted: Accepted) -> list[Divided]:
 def _not_implied(goal: Simple, elements: Sequence[Element], setting: Elaboration) -> list[Element]:
     """One over each divisor that may vanish where what is given holds."""
     at = setting.finder
-    found = [one.inverse() for one in divisors(at, elements)]
+    found = [one.inverse() for one in at.ring.divided_by(elements)]
     if not setting.powers or not isinstance(goal, Follows) or not goal.given:
         return found
+    from kowalevski_cas.search.find import Finder  # most proofs are read, and search nothing
+
     known, one = at.differences(goal.given), at.ring.one
     return [inverse for inverse in found if Finder.rows([one], [inverse.inverse(), *known]) is None]
 
@@ -50,14 +51,13 @@ def _not_implied(goal: Simple, elements: Sequence[Element], setting: Elaboration
 def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula]:
     """What elements of a setting, in FLINT, are divided by, beyond what it takes for granted."""
     ring = setting.finder.ring
-    indices = sorted({index for element in elements for index in element.denominator})
-    if not indices:
+    divisors = ring.divided_by(elements)
+    if not divisors:
         return []
     granted = {_shape(setting.finder.scalar(formula)) for formula in setting.nonzero}
     landmarks = [setting.texts.expression(locus.condition) for locus in setting.scene.loci]
     names = {_shape(setting.finder.scalar(setting.plain(f))): f for f in landmarks}
-    shown: dict[Formula, None] = {}
-    divisors = [Element(ring, {0: ring.divisors[index]}, {}) for index in indices]
+    found: dict[Formula, None] = {}
     known = {_shape(divisor) for divisor in divisors if len(divisor.terms()[0]) == 1} | granted
     for divisor in divisors:
         shape = _shape(divisor)
@@ -66,18 +66,13 @@ def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula
         if shape not in names and shape not in known:
             divisor = _without(divisor, known)
         if divisor is not ring.one:
-            shown[names[shape] if shape in names else show(divisor, setting)] = None
+            found[names[shape] if shape in names else shown(divisor, setting)] = None
     for pair in setting.conjugates:
         first, second = map(setting.texts.expression, pair)
-        if first in shown and second in shown:
-            del shown[second]
-            shown = {(Product((first, second)) if f == first else f): None for f in shown}
-    return list(shown)
-
-
-def show(element: Element, setting: Elaboration) -> Formula:
-    """An element in the names of its setting, as the paper prints them."""
-    return formula_of(element, setting.texts.vocabulary)
+        if first in found and second in found:
+            del found[second]
+            found = {(Product((first, second)) if f == first else f): None for f in found}
+    return list(found)
 
 
 def _without(divisor: Element, known: set[Shape]) -> Element:

@@ -6,14 +6,17 @@ A correction is a proposal. It stands in for the print elsewhere only if the der
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.goals import Fails, Follows
-from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.verify.statement import Statement, finder_of
+
+if TYPE_CHECKING:
+    from kowalevski_cas.problem.sampled import Sampled
 
 DECIDED = 400
 """How many candidates are decided in full, for claims that cannot be screened."""
@@ -72,6 +75,8 @@ def _screened(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Nei
 
 def _passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]) -> bool | None:
     """Whether identities hold at points; ``None`` if there are other goals."""
+    from kowalevski_cas.problem.sampled import Sampled  # a recorded correction is only looked up
+
     try:
         goals = list(neighbour.claim.goals(on.under(neighbour.texts)))
         simple = [g for g in goals if isinstance(g, Follows) and not isinstance(g, Fails)]

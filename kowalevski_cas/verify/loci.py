@@ -14,7 +14,7 @@ from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Ra
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.count import more_solutions
-from kowalevski_cas.search.find import Candidate, Finder, divisors
+from kowalevski_cas.search.find import Candidate, Finder
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.statement import Statement, finder_of
 
@@ -31,10 +31,10 @@ def failure_on(
     """A goal that fails on a locus and the evidence for it, if some are found."""
     there = setting.equations(locus.equations)
     finder = Finder(finder_of, statement.names)
-    for goal in _candidates(statement, setting, there):
-        evidence = finder.failure(goal, setting.finder)
+    for failing in _candidates(statement, setting, there):
+        evidence = finder.failure(failing, setting.finder)
         if evidence is not None:
-            return goal, evidence
+            return failing, evidence
     for goal in statement.goals:
         if isinstance(goal, Count):
             zero = [setting.finder.scalar(setting.formula(locus.condition))]
@@ -70,7 +70,7 @@ def _leaving(
 def rank_on(
     statement: Statement, goal: Rank, setting: Elaboration, locus: Locus
 ) -> tuple[int, Point] | None:
-    """The rank of the differentials on a locus where an equation of a set says nothing, and a point.
+    """The rank of differentials on a locus where an equation of a set says nothing, and a point.
 
     ``None`` if all equations say something there, or no point is found.
     """
@@ -85,7 +85,7 @@ def rank_on(
     names = statement.names(setting)
     avoid = [at.scalar(formula) for formula in setting.nonzero]
     best: tuple[int, Point] | None = None
-    for point in islice(real_points(at, zero, [*avoid, *divisors(at, functions)]), TRIES):
+    for point in islice(real_points(at, zero, [*avoid, *at.ring.divided_by(functions)]), TRIES):
         try:
             candidate = Candidate(at, point)
             if not candidate.vanish(zero):

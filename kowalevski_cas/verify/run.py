@@ -16,11 +16,12 @@ from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
 from kowalevski_cas.problem.evidence import Denial
+from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
 from kowalevski_cas.verify.corrections import correction, printed_of, recorded_correction
-from kowalevski_cas.verify.explain import conditions, counterexample, steps
+from kowalevski_cas.verify.explain import conditions, counterexample
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import (
     Condition,
@@ -28,10 +29,12 @@ from kowalevski_cas.verify.outcome import (
     Counterexample,
     Outcome,
     Run,
+    Screened,
+    Step,
     Verdict,
 )
-from kowalevski_cas.verify.screen import Screened, screen
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+from kowalevski_cas.verify.steps import steps
 
 Progress = Callable[[str, int, int], None]
 
@@ -107,6 +110,7 @@ class Session:
         self.texts = derivation.texts(sources)
         self.elaborations = Elaborations(self.texts)
         self.evaluations: dict[tuple[str, Setting], Evaluation] = {}
+        self.stages: dict[Setting, Sampled] = {}
         self.order = {claim.id: k for k, claim in enumerate(derivation.claims)}
         self.established: dict[Printed, str] = {}
         for claim in derivation.claims:
@@ -146,7 +150,7 @@ class Session:
 
         Those that it is about itself are left out.
         """
-        own = set(claim.establishes())
+        own = set(claim.about())
         read = {place: f for place, f in self.accepted.items() if place not in own}
         texts = texts or self.texts
         return self.elaborations.under(texts.reading(read) if read else texts)
@@ -200,7 +204,9 @@ class Session:
             with time_limit(self.timeout):
                 points = self.points.get(arithmetic)
                 if points is not None:
-                    return screen(statement, verdicts, points)
+                    from kowalevski_cas.verify.screen import screen  # proving needs no points
+
+                    return screen(statement, verdicts, points, self.stages)
                 return self._judged(statement, verdicts, arithmetic)
         except TimeoutError:
             return Decided(statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic))
@@ -309,7 +315,7 @@ class Session:
         if outcome.verdict is Verdict.PROVED:
             needed = conditions(statement, accepted, self.explain)
             if needed:
-                verdicts = {
+                verdicts: dict[str, Verdict] = {
                     name: Verdict.CONDITIONAL if v is Verdict.PROVED else v
                     for name, v in outcome.verdicts.items()
                 }
@@ -318,8 +324,11 @@ class Session:
                 )
         against: Counterexample | None = None
         if outcome.verdict is Verdict.REFUTED and isinstance(decided.verdicts, Denial):
-            against = counterexample(statement, decided.verdicts, decided.accepted)
-        told = ()
+            try:
+                against = counterexample(statement, decided.verdicts, decided.accepted)
+            except OverflowError as error:
+                return replace(outcome, verdict=Verdict.ERROR, message=str(error))
+        told: tuple[Step, ...] = ()
         if self.explain and decided.verdicts is not None:
             told = steps(statement, decided.verdicts)
         return replace(
@@ -411,20 +420,21 @@ class Session:
         return (Verdict.CONDITIONAL if needed else Verdict.PROVED), needed
 
     def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
-        """An error, if the derivation accepts for this claim what nobody has proved."""
-        for place in claim.establishes():
-            if place not in self.accepted or place != claim.printed:
-                continue
-            proposed = outcome.correction.formulas if outcome.correction else ()
-            as_printed = outcome.verdict.likely and outcome.formulas == (self.accepted[place],)
-            if not as_printed and proposed != (self.accepted[place],):
-                message = f"what the derivation accepts at {place.place} has not been proved"
-                return replace(outcome, verdict=Verdict.ERROR, message=message)
-        return outcome
+        """The outcome, with its correction accepted; an error if what is accepted is not proved."""
+        place = claim.printed
+        if place is None or place not in self.accepted or place not in set(claim.establishes()):
+            return outcome
+        formulas, correction = (self.accepted[place],), outcome.correction
+        if correction is not None and correction.formulas == formulas:
+            return replace(outcome, correction=replace(correction, accepted=True))
+        if outcome.verdict.likely and outcome.formulas == formulas:
+            return outcome
+        message = f"what the derivation accepts at {place.place} has not been proved"
+        return replace(outcome, verdict=Verdict.ERROR, message=message)
 
     def _corrected(self, claim: Claim, statement: Statement) -> tuple[str, ...]:
         """The claims whose accepted corrections a statement rests on."""
-        own = set(claim.establishes())
+        own = set(claim.about())
         used = {p for p in statement.places() if p in self.accepted and p not in own}
         ids = (self.established.get(place, place.place) for place in self.accepted if place in used)
         return tuple(dict.fromkeys(ids))

@@ -3,36 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import reduce
 from itertools import product
+from operator import mul
 
 from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
 from kowalevski_cas.problem.evidence import Found
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Positive, Rank, Simple
 from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Setting
-from kowalevski_cas.verify.outcome import Counterexample, Point, Value, Verdict
+from kowalevski_cas.verify.outcome import Counterexample, Point, Screened, Value, Verdict
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
 
-@dataclass(frozen=True)
-class Screened:
-    """What an arithmetic of points says about a statement."""
-
-    verdict: Verdict
-    message: str = ""
-    counterexample: Counterexample | None = None
-    chance: float | None = None
-    radius: float | None = None
+Stages = dict[Setting, Sampled]
+"""Settings in programs, each made once for a run."""
 
 
-def screen(statement: Statement, verdicts: Verdicts | None, points: Points) -> Screened:
+def screen(
+    statement: Statement, verdicts: Verdicts | None, points: Points, stages: Stages
+) -> Screened:
     """What an arithmetic of points says about a statement.
 
     ``probable`` with a bound on the chance that this is wrong, ``enclosed`` with a radius,
@@ -42,7 +37,7 @@ def screen(statement: Statement, verdicts: Verdicts | None, points: Points) -> S
     answers: list[Answer] = []
     unseen: list[str] = []
     try:
-        for question in _questions(statement, verdicts, unseen):
+        for question in questions(statement, verdicts, unseen, stages):
             answer = points.answer(question)
             if answer.holds is False:
                 return _refuted(answer)
@@ -68,12 +63,10 @@ def _refuted(answer: Answer) -> Screened:
     return Screened(Verdict.REFUTED, answer.words, found)
 
 
-def _questions(
-    statement: Statement, verdicts: Verdicts | None, unseen: list[str]
+def questions(
+    statement: Statement, verdicts: Verdicts | None, unseen: list[str], stages: Stages
 ) -> Iterator[Question]:
     """What can be asked at points; what cannot is entered as ``unseen``."""
-    stages: dict[Setting, Sampled] = {}
-
     def at(setting: Setting) -> Sampled:
         if setting not in stages:
             assert isinstance(setting, Elaboration)
@@ -104,14 +97,14 @@ def _bound(goal: Simple, found: Found, at: Sampled) -> Evaluation:
     return bound
 
 
-def _mentions(formula: object, name: str) -> bool:
-    from kowalevski_cas.notation import Formula
-
-    assert isinstance(formula, Formula)
+def _mentions(formula: Formula, name: str) -> bool:
     return formula == Name(name) or any(_mentions(child, name) for child in formula.children())
 
 
 def _asked(goal: Goal, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
+    if isinstance(goal, Follows) and goal.given and goal.space.powers:
+        unseen.append("what follows for symbolic exponents cannot be seen at points")
+        return
     match goal:
         case Fails():
             if goal.conclusions:
@@ -131,7 +124,7 @@ def _asked(goal: Goal, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
 
 def _residuals(goal: Follows, at: Evaluation) -> list[Element]:
     conclusions = [at.differences(one) for one in goal.conclusions]
-    return [reduce(Element.__mul__, choice, at.ring.one) for choice in product(*conclusions)]
+    return [reduce(mul, choice, at.ring.one) for choice in product(*conclusions)]
 
 
 def _ask(

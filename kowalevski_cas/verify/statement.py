@@ -15,7 +15,6 @@ from kowalevski_cas.problem.evidence import At, Denial, Evidence
 from kowalevski_cas.problem.goals import Follows, Goal, simple
 from kowalevski_cas.problem.prune import pruned
 from kowalevski_cas.problem.space import Setting, Space, generators
-from kowalevski_cas.search.find import Finder
 
 Verdicts = tuple[Evidence, ...] | Denial
 """Evidence for every goal, or against one."""
@@ -67,6 +66,8 @@ class Statement:
 
     def search(self) -> Verdicts | None:
         """Evidence for all goals or against one, with FLINT; ``None`` if it is not found."""
+        from kowalevski_cas.search.find import Finder  # most proofs are read, and search nothing
+
         finder = Finder(finder_of, self.names)
         own = self.claim.search(self.goals, self.on, self.names)
         found: list[Evidence] = []
@@ -88,6 +89,8 @@ class Statement:
 
     def holds(self) -> bool:
         """Whether all goals can be proved; nobody looks for points where they fail."""
+        from kowalevski_cas.search.find import Finder
+
         finder = Finder(finder_of, self.names)
         own = self.claim.search(self.goals, self.on, self.names)
         return all(

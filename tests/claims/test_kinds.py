@@ -82,9 +82,9 @@ def test_first_integral(top, name, tex, verdict):
 
 def test_a_partial_integral_is_constant_on_its_set_and_not_off_it(top):
     at_rest = top(r"\omega_1=0")
-    third = FirstIntegral("3", top.scene, top(r"\omega_3"), "", on=(at_rest,))
-    second = FirstIntegral("2", top.scene, top(r"\omega_3+\omega_1\omega_2"), "", on=(at_rest,))
-    energy = FirstIntegral("E", top.scene, top(TWICE_ENERGY), "", on=(at_rest,))
+    third = FirstIntegral("3", top.scene, top(r"\omega_3"), "", given=(at_rest,))
+    second = FirstIntegral("2", top.scene, top(r"\omega_3+\omega_1\omega_2"), "", given=(at_rest,))
+    energy = FirstIntegral("E", top.scene, top(TWICE_ENERGY), "", given=(at_rest,))
     third, second, energy = decide(top.section, third, second, energy)
     assert third.verdict == "proved"
     assert second.verdict == "refuted" and second.counterexample.point.values[
@@ -315,7 +315,7 @@ def test_a_condition_that_the_set_excludes_proves_nothing():
     t = section.display("t", r"z=0,\quad z^2")
     claims = [
         Implication("a", scene, t[1], "", given=(g[1], g[2]), main=(("z",),)),
-        FirstIntegral("b", scene, t[2], "", on=(g[1], g[2]), main=(("z",),)),
+        FirstIntegral("b", scene, t[2], "", given=(g[1], g[2]), main=(("z",),)),
     ]
     assert verdicts(section, *claims) == ["refuted", "refuted"]
 

@@ -27,9 +27,8 @@ class ChangedEquation(Claim):
     old: Scene
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        assert self.printed is not None
         for space in map(on, (self.scene, self.old)):
-            yield identity(space, *chain(on, space, self.printed))
+            yield identity(space, *chain(on, space, self.own))
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +81,9 @@ class Unit(Claim):
             return all(d.is_zero for d in space.finder.differences(chain(on, space, row)))
         except (Meaningless, NotationError):
             return False
+
+    def about(self) -> Iterator[Printed]:
+        yield from (*super().about(), *self.rows)
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         """The other sign on the right side."""

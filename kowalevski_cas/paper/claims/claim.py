@@ -5,11 +5,13 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.evidence import Evidence
 from kowalevski_cas.problem.goals import Goal
 from kowalevski_cas.problem.space import Setting
@@ -53,6 +55,13 @@ class Claim(ABC):
     printed: Printed | None
     words: str
 
+    @property
+    def own(self) -> Printed:
+        """The place of the one formula; raises :class:`Meaningless` if there is none."""
+        if self.printed is None:
+            raise Meaningless("the claim is about a formula, and names none")
+        return self.printed
+
     @abstractmethod
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         """What is stated, in the settings that the scenes mean."""
@@ -95,6 +104,10 @@ class Claim(ABC):
         if self.printed is not None:
             yield self.printed
 
+    def about(self) -> Iterator[Printed]:
+        """The places that the claim reads as they are printed, whatever the derivation accepts."""
+        yield from self.establishes()
+
     def formulas(self, texts: Texts) -> tuple[Formula, ...]:
         """The formulas of the claim, as the paper prints them."""
         places = [self.printed] if self.printed is not None else [*self.establishes()]
@@ -111,4 +124,5 @@ class Claim(ABC):
             if type(value) is int:
                 for number in dict.fromkeys((value - 1, value + 1, 2 * value)):
                     words = f"{field.name} {number} instead of {value}"
-                    yield Neighbour(words, replace(self, **{field.name: number}), texts)
+                    changed: dict[str, Any] = {field.name: number}
+                    yield Neighbour(words, replace(self, **changed), texts)

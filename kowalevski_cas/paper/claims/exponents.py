@@ -51,7 +51,7 @@ class SolvedExponents(Claim):
         still = tuple(vanishes(rate(base)) for base in bases)
         at_one = [(formula, ONE) for formula in (*bases, *(Name(power.name) for power in powers))]
         yield Fails(space, (still,), tuple(at_one))
-        derivative = coefficient
+        derivative: Formula = coefficient
         for k, value in enumerate(values):
             given = (*at_one, *values[:k], vanishes(derivative))
             yield Follows(space, ((value,), still), given)

@@ -17,29 +17,28 @@ from kowalevski_cas.problem.goals import Fails, Follows, Goal, identity
 
 @dataclass(frozen=True, eq=False)
 class FirstIntegral(Claim):
-    """The printed expression is constant along every motion on the set ``on``.
+    """The printed expression is constant along every motion on the set ``given``.
 
     With a set, the claim includes that it is not constant off the set.
     """
 
-    on: tuple[Printed, ...] = ()
+    given: tuple[Printed, ...] = ()
     main: tuple[tuple[str, ...], ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         still = tuple(vanishes(rate(space.plain(m))) for m in self.constants(on, space))
-        if not self.on:
+        if not self.given:
             yield identity(space, *still)
             return
-        yield Follows(space, (still,), equations(on, space, self.on), self.main)
+        yield Follows(space, (still,), equations(on, space, self.given), self.main)
         yield Fails(space, (still,))
 
     def constants(self, on: Elaborations, space: Elaboration) -> list[Formula]:
         """The members that have to be constant; not names that are defined by the others."""
-        assert self.printed is not None
-        formula = on.texts.formula(self.printed)
+        formula = on.texts.formula(self.own)
         chain = members(formula) if isinstance(formula, Relation) else [formula]
-        here = {n for n, place in self.scene.definitions.items() if place == self.printed}
+        here = {n for n, place in self.scene.definitions.items() if place == self.own}
         chain = [m for m in chain if not (isinstance(m, Name) and m.name in here)] or chain
         return [member for member in chain if not _is_level(member, space)] or chain
 

@@ -105,7 +105,7 @@ Matrix = list[list[Formula]]
 
 
 def matrix(letter: str, rows: int, columns: int) -> Matrix:
-    """A matrix of names: ``M_{11}``, ``M_{12}``, …"""
+    """A matrix of names, ``M_{11}``, ``M_{12}`` and so on."""
     return [
         [Name(f"{letter}_{{{i}{j}}}") for j in range(1, columns + 1)] for i in range(1, rows + 1)
     ]

@@ -1,0 +1,102 @@
+r"""What each statement of a display defines, read off its TeX before any name is declared.
+
+Names are canonical, as the reader makes them. A member of a chain of equalities defines a name if
+it is nothing but this name, a function with its arguments, or a bracket of two names.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import groupby
+from typing import NamedTuple
+
+from kowalevski_cas.notation.cursor import END, Cursor
+from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.layout import statements
+from kowalevski_cas.notation.lexer import Token, scan
+from kowalevski_cas.notation.vocabulary import Vocabulary
+
+CLOSING = r"\}"
+
+
+class Heads(NamedTuple):
+    """The names that a statement defines, and those whose squares it gives."""
+
+    names: tuple[str, ...]
+    squares: tuple[str, ...]
+
+
+@cache
+def heads(tex: str) -> tuple[Heads, ...]:
+    r"""What each statement of a display defines; raises ``NotationError`` for broken TeX.
+
+    >>> heads(r"H = \omega_1^2 - x \equiv h, \quad ({\bs \alpha}, {\bs \alpha}) = a^2")
+    (Heads(names=('H', 'h'), squares=()), Heads(names=(), squares=('a',)))
+    >>> [*heads(r"\varphi(s) = 4ms^2, \quad {\bf e}_1 = (1,0)")][1].names
+    ('\\mathbf{e}_1',)
+    """
+    return tuple(_heads(tokens, tex) for tokens in statements(scan(tex), tex))
+
+
+def _heads(tokens: list[Token], tex: str) -> Heads:
+    """What one statement defines; an expression without a relation defines nothing."""
+    runs = groupby(tokens, key=lambda token: token.kind == "relation")
+    members = [_Member(tex, [*run], Vocabulary()) for relation, run in runs if not relation]
+    if len(members) < 2:
+        return Heads((), ())
+    found = [member.read() for member in members]
+    return Heads(
+        tuple(dict.fromkeys(name for name, square in found if name and not square)),
+        tuple(dict.fromkeys(name for name, square in found if name and square)),
+    )
+
+
+class _Member(Cursor):
+    """One member of a chain."""
+
+    def read(self) -> tuple[str, bool]:
+        """The name that the member is, and whether it is its square; no name if it is neither."""
+        try:
+            name = self.bracket() if self.here(r"\{") else self.name()
+            if self.here("("):
+                name += f"({self.listed(')')})"
+            power = self.tokens[self.at].kind == "^" and self.power()
+        except NotationError:
+            return "", False
+        read = self.tokens[self.at].kind == END and power in (False, "2")
+        return (name, power == "2") if read else ("", False)
+
+    def here(self, text: str) -> bool:
+        """Whether this bracket opens here."""
+        return self.tokens[self.at].kind == "open" and self.tokens[self.at].text == text
+
+    def name(self) -> str:
+        """A letter with its index."""
+        if self.tokens[self.at].kind != "letter":
+            raise self.unexpected()
+        letter = self.take().text
+        return letter + self.index() if self.tokens[self.at].kind == "_" else letter
+
+    def bracket(self) -> str:
+        """A bracket of names."""
+        return rf"\{{{self.listed(CLOSING)}\}}"
+
+    def listed(self, closing: str) -> str:
+        """Names in brackets, with commas between them."""
+        self.at += 1
+        names = [self.name()]
+        while self.tokens[self.at].kind == "comma":
+            self.at += 1
+            names.append(self.name())
+        if self.take().text != closing:
+            raise self.unexpected()
+        return ",".join(names)
+
+    def power(self) -> str:
+        """What stands in a power of one sign."""
+        self.at += 1
+        braced = self.tokens[self.at].kind == "{"
+        self.at += braced
+        text = self.take().text
+        self.at += braced
+        return text
