@@ -41,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes"
     )
     parser.add_argument(
-        "--timeout", type=float, default=2.0, metavar="SECONDS", help="for each claim (2)"
+        "--timeout", type=float, default=1.0, metavar="SECONDS", help="for each claim (1)"
     )
 
 

@@ -80,7 +80,8 @@ def _wrong(audit: Audit) -> list[str]:
     for outcome in audit.statements:
         if outcome.verdict is Verdict.REFUTED:
             lines.append(f"  {outcome.claim} is refuted: {plain.words(outcome.words, vocabulary)}")
-            lines.append(f"    printed   {plain.formulas(outcome.formulas, outcome.source)}")
+            if printed := plain.formulas(outcome.formulas, outcome.source):
+                lines.append(f"    printed   {printed}")
             causes = audit.session.causes.get(outcome.claim, ())
             if causes:
                 named = ", ".join(located(audit, cause.place) for cause in causes)
