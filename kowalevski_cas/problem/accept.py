@@ -17,7 +17,7 @@ from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
-from kowalevski_cas.problem.count import check_roots, check_solutions
+from kowalevski_cas.problem.count import check_roots, check_solutions, square
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless, rational_terms
 from kowalevski_cas.problem.evidence import (
     At,
@@ -48,6 +48,9 @@ Of = Callable[[Setting], Evaluation]
 
 
 ZERO = Number(0)
+
+LARGEST_POWER = 16
+"""The largest power of a goal that a proof combines."""
 
 
 class Unproved(ValueError):
@@ -105,8 +108,10 @@ class Judge:
     def _decide(self, goal: Goal, evidence: Evidence, sign: bool) -> None:
         try:
             self._rule(goal, evidence, sign)
-        except (Misplaced, Meaningless, ZeroDivisionError) as error:
+        except (Unproved, Misplaced, Meaningless, ZeroDivisionError) as error:
             raise Unproved(str(error)) from None
+        except (ValueError, TypeError, LookupError, AttributeError) as error:
+            raise Unproved(f"the evidence has another shape: {error}") from None
 
     def _rule(self, goal: Goal, evidence: Evidence, sign: bool) -> None:
         match goal, evidence, sign:
@@ -134,6 +139,7 @@ class Judge:
                 self._fails(goal, evidence, at)
             case Fails(), Shown(), False:
                 self._follows(goal, evidence, at)
+                self._unconditional(at)
             case Fails(), _, _:
                 raise Unproved("it is no evidence for this goal")
             case Follows(), Shown(), True:
@@ -144,6 +150,7 @@ class Judge:
                 self._rank(goal, evidence, sign, at)
             case Rank(), Minors(), False:
                 self._minors(goal, evidence, at)
+                self._unconditional(at)
             case Positive(), Squares(), True:
                 self._positive(goal, evidence, at)
             case Positive(), At(), False:
@@ -151,6 +158,8 @@ class Judge:
             case Count(), Roots(), _:
                 if (len(evidence.eliminant) == goal.number) != sign:
                     raise Unproved("it is another number of solutions")
+                if not is_real(goal.space):
+                    raise Unproved("what is counted has to be real")
                 away, left = check_roots(goal, evidence, at)
                 self.accepted.away[-1].extend(away)
                 self.accepted.divides(left)
@@ -162,7 +171,18 @@ class Judge:
 
     # -- what follows --------------------------------------------------------------
 
+    def _unconditional(self, at: Evaluation) -> None:
+        """Refuse evidence that divides by what may vanish: it would show nothing there."""
+        granted = [at.scalar(formula).inverse() for formula in at.setting.nonzero]
+        away = {id(element) for element in self.accepted.away[-1]}
+        stated = [e for e in self.accepted.divided[-1][1] if id(e) not in away]
+        known = {index for element in (*granted, *stated) for index in element.denominator}
+        if any(element.denominator.keys() - known for element in self.accepted.away[-1]):
+            raise Unproved("it divides by what may be zero")
+
     def _follows(self, goal: Follows, evidence: Shown, at: Evaluation) -> None:
+        if not all(goal.conclusions):
+            raise Unproved("nothing is stated")
         known = at.differences(goal.given)
         pairs = [at.pairs(one) for one in goal.conclusions]
         sides = [e for one in pairs for pair in one for e in pair]
@@ -175,6 +195,8 @@ class Judge:
             self._point(at, evidence.point, known, goal.space)
         elif goal.conclusions and goal.given:
             raise Unproved("nothing is known to satisfy the hypotheses")
+        if not goal.conclusions:
+            self._unconditional(at)
 
     def _settle(
         self, goals: Sequence[Element], known: Sequence[Element], proof: Proof, at: Evaluation
@@ -188,6 +210,8 @@ class Judge:
                 yield from group
                 yield from self._settle(goals, [*known, *group], case, at)
             goals = [reduce(Element.__mul__, (_group(group) for group in groups))]
+        if not 1 <= proof.power <= LARGEST_POWER:
+            raise Unproved("it is no power that is taken")
         rows = proof.rows or ((),) * len(goals)
         if len(rows) != len(goals):
             raise Unproved("there is not a row for each goal")
@@ -251,10 +275,7 @@ class Judge:
         value, known = at.scalar(goal.formula), at.differences(goal.given)
         rest = value
         for number, base in evidence.squares:
-            factor = at.scalar(number)
-            if (rational_terms(factor) or 0) <= 0:
-                raise Unproved("a square has no positive factor")
-            rest = rest - factor * at.scalar(base) ** 2
+            rest = rest - square(number, base, at)
         row = (evidence.row,) if evidence.row else ()
         used = list(self._settle([rest], known, Proof(row), at))
         if evidence.zero is None:
@@ -292,10 +313,7 @@ class Judge:
         self.accepted.starts(one)
         at = self.of(one.space)
         places = [(w, self._point(at, p, (), one.space)) for w, p in evidence.points]
-        weights = [rational_terms(place.numbers.scalar(weight)) for weight, place in places]
-        weighted = [
-            (w or Fraction(0), place) for w, (_, place) in zip(weights, places, strict=True)
-        ]
+        weighted = [(_rational(place.numbers.scalar(weight)), place) for weight, place in places]
         if not any(self._impossible(goal, sides, at, weighted) for sides in one.conclusions[0]):
             raise Unproved("with other expressions the equation may hold")
 
@@ -318,7 +336,7 @@ class Judge:
 
 
 def _vanish(elements: Sequence[Element], weighted: Sequence[tuple[Fraction, Place]]) -> bool:
-    return all(place.vanish(elements) for _, place in weighted)
+    return all(place(element).is_zero for _, place in weighted for element in elements)
 
 
 def _adds_to_zero(elements: Sequence[Element], weighted: Sequence[tuple[Fraction, Place]]) -> bool:
@@ -326,12 +344,16 @@ def _adds_to_zero(elements: Sequence[Element], weighted: Sequence[tuple[Fraction
     if len(weighted) == 1:
         return _vanish(elements, weighted)
     for element in elements:
-        values = [(weight, rational_terms(place(element))) for weight, place in weighted]
-        if any(value is None for _, value in values):
-            raise Unproved("a value at a point is not rational")
-        if sum((weight * (value or 0) for weight, value in values), Fraction(0)):
+        if sum((weight * _rational(place(element)) for weight, place in weighted), Fraction(0)):
             return False
     return True
+
+
+def _rational(number: Element) -> Fraction:
+    value = rational_terms(number)
+    if value is None:
+        raise Unproved("a value at a point is not rational")
+    return value
 
 
 def _group(group: Sequence[Element]) -> Element:

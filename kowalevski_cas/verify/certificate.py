@@ -41,15 +41,21 @@ class Stored:
         """
         if self.data.get("digest") != statement.digest:
             return None
+        try:
+            return self._verdicts(statement)
+        except (FormatError, TypeError, ValueError, RecursionError) as error:
+            raise FormatError(f"{self.path}: {error}") from None
+
+    def _verdicts(self, statement: Statement) -> Verdicts:
         evidence = self.data.get("evidence")
         if self.data.get("sign") == "denied" and isinstance(evidence, list) and evidence:
             entry = dict(evidence[0])
             place = entry.pop("goal", None)
             if not isinstance(place, int) or not 0 <= place < len(statement.goals):
-                raise FormatError(f"{self.path}: it denies no goal")
+                raise FormatError("it denies no goal")
             return Denial(place, read_evidence(entry, statement.goals[place], False))
         if not isinstance(evidence, list) or len(evidence) != len(statement.goals):
-            raise FormatError(f"{self.path}: there is not evidence for each goal")
+            raise FormatError("there is not evidence for each goal")
         pairs = zip(evidence, statement.goals, strict=True)
         return tuple(read_evidence(entry, goal) for entry, goal in pairs)
 

@@ -6,11 +6,11 @@ from dataclasses import dataclass, field
 
 import pytest
 
-from kowalevski_cas.claims import Claim, Finding, Identity
+from kowalevski_cas.paper.claims import Claim, Finding, Identity
 from kowalevski_cas.claims.claim import green
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import Verdict
-from tests.claims.small import Oscillator, decide, verdicts
+from tests.paper.small import Oscillator, decide, verdicts
 
 ALL = ("flint", "symengine", "sympy")
 

@@ -9,7 +9,7 @@ from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import NotationError, to_latex
 from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.verify.record import differences, load_record
-from kowalevski_cas.proof.verify import Session, verify
+from kowalevski_cas.verify.run import Session, verify
 from kowalevski_cas.stage import StageError
 
 NAME = "kharlamov_savushkin2004"

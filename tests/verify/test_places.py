@@ -3,7 +3,7 @@
 import pytest
 
 from kowalevski_cas.proof.dependencies import Dependencies
-from kowalevski_cas.proof.verify import Session
+from kowalevski_cas.verify.run import Session
 
 
 def places(derivation, id):

@@ -8,8 +8,8 @@ from fractions import Fraction
 import pytest
 
 from derivations.kharlamov2002 import derivation
-from kowalevski_cas.claims import CriticalSet, Finding
-from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.paper.claims import CriticalSet, Finding
+from kowalevski_cas.verify.run import Bench
 from kowalevski_cas.cli.formats.json import counterexample as in_tex
 from kowalevski_cas.notation import edits, to_latex
 from kowalevski_cas.proof.cases import Case

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kowalevski_cas.claims import (
+from kowalevski_cas.paper.claims import (
     ChangedEquation,
     Coefficient,
     Definition,
@@ -21,11 +21,11 @@ from kowalevski_cas.claims import (
     Unit,
 )
 from kowalevski_cas.cli.formats.json import counterexample as in_tex
-from kowalevski_cas.derivation import Change, Scene, Section
+from kowalevski_cas.paper.derivation import Change, Scene, Section
 from kowalevski_cas.notation import Name, Number
 from kowalevski_cas.verify.record import in_latex
-from tests.claims.plain import value
-from tests.claims.small import MOMENTUM, TWICE_ENERGY, Oscillator, Top, decide, verdicts
+from tests.paper.plain import value
+from tests.paper.small import MOMENTUM, TWICE_ENERGY, Oscillator, Top, decide, verdicts
 
 
 @pytest.fixture

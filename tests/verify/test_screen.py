@@ -6,7 +6,7 @@ from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import contradictions, load_record
-from kowalevski_cas.proof.verify import verify
+from kowalevski_cas.verify.run import verify
 
 BEYOND = {"ansatz-exponents", "equilibria", "critical-set", "limit"}
 """Claims that say what no point can show."""

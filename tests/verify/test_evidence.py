@@ -6,11 +6,11 @@ from fractions import Fraction
 
 import pytest
 
-from kowalevski_cas.claims import InvariantRelations
+from kowalevski_cas.paper.claims import InvariantRelations
 from kowalevski_cas.proof.evidence import Evidence, Mended, dump_evidence, load_evidence
 from kowalevski_cas.verify.record import in_latex
-from kowalevski_cas.proof.verify import Session, verify
-from tests.claims.small import Oscillator, decide
+from kowalevski_cas.verify.run import Session, verify
+from tests.paper.small import Oscillator, decide
 
 
 @pytest.fixture
@@ -181,7 +181,7 @@ def test_cofactors_may_not_be_divided_by_what_vanishes_on_the_set():
 
 
 def _again(small):
-    from tests.claims.small import derivation
+    from tests.paper.small import derivation
 
     return derivation(small.section)
 

@@ -23,7 +23,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.stage import Stage, StageError, evaluate, scalar
 from kowalevski_cas.stage.programs import ProgramStage
-from tests.stage.formulas import COMPLEX, REAL, formulas
+from tests.paper.formulas import COMPLEX, REAL, formulas
 
 DERIVATION = load_derivation("kharlamov2002")
 SOURCES = {"eq9.i": "i^2=-1"}  # as corrected
