@@ -165,6 +165,18 @@ def _against(
     return None
 
 
+def why(goal: Goal, evidence: Evidence) -> str:
+    """Why a goal is denied, where no two values say so."""
+    match goal, evidence:
+        case Fails(), Shown():
+            return "what is said to fail somewhere holds everywhere"
+        case Follows(conclusions=()), At():
+            return "there is a real point where none is said to be"
+        case Rank(), Minors():
+            return "the differentials depend on each other everywhere"
+    return ""
+
+
 def _words(goal: Goal) -> str:
     if isinstance(goal, Follows) and goal.given:
         return "the two sides at a point where what is given holds"

@@ -9,7 +9,8 @@ from kowalevski_cas.cli.formats.json import counterexample as in_tex
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import to_latex
-from kowalevski_cas.verify.record import differences, in_latex, load_record
+from kowalevski_cas.verify.outcome import in_latex
+from kowalevski_cas.verify.record import differences
 from kowalevski_cas.verify.run import verify
 
 IDS = """

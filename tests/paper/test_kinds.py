@@ -23,7 +23,7 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.cli.formats.json import counterexample as in_tex
 from kowalevski_cas.paper.derivation import Change, Scene, Section
 from kowalevski_cas.notation import Name, Number
-from kowalevski_cas.verify.record import in_latex
+from kowalevski_cas.verify.outcome import in_latex
 from tests.paper.plain import value
 from tests.paper.small import MOMENTUM, TWICE_ENERGY, Oscillator, Top, decide, verdicts
 

@@ -9,7 +9,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.paper.claims import Identity
-from kowalevski_cas.verify.record import in_latex
+from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.search.cofactors import cofactors, pseudo_divide
 from kowalevski_cas.search.exact_solutions import value
 from kowalevski_cas.search.points import constant, points

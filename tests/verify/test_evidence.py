@@ -8,7 +8,7 @@ import pytest
 
 from kowalevski_cas.paper.claims import InvariantRelations
 from kowalevski_cas.proof.evidence import Evidence, Mended, dump_evidence, load_evidence
-from kowalevski_cas.verify.record import in_latex
+from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.verify.run import Session, verify
 from tests.paper.small import Oscillator, decide
 
