@@ -266,7 +266,7 @@ def read_evidence(data: Data, goal: Goal, holds: bool = True) -> Evidence:
     """
     try:
         return _read_evidence(data, goal, holds)
-    except (KeyError, TypeError, ValueError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise FormatError(f"it is no evidence: {error}") from None
 
 

@@ -69,7 +69,7 @@ def load_certificates(folder: Path) -> dict[str, Stored]:
     for path in sorted((folder / FOLDER).glob("**/*.json")):
         try:
             data = json.loads(path.read_text(encoding="utf-8"))
-        except (OSError, ValueError):
+        except (OSError, ValueError, RecursionError):
             continue
         if isinstance(data, dict) and data.get("version") == VERSION:
             found[path.relative_to(folder / FOLDER).with_suffix("").as_posix()] = Stored(path, data)
