@@ -351,7 +351,9 @@ def scalar(names, tree, values):
 
 def settled(names, values, targets, known, proof):
     """Whether the identities of a proof hold at a point in general position."""
-    require(proof.keys() <= {"product", "cofactors", "cases", "point", "away"}, "proof")
+    require(proof.keys() <= {"product", "cofactors", "cases", "power", "point", "away"}, "proof")
+    power = proof.get("power", 1)
+    require(type(power) is int and power > 0, "power")
     if groups := proof.get("product"):
         require(not names.units and not names.swap, "cases are for real numbers")
         require(len(groups) == len(proof["cases"]), "a case is missing")
@@ -364,7 +366,7 @@ def settled(names, values, targets, known, proof):
     rows = proof["cofactors"] if "cofactors" in proof else [[]] * len(targets)
     require(len(rows) == len(targets), "rows")
     for target, row in zip(targets, rows, strict=True):
-        combined(names, values, target, row, known)
+        combined(names, values, target**power, row, known)
 
 
 def rational(tree):

@@ -25,7 +25,7 @@ TEXTS = {
 }
 """The certificates of the first paper; the oracle cannot look at as many roots as the other has."""
 
-SAMPLE = 60
+SAMPLE = 25
 """How many certificates are judged by the oracle, out of all, and tampered with in a quick run."""
 
 
@@ -132,11 +132,10 @@ class TestStatements:
             rejected(data, "not equal|may be")
 
     def test_a_condition_removed(self):
-        for claim in ("eq12", "ratio", "eq22"):
+        data = certificate("equilibria")
+        rejected(changed(data, ("evidence", 0, "away"), None), "may be zero")
+        for claim in ("eq12", "eq15", "ratio", "eq22"):
             data = certificate(claim)
-            for k, entry in enumerate(data["evidence"]):
-                if "away" in entry:
-                    rejected(changed(data, ("evidence", k, "away"), None), "may be zero")
             for k, space in enumerate(data["spaces"]):
                 for j in range(len(space.get("nonzero", []))):
                     rejected(changed(data, ("spaces", k, "nonzero", j), None))
@@ -171,6 +170,8 @@ class TestStatements:
         paths = [p for p in places(data["evidence"]) if p[-1] in ("product", "cases")]
         assert paths
         for path in paths:
+            if len(at(data["evidence"], path)) == 1:
+                continue
             other = json.loads(TEXTS["corrected/critical-set"])
             proof = at(other["evidence"], path[:-1])
             proof["product"], proof["cases"] = proof["product"][:1], proof["cases"][:1]
@@ -230,7 +231,7 @@ def tampered(many):
 
 
 def test_tampering():
-    tampered(4 * SAMPLE)
+    tampered(8 * SAMPLE)
 
 
 @pytest.mark.slow

@@ -3,9 +3,8 @@
 import pytest
 
 from kowalevski_cas.algebra import POINTS
-from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.record import contradictions, load_record
+from kowalevski_cas.verify.record import contradictions
 from kowalevski_cas.verify.run import verify
 
 BEYOND = {"ansatz-exponents", "equilibria", "critical-set", "limit"}
@@ -13,12 +12,11 @@ BEYOND = {"ansatz-exponents", "equilibria", "critical-set", "limit"}
 
 
 @pytest.fixture(scope="module", params=POINTS)
-def screening(request, derivation, folder):
-    return verify(derivation, (request.param,), evidence=load_evidence(folder))
+def screening(request, derivation, certificates, record):
+    return verify(derivation, (request.param,), certificates=certificates, record=record)
 
 
-def test_the_paper_is_screened_as_it_is_recorded(screening, folder):
-    record = load_record(folder)
+def test_the_paper_is_screened_as_it_is_recorded(screening, record):
     assert contradictions(screening, record) == []
     for outcome in screening.outcomes:
         recorded = record[outcome.claim]["verdict"]
