@@ -167,7 +167,7 @@ def read_problem(data: Data) -> Problem:
         for space in data["spaces"]:
             spaces.append(_read_space(space, spaces))
         return Problem(tuple(_read_goal(goal, spaces) for goal in data["goals"]))
-    except (KeyError, TypeError, ValueError, IndexError) as error:
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         raise FormatError(f"it states nothing that can be read: {error}") from None
 
 

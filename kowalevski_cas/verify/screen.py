@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import reduce
 from itertools import product
+from operator import mul
 
 from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
@@ -131,7 +132,7 @@ def _asked(goal: Goal, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
 
 def _residuals(goal: Follows, at: Evaluation) -> list[Element]:
     conclusions = [at.differences(one) for one in goal.conclusions]
-    return [reduce(Element.__mul__, choice, at.ring.one) for choice in product(*conclusions)]
+    return [reduce(mul, choice, at.ring.one) for choice in product(*conclusions)]
 
 
 def _ask(
