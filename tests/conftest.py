@@ -7,8 +7,8 @@ from hypothesis import HealthCheck, settings
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
-from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.verify import verify
+from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.run import verify
 
 settings.register_profile(
     "quick",
@@ -39,7 +39,7 @@ def derivation():
 @pytest.fixture(scope="session")
 def run(derivation, folder):
     """The whole paper in all three arithmetics."""
-    return verify(derivation, EXACT, explain=True, evidence=load_evidence(folder))
+    return verify(derivation, EXACT, explain=True, certificates=load_certificates(folder))
 
 
 @pytest.fixture(scope="session")
