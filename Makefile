@@ -30,10 +30,10 @@ motion: $(VENV)/.installed ## Draw a motion on N⁴ into reports/motion; the rep
 report: $(VENV)/.installed ## Write reports/*.tex and reports/*.pdf
 	@$(RUN) report --output reports
 
-record: $(VENV)/.installed ## Write the record of verdicts anew
+record: $(VENV)/.installed ## Search anew; write the record of verdicts and the certificates
 	@$(RUN) record
 
-certificates: $(VENV)/.installed ## Write the certificates anew
+certificates: $(VENV)/.installed ## Write the certificates, with the evidence that is there
 	@$(RUN) certificates
 
 mutants: $(VENV)/.installed ## Change one token at a time: what does an audit notice? (PAPER=, SAMPLE=, SEED=)

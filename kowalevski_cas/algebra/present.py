@@ -182,7 +182,12 @@ def _term(exponents: tuple[int, ...], value: Fraction, names: Sequence[Formula])
 
 
 def _power(base: Formula, exponent: int) -> Formula:
-    return base if exponent == 1 else Power(base, Number(exponent))
+    if exponent == 1:
+        return base
+    match base:
+        case Power(own, Number(value)):
+            return Power(own, Number(value * exponent))
+    return Power(base, Number(exponent))
 
 
 def _over(above: Formula, below: list[Formula]) -> Formula:

@@ -24,7 +24,7 @@ COMMANDS = {
     "motion": "follow a motion on N⁴ by its closed form, or by an integrator",
     "pictures": "draw a motion on N⁴: hodographs, traces, torus, bifurcation diagrams",
     "animation": "show the body as it moves on N⁴, as an animated GIF",
-    "record": "write the record of verdicts, and the evidence behind them, anew",
+    "record": "search anew, and write the record of verdicts and the certificates",
 }
 
 EXTRAS = {"numpy": "motion", "scipy": "motion", "matplotlib": "motion", "heyoka": "taylor"}

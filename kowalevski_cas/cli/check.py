@@ -1,7 +1,7 @@
 """Check certificates with the independent checker, and compare them with the record.
 
-`python -I -S kowalevski_cas/problem/checker.py FILE...` checks files as well, and
-trusts nothing else of this program.
+It says in a line what each certificate proves, or why it is rejected. `python -I -S
+kowalevski_cas/problem/checker.py FILE...` does so too, and trusts nothing else of this program.
 """
 
 from __future__ import annotations
@@ -26,7 +26,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="CERTIFICATE",
         help="a file, or a derivation whose certificates are meant; all of the library if none",
     )
-    parser.add_argument(
+    how_much = parser.add_mutually_exclusive_group()
+    how_much.add_argument(
+        "--full", action="store_true", help="say all of each theorem, not a line a certificate"
+    )
+    how_much.add_argument(
         "-q", "--quiet", action="store_true", help="do not say what the certificates prove"
     )
 
@@ -35,8 +39,10 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     results = _checked(arguments.certificates)
     for found in results if not arguments.quiet else ():
-        for claim, said in found.said.items():
-            print("\n".join(f"{claim}: {words}" for words in said))
+        for name, certificate in found.accepted.items():
+            print(f"{name.removesuffix(certificate.claim)}{certificate.summary()}")
+            for theorem in certificate.theorems if arguments.full else ():
+                print("\n".join(theorem.lines()))
     return tell(results)
 
 
@@ -48,7 +54,7 @@ def tell(results: Sequence[Checked]) -> int:
             print(f"REJECTED {name}: {why}")
         if found.without:
             print(f"without a certificate: {', '.join(found.without)}", file=sys.stderr)
-        certified, total = certified + len(found.digests), total + found.total
+        certified, total = certified + len(found.accepted), total + found.total
     print(f"certificates: CERTIFIED {certified} of {total}")
     return NOTHING if not total else AS_RECORDED if certified == total else REJECTED
 

@@ -40,6 +40,11 @@ def nonzero(condition: Condition) -> str:
     return f"{to_plain(condition.expression)} ≠ 0"
 
 
+def where(conditions: Iterable[Condition]) -> str:
+    """What several conditions say."""
+    return f"where {', '.join(map(nonzero, conditions))}"
+
+
 def needs(condition: Condition, vocabulary: Vocabulary) -> str:
     """What a statement needs, and why."""
     return f"needs {nonzero(condition)}: {words(condition.words, vocabulary)}"
@@ -47,7 +52,7 @@ def needs(condition: Condition, vocabulary: Vocabulary) -> str:
 
 def evidence(found: Counterexample, vocabulary: Vocabulary) -> list[str]:
     """Both values, and the point at which they are taken."""
-    values = found.point.values.items()
+    values = [(name, value) for name, value in found.point.values.items() if name != value]
     point = ", ".join(f"{to_plain(name)} = {_value(value)}" for name, value in values)
     said = f"  ({words(found.words, vocabulary)})" if found.words else ""
     return [

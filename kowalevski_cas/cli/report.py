@@ -14,10 +14,8 @@ from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
 from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Run
-from kowalevski_cas.verify.record import RecordError, load_record
 
 if TYPE_CHECKING:
-    from kowalevski_cas.report.witnesses import Certified
     from kowalevski_cas.verify.committed import Checked
 
 
@@ -49,36 +47,15 @@ def _report(folder: Path, derivation: Derivation, output: Path) -> None:
 def write(run: Run, folder: Path, derivation: Path) -> Checked:
     """Write the report of a run, and say where it is; what the checker says of its certificates."""
     from kowalevski_cas.report import ReportError, write_report
+    from kowalevski_cas.verify.committed import check_committed
 
-    checked = _checked(derivation)
+    checked = check_committed(derivation, session.recorded(derivation))
+    own = {outcome.claim: outcome.digest for outcome in run.outcomes}
     try:
-        written = write_report(run, folder, _certified(run, checked))
+        written = write_report(run, folder, dict(own.items() & checked.digests.items()))
     except ReportError as error:
         raise CommandError(f"the report: {error}") from None
     for note in written.notes:
         print(note, file=sys.stderr)
     print(f"{written.tex} and {written.pdf} are written", file=sys.stderr)
     return checked
-
-
-def _checked(derivation: Path) -> Checked:
-    """What the checker says of the committed certificates; nothing without a record."""
-    from kowalevski_cas.verify.committed import Checked, check_committed
-
-    try:
-        return check_committed(derivation, load_record(derivation) or {})
-    except RecordError:
-        return Checked()
-
-
-def _certified(run: Run, checked: Checked) -> Certified:
-    """The accepted certificates that are about the statements of the run."""
-    from kowalevski_cas.report.witnesses import Certified
-
-    return Certified(
-        {
-            outcome.claim: outcome.digest
-            for outcome in run.outcomes
-            if checked.digests.get(outcome.claim) == outcome.digest
-        }
-    )

@@ -6,7 +6,7 @@ in its own way; words are plain, with mathematics between dollars.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -15,7 +15,7 @@ from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.graph import Picture, picture
 from kowalevski_cas.report.sections import Section, count, sections
 from kowalevski_cas.report.sentences import opening
-from kowalevski_cas.report.witnesses import Certified, Witness, arithmetics
+from kowalevski_cas.report.witnesses import Witness, arithmetics
 from kowalevski_cas.verify.outcome import Condition, Outcome, Run, Verdict
 
 _ALWAYS: Final = (Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED)
@@ -31,7 +31,7 @@ class Proviso:
 
 @dataclass(frozen=True)
 class Report:
-    """Everything a template needs."""
+    """Everything a template needs; ``certified`` has the digests of accepted certificates."""
 
     run: Run
     version: str
@@ -44,21 +44,20 @@ class Report:
     picture: Picture
     products: int
     by_verdict: dict[Verdict, tuple[str, ...]]
-    certified: Certified
+    certified: Mapping[str, str]
     arithmetics: tuple[Witness, ...]
     programs: tuple[Witness, ...]
-    words: tuple[tuple[str, tuple[str, ...]], ...]
 
     @property
     def witnesses(self) -> tuple[Witness, ...]:
         """All who confirm claims; the checker is one of them if there are certificates."""
-        checker = Witness("checker", "", frozenset(self.certified.digests))
+        checker = Witness("checker", "", frozenset(self.certified))
         own = (checker,) if checker.claims else ()
         return (*self.arithmetics, *own, *self.programs)
 
 
 def report(
-    run: Run, certified: Certified | None = None, programs: tuple[Witness, ...] = ()
+    run: Run, certified: Mapping[str, str] | None = None, programs: tuple[Witness, ...] = ()
 ) -> Report:
     """Arrange a run for its readers."""
     present = {outcome.verdict for outcome in run.outcomes}
@@ -79,20 +78,10 @@ def report(
             verdict: tuple(o.claim for o in run.outcomes if o.verdict is verdict)
             for verdict in Verdict
         },
-        certified=certified or Certified(),
+        certified=certified or {},
         arithmetics=arithmetics(run.outcomes),
         programs=programs,
-        words=_words(certified or Certified()),
     )
-
-
-def _words(certified: Certified) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """What certificates leave to an argument in words, with the claims that rest on it."""
-    found: dict[str, list[str]] = {}
-    for claim, notes in certified.notes.items():
-        for note in notes:
-            found.setdefault(note, []).append(claim)
-    return tuple((note, tuple(claims)) for note, claims in found.items())
 
 
 def _provisos(outcomes: Sequence[Outcome]) -> tuple[Proviso, ...]:

@@ -13,6 +13,7 @@ from kowalevski_cas.verify.outcome import (
     Correction,
     Counterexample,
     Outcome,
+    Step,
     Value,
     Verdict,
 )
@@ -26,19 +27,22 @@ class Evidence:
     """
 
     ids: tuple[str, ...]
-    step: str | None = None
+    step: Step | None = None
     displays: tuple[Formula, ...] = ()
-    condition: Condition | None = None
+    conditions: tuple[Condition, ...] = ()
     counterexample: Counterexample | None = None
     values: tuple[Values, ...] = ()
     correction: Correction | None = None
+    corrected: tuple[str, ...] = ()
     message: str = ""
     disagreement: tuple[tuple[str, Verdict], ...] = ()
 
     @property
     def kind(self) -> str:
         """The name of the field that is filled."""
-        kinds = ("step", "condition", "counterexample", "correction", "disagreement")
+        kinds = (
+            "step", "conditions", "counterexample", "correction", "corrected", "disagreement"
+        )  # fmt: skip
         return next((kind for kind in kinds if getattr(self, kind)), "message")
 
 
@@ -54,6 +58,7 @@ class Values:
 def evidence(rows: Sequence[Outcome]) -> Iterator[Evidence]:
     """What is to be said about one claim, or about the rows of one display."""
     yield from _steps(rows)
+    yield from _corrected(rows)
     yield from _conditions(rows)
     yield from _counterexamples(rows)
     yield from _corrections(rows)
@@ -69,24 +74,29 @@ def evidence(rows: Sequence[Outcome]) -> Iterator[Evidence]:
 def _steps(rows: Sequence[Outcome]) -> Iterator[Evidence]:
     """Each sentence once, with the displays of all the rows that it is about."""
     if len(rows) == 1:
-        for step in rows[0].steps:
-            yield Evidence((), step=step.words, displays=step.formulas)
+        yield from (Evidence((), step=step, displays=step.formulas) for step in rows[0].steps)
         return
     steps = [(row.claim, step) for row in rows for step in row.steps]
-    for claims, shared in alike(steps, lambda step: step.words):
-        yield Evidence(
-            _unless_all(claims, rows),
-            step=shared[0].words,
-            displays=tuple(dict.fromkeys(f for step in shared for f in step.formulas)),
-        )
+    for claims, ones in alike(steps, lambda step: (step.words, step.point)):
+        displays = dict.fromkeys(formula for step in ones for formula in step.formulas)
+        yield Evidence(_unless_all(claims, rows), step=ones[0], displays=tuple(displays))
+
+
+def _corrected(rows: Sequence[Outcome]) -> Iterator[Evidence]:
+    """The corrections on which some of the rows rest, and not all."""
+    having = [(row.claim, row.corrected) for row in rows if row.corrected]
+    for claims, ones in alike(having):
+        if _unless_all(claims, rows):
+            yield Evidence(claims, corrected=ones[0])
 
 
 def _conditions(rows: Sequence[Outcome]) -> Iterator[Evidence]:
-    """Conditions once for the rows that have the same ones."""
+    """Conditions once for the rows that have the same ones; those for the same reason together."""
     having = [(row.claim, row.conditions) for row in rows if row.conditions]
     for claims, (conditions, *_) in alike(having):
-        ids = _unless_all(claims, rows)
-        yield from (Evidence(ids, condition=condition) for condition in conditions)
+        reasons = [("", one) for one in conditions]
+        for _, same in alike(reasons, lambda one: (one.words, one.witness)):
+            yield Evidence(_unless_all(claims, rows), conditions=same)
 
 
 def _counterexamples(rows: Sequence[Outcome]) -> Iterator[Evidence]:

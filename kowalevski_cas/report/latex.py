@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from kowalevski_cas.notation.latex import LATEX
 from kowalevski_cas.report.context import Report, report
@@ -11,7 +11,7 @@ from kowalevski_cas.report.graph.tikz import tikz
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.setting import Setter
-from kowalevski_cas.report.witnesses import Certified, Witness
+from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Run
 
@@ -19,7 +19,7 @@ from kowalevski_cas.verify.outcome import Run
 def render_latex(
     run: Run,
     plates: tuple[Plate, ...] = (),
-    certified: Certified | None = None,
+    certified: Mapping[str, str] | None = None,
     programs: tuple[Witness, ...] = (),
 ) -> str:
     """The report of a run as a LaTeX document, with what other commands made and confirmed."""
@@ -76,7 +76,7 @@ class LatexWriter(Writer):
     def verbatim(self, source: str) -> str:
         return rf"\texttt{{{escaped(' '.join(source.split()))}}}"
 
-    def link(self, claim: str) -> str:
+    def linked(self, claim: str) -> str:
         return rf"\hyperlink{{claim.{anchor(claim)}}}{{\texttt{{{escaped(claim)}}}}}"
 
     def picture(self, report: Report) -> str:

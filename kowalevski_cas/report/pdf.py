@@ -7,6 +7,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Literal
@@ -17,7 +18,7 @@ from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.plates import Plate, copy_plates, plates
 from kowalevski_cas.report.typst import render_typst
-from kowalevski_cas.report.witnesses import Certified, programs
+from kowalevski_cas.report.witnesses import programs
 from kowalevski_cas.verify.outcome import Run
 
 Engine = Literal["auto", "latex", "typst"]
@@ -40,7 +41,7 @@ class Written:
 
 
 def write_report(
-    run: Run, folder: Path, certified: Certified | None = None, *, engine: Engine = "auto"
+    run: Run, folder: Path, certified: Mapping[str, str] | None = None, *, engine: Engine = "auto"
 ) -> Written:
     """Write ``<derivation>.tex`` and ``<derivation>.pdf`` into a folder.
 
@@ -55,7 +56,7 @@ def write_report(
     """
     tex = folder / f"{run.derivation}.tex"
     shown = plates(folder, run.derivation)
-    certified = certified or Certified()
+    certified = certified or {}
     told = programs(folder, run.derivation, certified)
     source = render_latex(run, shown, certified, told)
     write(tex, source)

@@ -24,6 +24,7 @@ _BRACKET, _TALL_BRACKET = 0.39, 0.7
 _SIGN, _AROUND = 0.78, 0.44
 _RELATION = 1.36
 _SCRIPT = 0.72
+_ADDED = tuple(kind for kind in SIGNED if kind is not Negative)
 
 
 @dataclass(frozen=True)
@@ -50,19 +51,13 @@ def pieces(formula: Formula, printer: Printer) -> tuple[Piece, ...]:
 
 def _pieces(formula: Formula, printer: Printer) -> Iterator[Piece]:
     match formula:
-        case Relation(members, signs):
-            for k, member in enumerate(members):
-                if k:
-                    yield Piece(printer.sign(signs[k - 1]), _RELATION, "relation")
-                yield from _pieces(member, printer)
+        case Relation():
+            yield from _chain(formula, printer)
         case Sum(terms):
             for k, term in enumerate(terms):
-                if isinstance(term, Negative):
-                    yield from _pieces(term, printer)
-                else:
-                    if k:
-                        yield Piece("+", _SIGN + _AROUND, "sign")
-                    yield from _within(term, SIGNED, printer)
+                if k and not isinstance(term, Negative):
+                    yield Piece("+", _SIGN + _AROUND, "sign")
+                yield from _within(term, _ADDED, printer)
         case Negative(argument):
             yield Piece(printer.minus, _SIGN + _AROUND, "sign")
             yield from _within(argument, SIGNED, printer)
@@ -73,25 +68,38 @@ def _pieces(formula: Formula, printer: Printer) -> Iterator[Piece]:
                     first = replace(first, text=printer.times + first.text)
                 yield first
                 yield from others
+        case _:
+            yield _piece(formula, printer)
+
+
+def _chain(relation: Relation, printer: Printer) -> Iterator[Piece]:
+    for sign, member in zip((None, *relation.signs), relation.members, strict=True):
+        if sign is not None:
+            yield Piece(printer.sign(sign), _RELATION, "relation")
+        yield from _pieces(member, printer)
+
+
+def _piece(formula: Formula, printer: Printer) -> Piece:
+    """A formula that is one piece, though perhaps one with inner ones."""
+    match formula:
         case Power(base, exponent) if not is_base(base):
             *inner, closing = _bracket(base, printer).inner
             raised = printer.raised(closing.text, printer(exponent))
             width = _SCRIPT * measured(pieces(exponent, printer))
-            yield _pair([*inner, replace(closing, text=raised)], printer(formula), width)
+            return _pair([*inner, replace(closing, text=raised)], printer(formula), width)
         case Quotient(above, below):
             over, under = pieces(above, printer), pieces(below, printer)
             width = max(measured(over), measured(under)) + 0.24
-            yield Piece(printer(formula), width, inner=over, below=under, tall=True)
+            return Piece(printer(formula), width, inner=over, below=under, tall=True)
         case Vector(rows) if _is_matrix(rows):
             columns = zip(*(row.components for row in rows if isinstance(row, Vector)), strict=True)
             wide = (max(measured(pieces(cell, printer)) for cell in cells) for cells in columns)
-            yield Piece(printer(formula), sum(wide) + len(rows) + 0.8, tall=True)
+            return Piece(printer(formula), sum(wide) + len(rows) + 0.8, tall=True)
         case Root(argument):
             inside = pieces(argument, printer)
             tall = any(piece.tall for piece in inside)
-            yield Piece(printer(formula), measured(inside) + 0.9, tall=tall)
-        case _:
-            yield Piece(printer(formula), _width(to_plain(formula)))
+            return Piece(printer(formula), measured(inside) + 0.9, tall=tall)
+    return Piece(printer(formula), _width(to_plain(formula)))
 
 
 def _is_matrix(rows: Sequence[Formula]) -> bool:

@@ -13,11 +13,15 @@ from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 
 @dataclass(frozen=True)
 class Group:
-    """A claim, or the rows of one display, with what is to be said about them."""
+    """A claim, or the rows of one display, with what is to be said about them.
+
+    ``corrected`` names the claims whose corrections all the rows rest on.
+    """
 
     name: str
     rows: tuple[Outcome, ...]
     words: str
+    corrected: tuple[str, ...]
     evidence: tuple[Evidence, ...]
 
 
@@ -65,9 +69,14 @@ def _groups(outcomes: Sequence[Outcome]) -> Iterable[Group]:
             runs.append([outcome])
     for rows in runs:
         name = display_of(rows[0].claim) if len(rows) > 1 else rows[0].claim
-        words = {row.words for row in rows}
-        said = words.pop() if len(words) == 1 else ""
-        yield Group(name, tuple(rows), said, tuple(evidence(rows)))
+        words, corrected = {row.words for row in rows}, {row.corrected for row in rows}
+        yield Group(
+            name,
+            tuple(rows),
+            words.pop() if len(words) == 1 else "",
+            corrected.pop() if len(corrected) == 1 else (),
+            tuple(evidence(rows)),
+        )
 
 
 def count(outcomes: Iterable[Outcome]) -> dict[Verdict, int]:

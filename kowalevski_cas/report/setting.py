@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
-from kowalevski_cas.notation import Formula, Number, Product, Relation, Sum, Vector
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.report.breaking import Line, broken
 from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
@@ -53,7 +53,6 @@ class Setter(ABC):
         With ``shorten`` dots stand for the middle of a high display.
         """
         room *= 0.97  # estimates are good to a few per cent
-        formulas = [one for formula in formulas for one in self._by_rows(formula, room)]
         rows = [pieces(formula, self.printer) for formula in formulas]
         if sum(map(measured, rows)) + _GAP * (len(rows) - 1) <= room:
             return self.printer.finished(self.gap.join(self._joined(row) for row in rows))
@@ -71,17 +70,6 @@ class Setter(ABC):
             gone = len(shown) - _LONGEST + 1
             shown = [*shown[: _LONGEST - 2], self.left_out(gone), shown[-1]]
         return self.printer.finished(self.lines(shown))
-
-    def _by_rows(self, formula: Formula, room: float) -> Sequence[Formula]:
-        """An equation of columns that is too wide as its rows; anything else as it is."""
-        match formula:
-            case Relation((Vector(lefts), Product((Vector(rows), Vector(column)))), signs):
-                if measured(pieces(formula, self.printer)) > room:
-                    return [
-                        Relation((left, _times(row, column)), signs)
-                        for (left,), row in zip(map(_cells, lefts), rows, strict=True)
-                    ]
-        return [formula]
 
     def _joined(self, row: Sequence[Piece]) -> str:
         return joined(row, self.printer)
@@ -109,17 +97,6 @@ class Setter(ABC):
         before = self.printer.joined([inverse, self.opened("(", tall=True)])
         width = measured(piece.below) + 0.9
         return Piece(before, width, "open"), Piece(self.closed(")", tall=True), 0.6, "close")
-
-
-def _cells(row: Formula) -> tuple[Formula, ...]:
-    return row.components if isinstance(row, Vector) else (row,)
-
-
-def _times(row: Formula, column: Sequence[Formula]) -> Formula:
-    """The product of a row and a column, without what is zero."""
-    pairs = zip(_cells(row), column, strict=True)
-    terms = tuple(Product((entry, *_cells(value))) for entry, value in pairs if entry != Number(0))
-    return Sum(terms) if len(terms) > 1 else next(iter(terms), Number(0))
 
 
 def _head(row: Sequence[Piece]) -> int:

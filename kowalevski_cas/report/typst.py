@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 from kowalevski_cas.notation.typst import TYPST
@@ -11,7 +11,7 @@ from kowalevski_cas.report.context import Report, report
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.setting import Setter
-from kowalevski_cas.report.witnesses import Certified, Witness
+from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Run
 
@@ -21,7 +21,7 @@ _SPECIAL: Final = re.compile(r"([\\#$*_`@<>\[\]~=/])")
 def render_typst(
     run: Run,
     plates: tuple[Plate, ...] = (),
-    certified: Certified | None = None,
+    certified: Mapping[str, str] | None = None,
     programs: tuple[Witness, ...] = (),
 ) -> str:
     """The same report as a Typst document; its picture is a file of its own beside it."""
@@ -81,8 +81,8 @@ class TypstWriter(Writer):
     def verbatim(self, source: str) -> str:
         return f"#raw({quoted(' '.join(source.split()))})"
 
-    def link(self, claim: str) -> str:
-        return f"#link(<claim.{anchor(claim)}>, raw({quoted(claim)}))"
+    def linked(self, claim: str) -> str:
+        return f"#link(<claim.{anchor(claim)}>, raw({quoted(claim)}));"
 
     def picture(self, report: Report) -> str:
         return '#image("picture.svg")'

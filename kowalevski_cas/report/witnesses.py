@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -18,14 +18,6 @@ from kowalevski_cas.systems import SYSTEMS, title
 from kowalevski_cas.verify.outcome import Outcome
 
 FOLDER: Final = "witnesses"
-
-
-@dataclass(frozen=True)
-class Certified:
-    """The certificates that the checker accepts: digests by claim, and what is argued in words."""
-
-    digests: Mapping[str, str] = field(default_factory=dict)
-    notes: Mapping[str, Sequence[str]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -50,18 +42,18 @@ def arithmetics(outcomes: Sequence[Outcome]) -> tuple[Witness, ...]:
     )
 
 
-def programs(folder: Path, derivation: str, certified: Certified) -> tuple[Witness, ...]:
+def programs(folder: Path, derivation: str, certified: Mapping[str, str]) -> tuple[Witness, ...]:
     """The programs that confirmed certificates as they are now, in the folder of a report.
 
-    What was said about another certificate is passed over, and so is a file that
-    cannot be read.
+    ``certified`` has the digests of the accepted certificates by claim. What was said about
+    another certificate is passed over, and so is a file that cannot be read.
     """
     found: dict[str, Witness] = {}
     for file in sorted((folder / FOLDER / derivation).glob("*.json")):
         try:
             content: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
             confirmed = dict(content["confirmed"]).items()
-            claims = frozenset(c for c, digest in confirmed if certified.digests.get(c) == digest)
+            claims = frozenset(c for c, digest in confirmed if certified.get(c) == digest)
             name, version = str(content["program"]), str(content["version"])
         except (OSError, ValueError, KeyError, TypeError):
             continue

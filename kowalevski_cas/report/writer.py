@@ -36,6 +36,7 @@ class Writer(ABC):
 
     def __init__(self, report: Report) -> None:
         self.report = report
+        self.claims = {outcome.claim for outcome in report.run.outcomes}
 
     def write(self, plates: Sequence[Plate] = ()) -> str:
         """The document."""
@@ -94,8 +95,8 @@ class Writer(ABC):
         """A source as it is typed."""
 
     @abstractmethod
-    def link(self, claim: str) -> str:
-        """A claim's id, leading to the place where it is treated."""
+    def linked(self, claim: str) -> str:
+        """The id of a claim of the report, leading to the place where it is treated."""
 
     @abstractmethod
     def picture(self, report: Report) -> str:
@@ -113,6 +114,10 @@ class Writer(ABC):
         text = text.strip()
         stop = "" if text.endswith((".", "!", "?", ":")) else end
         return self.words(text[:1].upper() + text[1:]) + stop
+
+    def link(self, claim: str) -> str:
+        """A claim's id, with a link if the report treats it."""
+        return self.linked(claim) if claim in self.claims else self.verbatim(claim)
 
     def links(self, claims: Sequence[str]) -> str:
         """Several ids, as a list in words."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -17,20 +16,23 @@ Record = Mapping[str, Mapping[str, object]]
 class Checked:
     """What the checker says about certificates.
 
-    ``digests`` has the digests of the accepted problems by claim, those of corrections after a
-    slash; ``said`` what each of them proves; ``rejected`` says why for the others, by file;
-    ``without`` lists the recorded claims that have none.
+    ``accepted`` has what it accepts by claim, corrections after a slash; ``rejected`` says why
+    for the others, by file; ``without`` lists the recorded claims that have none.
     """
 
-    digests: dict[str, str] = field(default_factory=dict)
-    said: dict[str, list[str]] = field(default_factory=dict)
+    accepted: dict[str, checker.Certificate] = field(default_factory=dict)
     rejected: dict[str, str] = field(default_factory=dict)
     without: tuple[str, ...] = ()
 
     @property
     def total(self) -> int:
         """The number of certificates that were checked."""
-        return len(self.digests) + len(self.rejected)
+        return len(self.accepted) + len(self.rejected)
+
+    @property
+    def digests(self) -> dict[str, str]:
+        """The digests of the problems that are proved, or denied."""
+        return {name: certificate.digest for name, certificate in self.accepted.items()}
 
 
 def certificate_files(folder: Path) -> list[Path]:
@@ -56,9 +58,8 @@ def check_committed(folder: Path, record: Record) -> Checked:
 
 def wanted(record: Record) -> list[str]:
     """The names of the certificates that a record asks for."""
-    decided = [
-        c for c, e in record.items() if e.get("verdict") in ("proved", "conditional", "refuted")
-    ]
+    verdicts = ("proved", "conditional", "refuted")
+    decided = [claim for claim, entry in record.items() if entry.get("verdict") in verdicts]
     return decided + [f"{CORRECTED}/{c}" for c in decided if record[c].get("correction")]
 
 
@@ -68,32 +69,31 @@ def check_files(paths: Sequence[Path], record: Record | None = None) -> Checked:
     for path in paths:
         corrected = path.parent.name == CORRECTED
         try:
-            text = path.read_text(encoding="utf-8")
-            certificate = checker.check(text)
+            certificate = checker.check(path.read_text(encoding="utf-8"))
             claim = certificate.claim
             name = f"{CORRECTED}/{claim}" if corrected else claim
             checker.need(path.name == f"{claim}.json", f"it is about the claim {claim}")
-            checker.need(name not in found.digests, "the claim was certified before")
-            data = json.loads(text)
+            checker.need(name not in found.accepted, "the claim was certified before")
             if record is not None:
-                _compare(record.get(claim, {}), data, corrected)
+                _compare(record.get(claim, {}), certificate, corrected)
         except (OSError, UnicodeDecodeError, checker.Rejected) as error:
             found.rejected[str(path)] = str(error) or type(error).__name__
             continue
-        found.digests[name] = str(data["digest"])
-        found.said[name] = [theorem.words for theorem in certificate.theorems]
+        found.accepted[name] = certificate
     return found
 
 
-def _compare(entry: Mapping[str, object], data: Mapping[str, object], corrected: bool) -> None:
+def _compare(
+    entry: Mapping[str, object], certificate: checker.Certificate, corrected: bool
+) -> None:
     """Reject a certificate that is not about what the record says."""
     checker.need(entry, "the record has no such claim")
     stale = "`make record` and `make certificates` write both anew"
     if corrected:
         checker.need(entry.get("correction"), f"the record has no correction of it; {stale}")
-        checker.need(data["sign"] == "holds", "a correction has to hold")
+        checker.need(certificate.sign == "holds", "a correction has to hold")
         return
-    same = entry.get("statement") == data["digest"]
+    same = entry.get("statement") == certificate.digest
     checker.need(same, f"the record has another statement of it; {stale}")
     sign = "denied" if entry.get("verdict") == "refuted" else "holds"
-    checker.need(data["sign"] == sign, f"the record has another verdict on it; {stale}")
+    checker.need(certificate.sign == sign, f"the record has another verdict on it; {stale}")

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Product
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -14,6 +13,7 @@ from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.goals import Follows, Simple
 from kowalevski_cas.search.factors import irreducible_factors
 from kowalevski_cas.search.squares import sum_of_squares
+from kowalevski_cas.verify.shown import shown
 
 Shape = frozenset[object]
 """A polynomial up to a constant factor, as a key."""
@@ -57,7 +57,7 @@ def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula
     granted = {_shape(setting.finder.scalar(formula)) for formula in setting.nonzero}
     landmarks = [setting.texts.expression(locus.condition) for locus in setting.scene.loci]
     names = {_shape(setting.finder.scalar(setting.plain(f))): f for f in landmarks}
-    shown: dict[Formula, None] = {}
+    found: dict[Formula, None] = {}
     known = {_shape(divisor) for divisor in divisors if len(divisor.terms()[0]) == 1} | granted
     for divisor in divisors:
         shape = _shape(divisor)
@@ -66,18 +66,13 @@ def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula
         if shape not in names and shape not in known:
             divisor = _without(divisor, known)
         if divisor is not ring.one:
-            shown[names[shape] if shape in names else show(divisor, setting)] = None
+            found[names[shape] if shape in names else shown(divisor, setting)] = None
     for pair in setting.conjugates:
         first, second = map(setting.texts.expression, pair)
-        if first in shown and second in shown:
-            del shown[second]
-            shown = {(Product((first, second)) if f == first else f): None for f in shown}
-    return list(shown)
-
-
-def show(element: Element, setting: Elaboration) -> Formula:
-    """An element in the names of its setting, as the paper prints them."""
-    return formula_of(element, setting.texts.vocabulary)
+        if first in found and second in found:
+            del found[second]
+            found = {(Product((first, second)) if f == first else f): None for f in found}
+    return list(found)
 
 
 def _without(divisor: Element, known: set[Shape]) -> Element:

@@ -1,55 +1,44 @@
-"""What a reader is told of a decision: conditions, counterexamples, and the steps taken."""
+"""What a reader is told of a decision: conditions and counterexamples."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from kowalevski_cas.algebra.present import formula_of
-from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
     Name,
     Negative,
     Number,
-    Product,
     Relation,
     Sum,
     Vector,
+    to_latex,
 )
 from kowalevski_cas.paper.claims import Dimension
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
-from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.collect import collect
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
-    At,
     Denial,
     Evidence,
-    Found,
     Minors,
-    Proof,
     Regardless,
     Roots,
-    Shown,
     Solutions,
 )
-from kowalevski_cas.problem.goals import (
-    Count,
-    Exists,
-    Fails,
-    Follows,
-    Goal,
-    Rank,
-)
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Place, number_formula
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies, same
 from kowalevski_cas.verify.loci import failure_on, rank_on
-from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Step, Value
-from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
+from kowalevski_cas.verify.shown import named, point
+from kowalevski_cas.verify.statement import Statement, finder_of
 
-LONGEST = 24
-"""How many terms a derivative has at most that is shown."""
+SHORT = 160
+"""The most letters of an equation in LaTeX that is named within a sentence."""
 
 
 # -- conditions ----------------------------------------------------------------------
@@ -65,10 +54,7 @@ def conditions(statement: Statement, accepted: Accepted, explain: bool) -> tuple
             condition = _where_it_fails(statement, setting, locus, condition)
         found.append(condition)
     known = {condition.expression for condition in found}
-    for setting, locus, witness in _larger_sets(statement):
-        expression = setting.texts.expression(locus.condition)
-        if expression not in known:
-            found.append(Condition(expression, witness.words, witness))
+    found += [one for one in _larger_sets(statement) if one.expression not in known]
     return tuple(found)
 
 
@@ -111,9 +97,7 @@ def _where_it_fails(
     return Condition(condition.expression, f"it fails for {locus.words}", witness)
 
 
-def _larger_sets(
-    statement: Statement,
-) -> Iterator[tuple[Elaboration, Locus, Counterexample]]:
+def _larger_sets(statement: Statement) -> Iterator[Condition]:
     """Loci on which a set has another dimension, with a point each."""
     for goal in statement.goals:
         if not isinstance(goal, Rank) or not isinstance(statement.claim, Dimension):
@@ -125,9 +109,13 @@ def _larger_sets(
                 continue
             count = len(goal.space.variables)
             own, claimed = count - found[0], count - goal.rank
-            words = f"for {locus.words} the set has dimension {own}"
-            shown = _point(Place(goal.space.finder, found[1]))
-            yield goal.space, locus, Counterexample(shown, Number(own), Number(claimed), words)
+            words = "the dimension of the set near this point, and the one claimed"
+            there = point(found[1].values, goal.space)
+            yield Condition(
+                goal.space.texts.expression(locus.condition),
+                f"for {locus.words} the set has dimension {own}",
+                Counterexample(there, Number(own), Number(claimed), words),
+            )
 
 
 # -- counterexamples -----------------------------------------------------------------
@@ -148,7 +136,7 @@ def _against(
     if isinstance(evidence, Roots) and isinstance(goal, Count):
         words = "the number of solutions, all of which are real, and the one claimed"
         number = Number(len(evidence.eliminant))
-        return Counterexample(_point(accepted.places[-1]), number, Number(goal.number), words)
+        return Counterexample(_at(accepted.places[-1]), number, Number(goal.number), words)
     if isinstance(evidence, Minors) or not accepted.places:
         return None
     place = accepted.places[-1]
@@ -156,19 +144,42 @@ def _against(
         own = len(place.at.setting.variables) - _size(goal, place.at)
         claimed = len(place.at.setting.variables) - goal.rank
         words = "the dimension by the rank at this point, and the dimension claimed"
-        return Counterexample(_point(place), Number(own), Number(claimed), words)
+        return Counterexample(_at(place), Number(own), Number(claimed), words)
     if accepted.differs is not None:
         left, right = map(number_formula, accepted.differs)
-        return Counterexample(_point(place), left, right, _words(goal))
+        return Counterexample(_at(place), left, right, _words(goal, place))
     if isinstance(evidence, Regardless) and isinstance(goal, Exists):
         return _regardless(goal, evidence, place)
     return None
 
 
-def _words(goal: Goal) -> str:
-    if isinstance(goal, Follows) and goal.given:
-        return "the two sides at a point where what is given holds"
-    return ""
+def _at(place: Place) -> Point:
+    return point(place.point.values, place.at.setting)
+
+
+def _words(goal: Goal, place: Place) -> str:
+    """What the two values at a point are, if not the two sides of what is printed."""
+    assert isinstance(goal, Follows)
+    left, right = _failing(goal, place)
+    order = 0
+    while isinstance(left, Derivative):
+        left, order = left.argument, order + 1
+    if order and right == Number(0):
+        which = ("", "second ", "third ")[min(order, 3) - 1]
+        whose = " of a given function" if goal.given else ""
+        return f"the {which}derivative{whose} along the motion, and zero"
+    if not goal.given:
+        return ""
+    sides = to_latex(Relation((left, right), ("=",)))
+    what = f" of ${sides}$" if not order and len(sides) < SHORT else ""
+    return f"the two sides{what}, at a point where what is given holds"
+
+
+def _failing(goal: Follows, place: Place) -> tuple[Formula, Formula]:
+    """The first equation of the last conclusion that does not hold at a point."""
+    return next(
+        sides for sides in goal.conclusions[-1] if not place.vanish(place.at.differences((sides,)))
+    )
 
 
 def _size(goal: Rank, at: Evaluation) -> int:
@@ -177,8 +188,6 @@ def _size(goal: Rank, at: Evaluation) -> int:
 
 def _regardless(goal: Exists, evidence: Regardless, place: Place) -> Counterexample | None:
     """What is left of an equation at a point where all bound names drop out."""
-    from kowalevski_cas.problem.collect import collect
-
     one = goal.goals[evidence.goal]
     assert isinstance(one, Follows)
     for left, right in one.conclusions[0]:
@@ -186,7 +195,7 @@ def _regardless(goal: Exists, evidence: Regardless, place: Place) -> Counterexam
         value = place(place.at.scalar(free))
         if not value.is_zero:
             words = "the derivative at a point where no combination can give it, and zero"
-            return Counterexample(_point(place), number_formula(value), Number(0), words)
+            return Counterexample(_at(place), number_formula(value), Number(0), words)
     return None
 
 
@@ -196,7 +205,7 @@ def _solutions(goal: Count, accepted: Accepted) -> Counterexample:
     first = accepted.places[0]
     for name in first.point.values:
         if name not in goal.names:
-            values[_named(first, name)] = first.point.values[name]
+            values[named(name, first.at.setting)] = first.point.values[name]
     for number, place in enumerate(accepted.places, 1):
         assert isinstance(place.at.setting, Elaboration)
         vectors = place.at.setting.scene.vectors
@@ -207,157 +216,3 @@ def _solutions(goal: Count, accepted: Accepted) -> Counterexample:
     words = "the number of solutions that are listed, and the one claimed"
     shown = len(accepted.places)
     return Counterexample(Point(values), Number(shown), Number(goal.number), words)
-
-
-def _point(place: Place) -> Point:
-    return Point({_named(place, name): value for name, value in place.point.values.items()})
-
-
-def _named(place: Place, name: str) -> Formula:
-    """A name as the paper prints it."""
-    setting = place.at.setting
-    return setting.texts.expression(name) if isinstance(setting, Elaboration) else Name(name)
-
-
-# -- steps ---------------------------------------------------------------------------
-
-
-def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
-    """The steps that the program took."""
-    if isinstance(verdicts, Denial):
-        goal = statement.goals[verdicts.goal]
-        return tuple(_derivatives(goal)) if isinstance(goal, Follows) else ()
-    told: list[Step] = []
-    for goal, evidence in zip(statement.goals, verdicts, strict=True):
-        told += _steps(goal, evidence)
-    return tuple(dict.fromkeys(told))
-
-
-def _steps(goal: Goal, evidence: Evidence) -> Iterator[Step]:
-    match goal, evidence:
-        case Exists(), Found():
-            yield from _found(goal, evidence)
-        case Fails(), _:
-            return
-        case Follows(), Shown(proof, _):
-            yield from _derivatives(goal)
-            yield from _proof(goal, proof)
-        case Rank(), At():
-            assert isinstance(goal.space, Elaboration)
-            count = len(goal.space.variables)
-            yield Step(
-                f"{goal.rank} differentials are independent at a point in the space of dimension "
-                f"{count}, so that the set near it is a manifold of dimension {count - goal.rank}."
-            )
-        case Count(), Roots():
-            yield from _roots(goal, evidence)
-
-
-def _derivatives(goal: Follows) -> Iterator[Step]:
-    """The derivatives that the program generated for left sides."""
-    at = finder_of(goal.space)
-    for equations in goal.conclusions[:1]:
-        for left, _ in equations:
-            if isinstance(left, Derivative):
-                yield from _derivative(left, at)
-
-
-def _derivative(left: Formula, at: Evaluation) -> Iterator[Step]:
-    words = "The derivative along the vector field, as generated"
-    try:
-        values = at.components(left)
-    except Meaningless:
-        return
-    for value in values:
-        terms = sum(map(len, value.terms().values()))
-        if terms > LONGEST:
-            yield Step(f"{words}, has {terms} terms.")
-        else:
-            yield Step(f"{words}:", (_equal(left, _shown(value, at)),))
-
-
-def _proof(goal: Follows, proof: Proof) -> Iterator[Step]:
-    """The combination that division found, or the cases."""
-    if proof.cases:
-        yield Step("It is shown case by case: in each, a factor of a consequence vanishes.")
-    if not proof.rows or not goal.given:
-        return
-    at = finder_of(goal.space)
-    names = [Product((Name(f"g_{{{k + 1}}}"),)) for k in range(len(proof.rows[0]))]
-    row = [at.scalar(entry) for entry in proof.rows[0]]
-    terms = [
-        _scaled(_shown(c, at), Name(f"g_{{{k + 1}}}")) for k, c in enumerate(row) if not c.is_zero
-    ]
-    if len(row) == len(names) and sum(len(c.terms()) for c in row) < LONGEST:
-        words = "Left minus right side, as a combination of what is given, $g_k=0$:"
-        yield Step(words, (_total(terms),))
-
-
-def _found(goal: Exists, evidence: Found) -> Iterator[Step]:
-    """The values of bound names; those of a matrix as a matrix."""
-    letters: dict[str, list[str]] = {}
-    for name in evidence.values:
-        letters.setdefault(name.partition("_")[0], []).append(name)
-    for letter, names in letters.items():
-        values = [_written(name, goal, evidence) for name in names]
-        size = int(len(names) ** 0.5)
-        if goal.numbers:
-            equations = tuple(_equal(Name(n), v) for n, v in zip(names, values, strict=True))
-            yield Step("The numbers that the program found:", equations)
-        elif size * size == len(names):
-            rows = tuple(Vector(tuple(values[size * i : size * (i + 1)])) for i in range(size))
-            yield Step("The matrix that the program found:", (_equal(Name(letter), Vector(rows)),))
-
-
-def _written(name: str, goal: Exists, evidence: Found) -> Formula:
-    """The value of a bound name in the names of the setting in which it stands first."""
-    for one in goal.goals:
-        at = finder_of(one.space)
-        try:
-            return _shown(at.scalar(evidence.values[name]), at)
-        except Meaningless:
-            continue
-    return evidence.values[name]
-
-
-def _roots(goal: Count, found: Roots) -> Iterator[Step]:
-    root = Name(found.root)
-    powers = [
-        Product((c, root)) if k == 1 else c if k == 0 else Product((c, _power(root, k)))
-        for k, c in enumerate(found.eliminant)
-        if c != Number(0)
-    ]
-    equation = Sum((_power(root, len(found.eliminant)), *reversed(powers)))
-    yield Step(
-        "The solutions are given by the roots of one equation, all real and distinct:",
-        (_equal(root, found.form), _equal(equation, Number(0))),
-    )
-
-
-def _power(base: Formula, exponent: int) -> Formula:
-    from kowalevski_cas.notation import Power
-
-    return Power(base, Number(exponent))
-
-
-def _shown(element: Element, at: Evaluation) -> Formula:
-    setting = at.setting
-    assert isinstance(setting, Elaboration)
-    return formula_of(element, setting.texts.vocabulary)
-
-
-def _equal(left: Formula, right: Formula) -> Relation:
-    return Relation((left, right), ("=",))
-
-
-def _scaled(coefficient: Formula, factor: Formula) -> Formula:
-    if isinstance(coefficient, Negative):
-        return Negative(_scaled(coefficient.argument, factor))
-    if coefficient == Number(1):
-        return factor
-    own = coefficient.factors if isinstance(coefficient, Product) else (coefficient,)
-    return Product((*own, factor))
-
-
-def _total(terms: Sequence[Formula]) -> Formula:
-    return Sum(tuple(terms)) if len(terms) > 1 else next(iter(terms), Number(0))

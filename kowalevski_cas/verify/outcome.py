@@ -42,6 +42,9 @@ class Point:
 
     values: dict[Formula, Value]
 
+    def __hash__(self) -> int:
+        return hash(tuple(self.values.items()))
+
 
 @dataclass(frozen=True)
 class Counterexample:
@@ -79,17 +82,22 @@ class Condition:
 
 @dataclass(frozen=True)
 class Step:
-    """One step that the program took, for the report: a sentence and what is displayed."""
+    """One step that the program took, for the report: a sentence and what is displayed.
+
+    With a ``point``, the sentence is about this point.
+    """
 
     words: str
     formulas: tuple[Formula, ...] = ()
+    point: Point | None = None
 
 
 @dataclass(frozen=True)
 class Correction:
     """The nearest true statement: its formulas, what was changed, its verdict.
 
-    ``printed`` and ``edit`` say where, if one printed formula was changed.
+    ``printed`` and ``edit`` say where, if one printed formula was changed, and ``accepted``
+    that the derivation reads it in place of what is printed.
     """
 
     formulas: tuple[Formula, ...]
@@ -98,6 +106,7 @@ class Correction:
     conditions: tuple[Condition, ...] = ()
     printed: Printed | None = None
     edit: Edit | None = None
+    accepted: bool = False
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -63,7 +64,7 @@ def load_record(folder: Path) -> dict[str, dict[str, object]] | None:
 
 
 def differences(
-    run: Run, record: dict[str, dict[str, object]], whole: bool = True
+    run: Run, record: Mapping[str, Mapping[str, object]], whole: bool = True
 ) -> list[Difference]:
     """Where the outcomes of a run differ from the record; of all claims if the run is whole."""
     found = {outcome.claim: describe(outcome) for outcome in run.outcomes}
@@ -82,7 +83,7 @@ def differences(
     return result
 
 
-def contradictions(run: Run, record: dict[str, dict[str, object]]) -> list[Difference]:
+def contradictions(run: Run, record: Mapping[str, Mapping[str, object]]) -> list[Difference]:
     """Where a screening denies the record; that it proves less is no difference."""
     result = []
     for outcome in run.outcomes:

@@ -12,7 +12,7 @@ from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
 from kowalevski_cas.problem.evidence import Denial
@@ -21,7 +21,7 @@ from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
 from kowalevski_cas.verify.corrections import correction, printed_of, recorded_correction
-from kowalevski_cas.verify.explain import conditions, counterexample, steps
+from kowalevski_cas.verify.explain import conditions, counterexample
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import (
     Condition,
@@ -34,6 +34,7 @@ from kowalevski_cas.verify.outcome import (
     Verdict,
 )
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+from kowalevski_cas.verify.steps import steps
 
 Progress = Callable[[str, int, int], None]
 
@@ -101,6 +102,8 @@ class Session:
         self.arithmetics = arithmetics
         self.explain = explain
         self.timeout = timeout
+        self.patience = timeout
+        """The seconds for a correction."""
         self.stored = certificates or {}
         self.record = record or {}
         self.points = {name: load_points(name, seed) for name in arithmetics if name in POINTS}
@@ -142,11 +145,15 @@ class Session:
             vocabulary=self.texts.vocabulary,
         )
 
-    def on(self, claim: Claim) -> Elaborations:
-        """The texts for a claim: with the accepted corrections, but for those that it is about."""
+    def on(self, claim: Claim, texts: Texts | None = None) -> Elaborations:
+        """The texts for a claim, of the run or others: with the accepted corrections.
+
+        Those that it is about itself are left out.
+        """
         own = set(claim.about())
         read = {place: f for place, f in self.accepted.items() if place not in own}
-        return self.elaborations.under(self.texts.reading(read)) if read else self.elaborations
+        texts = texts or self.texts
+        return self.elaborations.under(texts.reading(read) if read else texts)
 
     # -- one claim -----------------------------------------------------------------
 
@@ -317,7 +324,10 @@ class Session:
                 )
         against: Counterexample | None = None
         if outcome.verdict is Verdict.REFUTED and isinstance(decided.verdicts, Denial):
-            against = counterexample(statement, decided.verdicts, decided.accepted)
+            try:
+                against = counterexample(statement, decided.verdicts, decided.accepted)
+            except OverflowError as error:
+                return replace(outcome, verdict=Verdict.ERROR, message=str(error))
         told: tuple[Step, ...] = ()
         if self.explain and decided.verdicts is not None:
             told = steps(statement, decided.verdicts)
@@ -369,7 +379,7 @@ class Session:
         """The nearest true statement, decided in every arithmetic."""
         recorded = self.record.get(claim.id, {}).get("correction")
         try:
-            with time_limit(self.timeout):
+            with time_limit(self.patience):
                 if isinstance(recorded, str):
                     known = self._proposed(recorded_correction(claim, on, recorded), on)
                     if known is not None:
@@ -410,16 +420,17 @@ class Session:
         return (Verdict.CONDITIONAL if needed else Verdict.PROVED), needed
 
     def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
-        """An error, if the derivation accepts for this claim what nobody has proved."""
-        for place in claim.establishes():
-            if place not in self.accepted or place != claim.printed:
-                continue
-            proposed = outcome.correction.formulas if outcome.correction else ()
-            as_printed = outcome.verdict.likely and outcome.formulas == (self.accepted[place],)
-            if not as_printed and proposed != (self.accepted[place],):
-                message = f"what the derivation accepts at {place.place} has not been proved"
-                return replace(outcome, verdict=Verdict.ERROR, message=message)
-        return outcome
+        """The outcome, with its correction accepted; an error if what is accepted is not proved."""
+        place = claim.printed
+        if place is None or place not in self.accepted or place not in set(claim.establishes()):
+            return outcome
+        formulas, correction = (self.accepted[place],), outcome.correction
+        if correction is not None and correction.formulas == formulas:
+            return replace(outcome, correction=replace(correction, accepted=True))
+        if outcome.verdict.likely and outcome.formulas == formulas:
+            return outcome
+        message = f"what the derivation accepts at {place.place} has not been proved"
+        return replace(outcome, verdict=Verdict.ERROR, message=message)
 
     def _corrected(self, claim: Claim, statement: Statement) -> tuple[str, ...]:
         """The claims whose accepted corrections a statement rests on."""

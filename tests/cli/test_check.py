@@ -7,7 +7,7 @@ import pytest
 
 from kowalevski_cas.cli import main
 from kowalevski_cas.library import available, find
-from kowalevski_cas.proof.committed import certificate_files
+from kowalevski_cas.verify.committed import certificate_files
 
 PAPER = find("kharlamov2002")
 
@@ -49,9 +49,29 @@ def test_all_committed_certificates_belong_to_the_record(capsys):
 def test_it_says_what_is_proved(copy, capsys):
     assert main(["check", str(copy)]) == 0
     out = capsys.readouterr().out
-    assert out.startswith("eq14: it is false that ")
-    assert "eq6: D(((J_1 ^ 2) + (J_2 ^ 2))) = 0\n" in out
-    assert out.endswith("\ncertificates: CERTIFIED 3 of 3\n")
+    lines = out.splitlines()
+    assert lines[0].startswith("eq14: it is false that ") and ", for " in lines[0]
+    assert lines[1] == "eq6: D(((J_1 ^ 2) + (J_2 ^ 2))) = 0"
+    assert lines[3].startswith("corrected/eq14: D(")
+    assert lines[4:] == ["certificates: CERTIFIED 4 of 4"]
+
+
+def test_it_says_all_of_it(copy, capsys):
+    assert main(["check", "--full", str(copy)]) == 0
+    out = capsys.readouterr().out
+    assert "\neq6: D(((J_1 ^ 2) + (J_2 ^ 2))) = 0\n  D(((J_1 ^ 2) + (J_2 ^ 2))) = 0\n" in out
+    assert "    variables: " in out and "    field: " in out and "    point: " in out
+    with pytest.raises(SystemExit):
+        main(["check", "--full", "-q", str(copy)])
+
+
+def test_an_old_certificate_says_how_to_renew_it(copy, capsys):
+    path = copy / "certificates" / "eq6.json"
+    data = json.loads(path.read_text())
+    path.write_text(json.dumps(data | {"version": 1}))
+    assert main(["check", "-q", str(copy)]) == 5
+    words = "it is a certificate of format 1: make certificates renews it"
+    assert f"REJECTED {path}: {words}\n" in capsys.readouterr().out
 
 
 def test_a_stale_certificate(copy, capsys):
@@ -61,12 +81,12 @@ def test_a_stale_certificate(copy, capsys):
     assert main(["check", "-q", str(copy)]) == 5
     rejected, last = capsys.readouterr().out.splitlines()
     assert rejected.startswith("REJECTED ") and "eq6.json" in rejected and "statement" in rejected
-    assert last == "certificates: CERTIFIED 2 of 3"
+    assert last == "certificates: CERTIFIED 3 of 4"
 
 
 def test_a_claim_without_a_certificate_is_named(copy, capsys):
     record = json.loads((copy / "record.json").read_text())
-    record["claims"]["eq7"]["certificate"] = None
+    record["claims"]["eq7"]["verdict"] = "undecided"
     (copy / "record.json").write_text(json.dumps(record))
     (copy / "certificates" / "eq7.json").unlink()
     assert main(["check", "-q", str(copy)]) == 0
@@ -81,9 +101,20 @@ def test_a_record_that_cannot_be_read(copy, capsys):
 
 def test_files(copy, capsys):
     files = [str(path) for path in certificate_files(copy)]
+    assert len(files) == 4
     assert main(["check", "-q", *files]) == 0
     assert main(["check", "-q", *files, files[0]]) == 5
     assert "certified before" in capsys.readouterr().out
+
+
+def test_a_missing_certificate_is_rejected(copy, capsys):
+    (copy / "certificates" / "corrected" / "eq14.json").unlink()
+    assert main(["check", "-q", str(copy)]) == 5
+    out = capsys.readouterr().out
+    assert out == (
+        "REJECTED corrected/eq14.json: it is in the record, and missing\n"
+        "certificates: CERTIFIED 3 of 4\n"
+    )
 
 
 def test_files_of_derivations_with_claims_of_the_same_name(capsys):

@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -11,12 +12,14 @@ import pytest
 
 from kowalevski_cas.cli import main
 from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.run import Session
 
 ROOT = Path(__file__).parents[2]
 
 HEAD = r"""
-from kowalevski_cas.claims import *
-from kowalevski_cas.paper.derivation import Derivation, Scene, Section
+from kowalevski_cas.paper.claims import *
+from kowalevski_cas.paper.derivation import Derivation, Section
+from kowalevski_cas.paper.scene import Scene
 s = Section("1", "The oscillator")
 f = s.display("f", r"\dot x = v,\quad \dot v = -x")
 osc = Scene("oscillator", "", variables=("x", "v"), field=(f[1], f[2]))
@@ -147,29 +150,25 @@ def test_3_undecided(cli, write):
     )
     code, out, _ = cli("verify", write(f's_ = None\ne = s.display("e", "x=v, 2x=2v")\n{relations}'))
     assert code == 3
-    assert "undecided" in out and "dependent equations at the points tried" in out
+    assert "undecided" in out and "neither a proof nor a point where it fails was found" in out
 
 
 def test_3_timed_out(cli, write):
-    slow = "class Slow(Identity):\n    def decide(self, bench):\n        import time\n        time.sleep(3)\n"
+    slow = "class Slow(Identity):\n    def search(self, *_):\n        import time\n        time.sleep(3)\n"
     code, out, _ = cli("verify", write(f'{slow}t = s.display("t", "x=x")\ns.claim(Slow("slow", osc, t[1], ""))'), "--timeout", "0.05")  # fmt: skip
     assert code == 3
-    assert "not decided within 0.05 s by flint" in out
+    assert "not decided within 0.05 s by the search" in out
 
 
-FICKLE = """
-class Fickle(Identity):
-    def decide(self, bench):
-        from kowalevski_cas.claims.claim import Finding, green
-        from kowalevski_cas.verify.outcome import Verdict
-        return green(()) if bench.arithmetic != "sympy" else Finding(Verdict.REFUTED)
-t = s.display("t", "x=x")
-s.claim(Fickle("fickle", osc, t[1], ""))
-"""
+def test_4_the_arithmetics_disagree(cli, write, monkeypatch):
+    judged = Session._judged
 
+    def fickle(self, statement, verdicts, arithmetic):
+        decided = judged(self, statement, verdicts, arithmetic)
+        return replace(decided, verdict=Verdict.REFUTED) if arithmetic == "sympy" else decided
 
-def test_4_the_arithmetics_disagree(cli, write):
-    folder = write(FICKLE)
+    monkeypatch.setattr(Session, "_judged", fickle)
+    folder = write()
     code, out, _ = cli("verify", folder)
     assert code == 4
     assert "the arithmetics disagree (flint: proved, symengine: proved, sympy: refuted)" in out
@@ -229,6 +228,9 @@ def test_json_has_the_documented_form(cli, derivation):
     assert claims["eq12"]["conditions"] == ["x_1x_2"]
     assert claims["eq9.i"]["correction"]["printed"] == "i^2 = -1"
     assert claims["eq9.i"]["correction"]["verdict"] == "proved"
+    assert claims["eq9.i"]["correction"]["accepted"] is True
+    assert claims["eq14"]["correction"]["accepted"] is False
+    assert claims["eq14"]["corrected"] == ["eq9.i"] and claims["eq6"]["corrected"] == []
     assert claims["eq6"]["counterexample"] is None and claims["eq6"]["correction"] is None
     assert data["summary"]["claims"] == len(claims) == len(derivation.claims)
     assert data["summary"]["differences"] == []
@@ -289,7 +291,8 @@ def test_pretty_names_sections_errata_and_conditions(cli, derivation):
     code, out, _ = cli("verify", "--arithmetic", "flint")
     assert code == 0
     for words in ("1. Main equations", "3. The classical analogue", "Errata", "Conditions that are not stated",
-                  "    correct   i² = −1   (proved)", f"\n{len(derivation.claims)} claims: "):  # fmt: skip
+                  "    correct   i² = −1   (proved, accepted by the derivation)",
+                  "; with the correction of eq9.i\n", f"\n{len(derivation.claims)} claims: "):  # fmt: skip
         assert words in out
     assert "\x1b" not in out
 
@@ -312,8 +315,8 @@ def claim(tex):
         (r'"\x00\x01\udcff = x"', "t: "),
         ('"x = " + "1" * 5000', "digits"),
         ('"x = \\\\frac{1}{x-x}"', "vanishes identically"),
-        ('"x"', "an equation is expected instead of x"),
-        ('"x = \\\\sqrt{2}"', "declares no root of 2"),
+        ('"x"', "an equation is expected at t.1"),
+        ('"x = \\\\sqrt{2}"', "no root of 2 is declared here"),
     ],
 )
 def test_a_formula_that_cannot_be_used_is_named(cli, write, tex, words):
@@ -352,11 +355,13 @@ def test_a_record_that_cannot_be_read(cli, write):
     )
 
 
-def test_evidence_that_cannot_be_read_is_found_again(cli, write):
+def test_a_certificate_that_cannot_be_read_is_found_again(cli, write):
     folder = write(TRUE + WRONG)
     cli("record", folder)
-    Path(folder, "evidence.json").write_bytes(os.urandom(1000))
+    for path in Path(folder, "certificates").rglob("*.json"):
+        path.write_bytes(os.urandom(1000))
     assert cli("verify", folder)[0] == 0
+    assert cli("check", folder)[0] == 5
 
 
 @pytest.mark.parametrize("seconds", ["nan", "inf", "1e300"])
@@ -384,7 +389,7 @@ def test_a_claim_that_makes_no_sense_is_an_error(cli, write, body):
 def test_an_interrupt_leaves_the_record_as_it_was(cli, write, monkeypatch):
     folder = write(TRUE)
     cli("record", folder)
-    before = {path.name: path.read_bytes() for path in Path(folder).glob("*.json")}
+    before = {path: path.read_bytes() for path in Path(folder).rglob("*.json")}
     write(TRUE + WRONG)
 
     def interrupted(*_, **__):
@@ -396,14 +401,14 @@ def test_an_interrupt_leaves_the_record_as_it_was(cli, write, monkeypatch):
             code, _, err = cli("record", folder)
         assert code == 130
         assert "interrupted: files written earlier are as they were" in err
-        assert {path.name: path.read_bytes() for path in Path(folder).glob("*.json")} == before
-        assert not [path for path in Path(folder).iterdir() if path.name.startswith("tmp")]
+        assert {path: path.read_bytes() for path in Path(folder).rglob("*.json")} == before
+        assert not [path for path in Path(folder).rglob("*") if path.name.startswith("tmp")]
 
 
-def test_an_interrupt_between_the_two_files_leaves_both(cli, write, monkeypatch):
+def test_an_interrupt_between_two_files_leaves_all(cli, write, monkeypatch):
     folder = write(TRUE)
     cli("record", folder)
-    before = {path.name: path.read_bytes() for path in Path(folder).glob("*.json")}
+    before = {path: path.read_bytes() for path in Path(folder).rglob("*.json")}
     write(TRUE + WRONG)
     replace, calls = os.replace, []
 
@@ -415,7 +420,7 @@ def test_an_interrupt_between_the_two_files_leaves_both(cli, write, monkeypatch)
 
     monkeypatch.setattr("os.replace", second)
     assert cli("record", folder)[0] == 130
-    assert {path.name: path.read_bytes() for path in Path(folder).glob("*.json")} == before
+    assert {path: path.read_bytes() for path in Path(folder).rglob("*.json")} == before
 
 
 def test_record_shows_what_changed(cli, write):

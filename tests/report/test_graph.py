@@ -2,9 +2,9 @@
 
 from xml.etree import ElementTree
 
-from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.report.graph import WIDTH, picture
 from kowalevski_cas.report.graph.svg import svg
+from kowalevski_cas.verify.outcome import Outcome, Verdict
 from tests.report.fixtures import P, R, claim, outcomes
 
 

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import pytest
 
-from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.report import render_latex
 from kowalevski_cas.report.context import report
 from kowalevski_cas.report.latex import LatexWriter
+from kowalevski_cas.verify.outcome import Outcome, Verdict
 from tests.report.fixtures import P, R, claim, condition, correction, counterexample, point, run
 
 WRITER = LatexWriter(report(run()))

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
-from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.report import ReportError, pdf, render_latex, write_report
+from kowalevski_cas.verify.outcome import Verdict
 from tests.report.fixtures import P, claim, run
 
 needs_latex = pytest.mark.skipif(

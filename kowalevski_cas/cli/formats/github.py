@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kowalevski_cas.cli.formats import Result, locate
-from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.record import in_latex
+from kowalevski_cas.verify.outcome import Verdict, in_latex
 
 
 def render(results: Sequence[Result]) -> str:

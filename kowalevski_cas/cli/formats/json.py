@@ -9,8 +9,14 @@ from typing import Any
 
 from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.notation import to_latex
-from kowalevski_cas.verify.outcome import Condition, Correction, Counterexample, Outcome, Value
-from kowalevski_cas.verify.record import in_latex
+from kowalevski_cas.verify.outcome import (
+    Condition,
+    Correction,
+    Counterexample,
+    Outcome,
+    Value,
+    in_latex,
+)
 
 
 def render(results: Sequence[Result]) -> str:
@@ -61,6 +67,7 @@ def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
         "counterexample": counterexample(outcome.counterexample),
         "correction": correction(outcome.correction),
         "rests_on": list(outcome.rests_on),
+        "corrected": list(outcome.corrected),
         "digest": outcome.digest,
         "message": outcome.message,
     }
@@ -87,6 +94,7 @@ def correction(found: Correction | None) -> dict[str, Any] | None:
         "words": found.words,
         "verdict": str(found.verdict),
         "conditions": conditions(found.conditions),
+        "accepted": found.accepted,
     }
 
 

@@ -47,9 +47,11 @@ def _line(outcome: Outcome, colour: bool) -> str:
     head = f"{mark} {outcome.verdict:<11}"
     if colour:
         head = f"\x1b[{code}m{head}\x1b[0m"
-    notes = [f"where {plain.nonzero(c)}" for c in outcome.conditions]
+    notes = [plain.where(outcome.conditions)] if outcome.conditions else []
     if outcome.verdict is Verdict.REFUTED:
         notes = ["see the errata"]
+    if outcome.corrected:
+        notes.append(f"with the correction of {', '.join(outcome.corrected)}")
     if outcome.chance is not None:
         notes.append(f"wrong with probability below {outcome.chance:.0e}")
     if outcome.radius is not None:
@@ -57,7 +59,7 @@ def _line(outcome: Outcome, colour: bool) -> str:
     if outcome.message and outcome.verdict is not Verdict.REFUTED and not outcome.verdict.green:
         notes.append(outcome.message if "\n" not in outcome.message else "see the errors")
     time = f"{1000 * sum(outcome.seconds.values()):8.1f} ms"
-    return f"  {outcome.claim:<20} {head} {time}  {', '.join(notes)}".rstrip()
+    return f"  {outcome.claim:<20} {head} {time}  {'; '.join(notes)}".rstrip()
 
 
 def _errors(result: Result) -> list[str]:
@@ -87,8 +89,10 @@ def _errata(run: Run) -> list[str]:
         if correction is None:
             lines.append("    correct   no true statement was found one edit away")
         else:
-            where = "".join(f", where {plain.nonzero(c)}" for c in correction.conditions)
-            shown = f"{plain.formulas(correction.formulas)}   ({correction.verdict}{where})"
+            where = [plain.where(correction.conditions)] if correction.conditions else []
+            accepted = ["accepted by the derivation"] if correction.accepted else []
+            status = ", ".join([correction.verdict, *where, *accepted])
+            shown = f"{plain.formulas(correction.formulas)}   ({status})"
             said = plain.words(correction.words, run.vocabulary)
             lines += [f"    correct   {shown}", f"    that is   {said}"]
         if outcome.counterexample is not None:

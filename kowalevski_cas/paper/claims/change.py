@@ -27,9 +27,8 @@ class ChangedEquation(Claim):
     old: Scene
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        assert self.printed is not None
         for space in map(on, (self.scene, self.old)):
-            yield identity(space, *chain(on, space, self.printed))
+            yield identity(space, *chain(on, space, self.own))
 
 
 @dataclass(frozen=True, eq=False)

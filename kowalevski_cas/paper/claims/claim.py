@@ -11,6 +11,7 @@ from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.evidence import Evidence
 from kowalevski_cas.problem.goals import Goal
 from kowalevski_cas.problem.space import Setting
@@ -53,6 +54,13 @@ class Claim(ABC):
     scene: Scene
     printed: Printed | None
     words: str
+
+    @property
+    def own(self) -> Printed:
+        """The place of the one formula; raises :class:`Meaningless` if there is none."""
+        if self.printed is None:
+            raise Meaningless("the claim is about a formula, and names none")
+        return self.printed
 
     @abstractmethod
     def goals(self, on: Elaborations) -> Iterator[Goal]:

@@ -26,9 +26,9 @@ class Coefficient(Claim):
     derivative_of: Printed | None = None
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        assert self.printed is not None
         space = on(self.scene)
-        formula = on.texts.formula(self.printed)
+        read = on.texts.relation if self.derivative_of is None else on.texts.formula
+        formula = read(self.own)
         chain = members(formula) if isinstance(formula, Relation) else [formula]
         sides = [space.plain(_written(member)) for member in chain]
         if self.derivative_of is None:

@@ -24,12 +24,11 @@ class ConstantRoot(Claim):
     basis: tuple[str, ...]
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        assert self.printed is not None
         space = on(self.scene)
         numbers = tuple(f"q_{{{k}}}" for k in range(1, len(self.basis) + 1))
         basis = map(space.formula, self.basis)
         root = total(times(Name(q), b) for q, b in zip(numbers, basis, strict=True))
-        left, right = equation(on, space, self.printed)
+        left, right = equation(on, space, self.own)
         values = {self.unknown: root}
         sides = (substitute(left, values), substitute(right, values))
         yield Exists((identity(space, sides),), numbers=numbers)

@@ -43,10 +43,9 @@ class CriticalSet(Claim):
     zero_level: bool = False
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        assert self.printed is not None
         space = on(self.scene)
         level, goals = equation(on, space, self.level), equations(on, space, self.equations)
-        value = expression(on, space, self.printed)
+        value = expression(on, space, self.own)
         critical = self._critical(space, value, level[0])
         yield Follows(space, (critical,), (*goals, level), self.main)
         yield Follows(space, (goals,), (*critical, level))
@@ -59,11 +58,10 @@ class CriticalSet(Claim):
         """Both directions by the homogeneous function (:mod:`kowalevski_cas.search.critical`)."""
         from kowalevski_cas.search.critical import Critical
 
-        assert self.printed is not None
         space = on(self.scene)
         critical = Critical(
             space.finder,
-            expression(on, space, self.printed),
+            expression(on, space, self.own),
             equation(on, space, self.level),
             equations(on, space, self.equations),
             [space.formula(locus.condition) for locus in self.scene.loci],
@@ -88,13 +86,11 @@ class CriticalSet(Claim):
         if not self.zero_level:
             words = "only the critical points where the function vanishes"
             yield Neighbour(words, replace(self, zero_level=True), texts)
-        assert self.printed is not None
-        for edit in edits(texts.statement(self.printed), texts.vocabulary):
-            yield Neighbour(edit.words, self, texts, self.printed, edit)
+        for edit in edits(texts.statement(self.own), texts.vocabulary):
+            yield Neighbour(edit.words, self, texts, self.own, edit)
 
     def formulas(self, texts: Texts) -> tuple[Formula, ...]:
-        assert self.printed is not None
-        function = texts.formula(self.printed)
+        function = texts.formula(self.own)
         return (Relation((function, Number(0)), ("=",)),) if self.zero_level else (function,)
 
     def establishes(self) -> Iterator[Printed]:

@@ -23,10 +23,9 @@ class Definition(Claim):
     equation: Printed
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        assert self.printed is not None
         space = on(self.scene)
         found = chain(on, space, self.equation)
-        names = (n for n, place in self.scene.definitions.items() if place == self.printed)
+        names = (n for n, place in self.scene.definitions.items() if place == self.own)
         if not any(head(name)[1] for name in names):  # a function has values for arguments only
-            found += chain(on, space, self.printed)
+            found += chain(on, space, self.own)
         yield identity(space, *found)

@@ -20,8 +20,7 @@ class DoubleZero(Claim):
     given: tuple[Printed, ...]
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        assert self.printed is not None
         space = on(self.scene)
-        value = expression(on, space, self.printed)
+        value = expression(on, space, self.own)
         gradient = (vanishes(Partial(value, name)) for name in space.variables)
         yield Follows(space, ((vanishes(value), *gradient),), equations(on, space, self.given))

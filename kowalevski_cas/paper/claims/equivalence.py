@@ -19,8 +19,7 @@ class Equivalence(Claim):
     to: Printed
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        assert self.printed is not None
         space = on(self.scene)
-        own, other = equation(on, space, self.printed), equation(on, space, self.to)
+        own, other = equation(on, space, self.own), equation(on, space, self.to)
         yield Follows(space, ((own,),), (other,))
         yield Follows(space, ((other,),), (own,))

@@ -36,10 +36,9 @@ class FirstIntegral(Claim):
 
     def constants(self, on: Elaborations, space: Elaboration) -> list[Formula]:
         """The members that have to be constant; not names that are defined by the others."""
-        assert self.printed is not None
-        formula = on.texts.formula(self.printed)
+        formula = on.texts.formula(self.own)
         chain = members(formula) if isinstance(formula, Relation) else [formula]
-        here = {n for n, place in self.scene.definitions.items() if place == self.printed}
+        here = {n for n, place in self.scene.definitions.items() if place == self.own}
         chain = [m for m in chain if not (isinstance(m, Name) and m.name in here)] or chain
         return [member for member in chain if not _is_level(member, space)] or chain
 

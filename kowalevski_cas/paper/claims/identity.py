@@ -16,6 +16,5 @@ class Identity(Claim):
     """All members of a printed chain are equal; ``= const`` says that they do not move."""
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        assert self.printed is not None
         space = on(self.scene)
-        yield identity(space, *chain(on, space, self.printed))
+        yield identity(space, *chain(on, space, self.own))

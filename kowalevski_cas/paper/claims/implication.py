@@ -27,13 +27,12 @@ class Implication(Claim):
     main: tuple[tuple[str, ...], ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        assert self.printed is not None
         space = on(self.scene)
-        is_equation = isinstance(on.texts.formula(self.printed), Relation)
+        is_equation = isinstance(on.texts.formula(self.own), Relation)
         own = (
-            equation(on, space, self.printed)
+            equation(on, space, self.own)
             if is_equation
-            else vanishes(expression(on, space, self.printed))
+            else vanishes(expression(on, space, self.own))
         )
         stated = (*equations(on, space, self.together), own)
         conclusions = [stated]

@@ -30,9 +30,8 @@ class Scaling(Claim):
     measures: tuple[Measure, ...]
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        assert self.printed is not None
         space, simple = on(self.scene), on(self.simple)
-        time = expression(on, space, self.printed)
+        time = expression(on, space, self.own)
         measured: dict[str, Formula] = {
             name: Quotient(Name(name), self._unit(time, power, space.formula(rest)))
             for names, power, rest in self.measures

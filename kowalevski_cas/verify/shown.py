@@ -1,0 +1,60 @@
+"""What a reader is shown of a computation: elements, names and points as the paper prints them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from kowalevski_cas.algebra.present import formula_of, name_formula
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Vocabulary
+from kowalevski_cas.notation.edits import replace
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.problem.trees import MARK
+from kowalevski_cas.verify.outcome import Point
+
+
+def shown(element: Element, setting: Setting) -> Formula:
+    """An element in the names of its setting."""
+    assert isinstance(setting, Elaboration)
+    return formula_of(element, setting.texts.vocabulary)
+
+
+def named(name: str, setting: Setting) -> Formula:
+    """A name as the paper prints it."""
+    return setting.texts.expression(name) if isinstance(setting, Elaboration) else Name(name)
+
+
+def point(values: Mapping[str, Formula], setting: Setting) -> Point:
+    """A point of a setting."""
+    return Point({named(name, setting): value for name, value in values.items()})
+
+
+def written(formula: Formula, setting: Setting) -> Formula:
+    """A formula of a statement, with its derivatives by the time of its setting.
+
+    A dot stands on a name only, and only for the time t.
+    """
+    assert isinstance(setting, Elaboration)
+    if isinstance(formula, Name):
+        return _read(formula, setting.texts.vocabulary)
+    if isinstance(formula, Derivative) and formula.mark == MARK:
+        time, argument = setting.scene.time, written(formula.argument, setting)
+        return Derivative(argument, MARK if time == "t" and isinstance(argument, Name) else time)
+    for place, child in enumerate(formula.children()):
+        if (new := written(child, setting)) is not child:
+            formula = replace(formula, (place,), new)
+    return formula
+
+
+def _read(name: Name, vocabulary: Vocabulary) -> Formula:
+    """A name of a step, such as a power, as the paper prints it."""
+    try:
+        return name_formula(name.name, vocabulary)
+    except NotationError:
+        return name
+
+
+def size(elements: Iterable[Element]) -> int:
+    """How many terms elements have together."""
+    return sum(len(terms) for element in elements for terms in element.terms().values())

@@ -1,0 +1,239 @@
+"""The steps that the program took, from the evidence for each goal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import product
+
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Relation,
+    Sum,
+    Vector,
+)
+from kowalevski_cas.paper.claims.forms import ONE, ZERO, total
+from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, Roots, Shown
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
+from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.verify.outcome import Step
+from kowalevski_cas.verify.shown import point, shown, size, written
+from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+
+LONGEST = 24
+"""How many terms something that was computed has at most, for it to be shown."""
+
+
+def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
+    """The steps that the program took; formulas of which the same is said stand together."""
+    if isinstance(verdicts, Denial):
+        goal = statement.goals[verdicts.goal]
+        told = list(_derivatives(goal)) if isinstance(goal, Follows) else []
+    else:
+        both = zip(statement.goals, verdicts, strict=True)
+        told = [step for goal, evidence in both for step in _steps(goal, evidence)]
+    merged: dict[Step, dict[Formula, None]] = {}
+    for step in told:
+        merged.setdefault(replace(step, formulas=()), {}).update(dict.fromkeys(step.formulas))
+    return tuple(replace(step, formulas=tuple(formulas)) for step, formulas in merged.items())
+
+
+def _steps(goal: Goal, evidence: Evidence) -> Iterator[Step]:
+    match goal, evidence:
+        case Exists(), Found():
+            yield from _found(goal, evidence)
+        case Fails(), _:
+            return
+        case Follows(), Shown(proof, _):
+            yield from _derivatives(goal)
+            yield from _proof(goal, proof)
+        case Rank(), At():
+            yield _rank(goal, evidence)
+        case Count(), Roots():
+            yield _roots(goal, evidence)
+
+
+# -- derivatives ---------------------------------------------------------------------
+
+
+def _derivatives(goal: Follows) -> Iterator[Step]:
+    """The derivatives that the program generated for left sides."""
+    for left, _ in goal.conclusions[0] if goal.conclusions else ():
+        match left:
+            case (Derivative() as rate) | Product((Number(), Derivative() as rate)):
+                yield from _derivative(rate, finder_of(goal.space))
+
+
+def _derivative(formula: Derivative, at: Evaluation) -> Iterator[Step]:
+    try:
+        values = at.components(formula)
+    except Meaningless:
+        return
+    if all(value.is_zero for value in values):
+        yield Step("The derivative along the vector field vanishes identically.")
+    elif (terms := size(values)) > LONGEST:
+        yield Step(f"The derivative along the vector field, as generated, has {terms} terms.")
+    else:
+        parts = tuple(shown(value, at.setting) for value in values)
+        right = parts[0] if len(parts) == 1 else Vector(parts)
+        words = "The derivative along the vector field, as generated:"
+        yield Step(words, (_equal(written(formula, at.setting), right),))
+
+
+# -- proofs --------------------------------------------------------------------------
+
+
+def _proof(goal: Follows, proof: Proof) -> Iterator[Step]:
+    """The combination that division found, or the cases."""
+    at = finder_of(goal.space)
+    if proof.product:
+        yield _cases(proof, at)
+    elif goal.given and proof.rows:
+        yield _combination(goal, proof, at)
+
+
+def _cases(proof: Proof, at: Evaluation) -> Step:
+    groups = [[at.scalar(entry) for entry in group] for group in proof.product]
+    words = "From what is given it follows that a product vanishes; it is shown case by case"
+    if size(element for group in groups for element in group) > LONGEST:
+        return Step(f"{words}, for each of its {len(groups)} factors.")
+    factors = [_squares([shown(element, at.setting) for element in group]) for group in groups]
+    return Step(f"{words}, for each factor:", (_equal(_times(factors), ZERO),))
+
+
+def _squares(group: Sequence[Formula]) -> Formula:
+    """An element, or the sum of the squares of several, which vanishes with all of them."""
+    return group[0] if len(group) == 1 else total(Power(one, Number(2)) for one in group)
+
+
+def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
+    rows = [[at.scalar(entry) for entry in row] for row in proof.rows]
+    terms = size(entry for row in rows for entry in row)
+    what = "Left minus right side" if len(goal.conclusions) == 1 else "A product of differences"
+    words = f"{what}{' to a power' * (proof.power > 1)} is a combination of what is given"
+    if terms > LONGEST:
+        return Step(f"{words}; its coefficients have {terms} terms.")
+    choices = product(*(_differences(one, at) for one in goal.conclusions))
+    lefts = [
+        Power(left, Number(proof.power)) if proof.power > 1 else left
+        for left in map(_times, choices)
+    ]
+    known = _differences(goal.given, at)
+    sums = [_sum(row, known, at.setting) for row in rows]
+    return Step(f"{words}:", tuple(map(_equal, lefts, sums)))
+
+
+def _differences(equations: Sequence[tuple[Formula, Formula]], at: Evaluation) -> list[Formula]:
+    """Left minus right sides as they are printed; between vectors as they were computed."""
+    found: list[Formula] = []
+    for sides in equations:
+        parts = at.differences((sides,))
+        if len(parts) == 1:
+            found.append(written(_minus(*sides), at.setting))
+        else:
+            found += [shown(part, at.setting) for part in parts]
+    return found
+
+
+def _minus(left: Formula, right: Formula) -> Formula:
+    terms = left.terms if isinstance(left, Sum) else (left,)
+    return total(terms if right == ZERO else (*terms, Negative(right)))
+
+
+def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Setting) -> Formula:
+    return total(
+        _scaled(shown(entry, setting), one)
+        for entry, one in zip(row, known, strict=True)
+        if not entry.is_zero
+    )
+
+
+# -- what is found -------------------------------------------------------------------
+
+
+def _found(goal: Exists, evidence: Found) -> Iterator[Step]:
+    """The numbers that were found; and the equations that are linear in bound names."""
+    if goal.numbers:
+        equations = tuple(_equal(Name(name), evidence.values[name]) for name in goal.numbers)
+        yield Step("The numbers that the program found:", equations)
+    for one in goal.goals:
+        if not isinstance(one, Follows):
+            continue
+        for left, right in one.conclusions[0] if one.conclusions else ():
+            terms = _linear(right, goal.bound)
+            if terms is not None:
+                yield _bound(left, terms, evidence, finder_of(one.space))
+
+
+def _linear(formula: Formula, bound: Sequence[str]) -> list[tuple[str, Formula]] | None:
+    """The bound names and their coefficients; ``None`` if a term is no product of such two."""
+    found = []
+    for term in formula.terms if isinstance(formula, Sum) else (formula,):
+        match term:
+            case Product((Name(name), other)) if name in bound:
+                found.append((name, other))
+            case _:
+                return None
+    return found
+
+
+def _bound(
+    left: Formula, terms: Sequence[tuple[str, Formula]], evidence: Found, at: Evaluation
+) -> Step:
+    values = [at.scalar(evidence.values[name]) for name, _ in terms]
+    what = "derivative" if isinstance(left, Derivative) else "function"
+    words = f"A {what} is a combination of functions, with coefficients that the program found"
+    if (many := size(values)) > LONGEST:
+        return Step(f"{words}; they have {many} terms.")
+    right = _sum(values, [written(one, at.setting) for _, one in terms], at.setting)
+    return Step(f"{words}:", (_equal(written(left, at.setting), right),))
+
+
+def _rank(goal: Rank, evidence: At) -> Step:
+    count, setting = len(goal.space.variables), finder_of(goal.space).setting
+    words = (
+        f"{goal.rank} differentials are independent in the space of dimension {count}, so that "
+        f"near this point the common level is a manifold of dimension {count - goal.rank}."
+    )
+    return Step(words, point=point(evidence.point.values, setting))
+
+
+def _roots(goal: Count, found: Roots) -> Step:
+    at, root = finder_of(goal.space), Name(found.root)
+    coefficients = [shown(at.scalar(entry), at.setting) for entry in found.eliminant]
+    powers = [ONE, root, *(Power(root, Number(k)) for k in range(2, len(coefficients) + 1))]
+    terms = [_scaled(c, p) for c, p in zip(coefficients, powers[:-1], strict=True) if c != ZERO]
+    equation = total([powers[-1], *reversed(terms)])
+    return Step(
+        "The solutions are given by the roots of one equation, all real and distinct:",
+        (_equal(root, found.form), _equal(equation, ZERO)),
+    )
+
+
+# -- formulas ------------------------------------------------------------------------
+
+
+def _equal(left: Formula, right: Formula) -> Relation:
+    return Relation((left, right), ("=",))
+
+
+def _times(factors: Sequence[Formula]) -> Formula:
+    """A product, without factors that are one, and without a product in it."""
+    flat = [part for f in factors for part in (f.factors if isinstance(f, Product) else (f,))]
+    kept = tuple(factor for factor in flat if factor != ONE)
+    return Product(kept) if len(kept) > 1 else kept[0] if kept else ONE
+
+
+def _scaled(coefficient: Formula, factor: Formula) -> Formula:
+    """A product with the sign before it."""
+    if isinstance(coefficient, Negative):
+        return Negative(_scaled(coefficient.argument, factor))
+    return _times([coefficient, factor])

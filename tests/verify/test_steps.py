@@ -1,0 +1,92 @@
+"""What a reader is told of a proof: steps with formulas, counterexamples with what their values are."""
+
+import pytest
+
+from kowalevski_cas.algebra import EXACT
+from kowalevski_cas.notation import to_plain
+from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.run import verify
+
+CLAIMS = (
+    "eq4.1", "eq7", "J3", "M4-dimension", "eq9.i", "eq9", "eq10.5", "eq14", "eq15", "eq16.invariance",
+    "real-form.1", "equilibria", "eq22", "critical-set", "redundant-integral", "kowalevski-variable",
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def told(derivation, folder):
+    """The outcomes by claim, with their steps."""
+    found = verify(derivation, EXACT[:1], CLAIMS, True, certificates=load_certificates(folder))
+    return {outcome.claim: outcome for outcome in found.outcomes}
+
+
+@pytest.fixture
+def steps(told):
+    def steps(claim):
+        return [(step.words, [*map(to_plain, step.formulas)]) for step in told[claim].steps]
+
+    return steps
+
+
+def test_a_first_integral(steps):
+    assert steps("eq4.1") == [("The derivative along the vector field vanishes identically.", [])]
+
+
+def test_a_derivative_is_by_the_time_of_its_scene(steps):
+    ((words, formulas),) = steps("eq10.5")
+    assert words == "The derivative along the vector field, as generated:"
+    assert formulas[0] == "dz₁/dτ = (x₁w₂ − y₂w₁)/2"
+
+
+def test_an_equation_that_follows_is_a_combination_of_what_is_given(steps):
+    generated, combined = steps("J3")
+    assert generated[1][0].startswith("d/dt[(ω₁² + ω₂²)ω₃ + 2(ω₁α₃ + ω₂β₃)] = ")
+    assert combined[0] == "Left minus right side is a combination of what is given:"
+    assert combined[1][0].endswith(" = (−α₂ − β₁)J₁ + (α₁ − β₂)J₂")
+
+
+def test_both_directions_of_an_equivalence_stand_together(steps):
+    ((words, formulas),) = steps("real-form.1")
+    assert words == "Left minus right side is a combination of what is given:"
+    assert len(formulas) == 2 and formulas[0].endswith("= √(x₁x₂)F₁")
+
+
+def test_invariant_relations_show_the_cofactors(steps):
+    ((words, formulas),) = steps("eq7")
+    assert words.startswith("A derivative is a combination of functions, with coefficients")
+    assert formulas == ["J̇₁ = ω₃J₂", "J̇₂ = −ω₃J₁"]
+    ((_, formulas),) = steps("eq15")
+    assert formulas[0] == "dF₁/dτ = (1/[2√(x₁x₂)])F₂"
+
+
+def test_what_is_too_long_is_counted(steps):
+    _, (words, formulas) = steps("eq16.invariance")
+    assert words.endswith("that the program found; they have 152 terms.") and not formulas
+
+
+def test_cases_eliminants_and_numbers(steps):
+    assert "case by case" in steps("redundant-integral")[0][0]
+    ((words, formulas),) = steps("equilibria")
+    assert words.startswith("The solutions are given by the roots of one equation")
+    assert formulas[1] == "s⁴ + (−2a² − 2b²)s² + (a⁴ − 2a²b² + b⁴ + 4c²) = 0"
+    assert steps("kowalevski-variable")[0][0] == "The numbers that the program found:"
+
+
+def test_a_dimension_is_near_a_point(told):
+    (step,) = told["M4-dimension"].steps
+    assert step.point is not None and len(step.point.values) == 9
+    assert "near this point the common level is a manifold of dimension 4" in step.words
+
+
+def test_a_counterexample_says_what_its_values_are(told):
+    assert told["eq14"].counterexample.words == ""
+    assert told["critical-set"].counterexample.words.startswith("the two sides of $2\\alpha_1")
+    (condition,) = told["eq16.invariance"].conditions
+    words = "derivative of a given function along the motion, and zero"
+    assert condition.witness.words.endswith(words)
+
+
+def test_a_correction_that_is_accepted_is_named_by_what_rests_on_it(told):
+    assert told["eq9.i"].correction.accepted and not told["eq14"].correction.accepted
+    assert told["eq9.i"].corrected == () and told["J3"].corrected == ()
+    assert told["eq9"].corrected == told["eq14"].corrected == ("eq9.i",)
