@@ -16,7 +16,7 @@ from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
 from kowalevski_cas.pictures import save, style
 from study import STEPS, load
 from study.plates import write_plates
-from study.step import DISAGREEMENT
+from study.step import DISAGREEMENT, LEFT_OUT
 from study.store import data_file, measure, stored
 
 FULL, QUICK = Path("reports/study"), Path("build/study")
@@ -71,7 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
                 f"measure it: python -m study {name} -o {folder}"
             ) from None
         counts = Counter(row["verdict"] for row in rows)
-        note = "".join(f", {counts[v]} {v}" for v in ("left out", "timeout", "error") if counts[v])
+        note = "".join(f", {counts[v]} {v}" for v in (LEFT_OUT, "timeout", "error") if counts[v])
         print(f"{name}: {step.TITLE}: {len(rows)} measurements{note}")
         sys.stdout.flush()
         for row in rows:

@@ -133,7 +133,7 @@ class Recording(Polynomials):
 def traces(claim: str, most: int) -> Iterator[tuple[Recording, Trace]]:
     """What is computed in each step of the growing work; the first one has what came before."""
     work = growth(claim, Recording)
-    arithmetic = work.stage.ring.polynomials
+    arithmetic = work.at.ring.polynomials
     assert isinstance(arithmetic, Recording)
     for _ in range(most):
         if not work.step():

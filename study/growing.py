@@ -14,35 +14,31 @@ import sys
 from collections.abc import Iterator
 from time import perf_counter
 
-from kowalevski_cas import arithmetic as arithmetics
-from kowalevski_cas.algebra import POINTS, Arithmetic
-from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.algebra import POINTS, Arithmetic, load
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.claims import InvariantRelations
-from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.library import find, load
-from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.verify import Session
-from kowalevski_cas.stage import Stage, scalar
-from kowalevski_cas.stage.programs import ProgramStage
+from kowalevski_cas.problem.codec import read_evidence, read_problem
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence import Found
+from kowalevski_cas.problem.goals import Exists, Follows
+from kowalevski_cas.problem.sampled import Sampled
+from study.paper import paper
 
-DERIVATION = "kharlamov2002"
 Matrix = list[list[Element]]
 
 
 class Growth:
-    """The two sides of the identity for one k after the other, on a stage."""
+    """The two sides of the identity for one k after the other, in a ring."""
 
-    def __init__(self, stage: Stage, functions: list[Element], matrix: Matrix) -> None:
-        self.stage, self.functions, self.matrix = stage, functions, matrix
-        one, zero = stage.ring.one, stage.ring.zero
+    def __init__(self, at: Evaluation, functions: list[Element], matrix: Matrix) -> None:
+        self.at, self.functions, self.matrix = at, functions, matrix
+        one, zero = at.ring.one, at.ring.zero
         size = range(len(functions))
         self.left = functions
         self.powers = [[one if i == j else zero for j in size] for i in size]
 
     def step(self) -> bool:
         """Go on to the next k; whether the identity holds there."""
-        along, powers = self.stage.derivative, self.powers
+        along, powers = self.at.derivative, self.powers
         self.left = [along(function) for function in self.left]
         self.powers = [
             [
@@ -55,30 +51,30 @@ class Growth:
         return all((left - self._sum(row, self.functions)).is_zero for left, row in sides)
 
     def _sum(self, row: list[Element], column: list[Element]) -> Element:
-        total = self.stage.ring.zero
+        total = self.at.ring.zero
         for a, b in zip(row, column, strict=True):
             total = total + a * b
         return total
 
 
-def growth(claim: str, kind: Arithmetic | None = None) -> Growth:
-    """The growing work for the set of a claim, at points if no exact arithmetic is given."""
-    derivation = load(DERIVATION)
-    session = Session(derivation, ["flint"], False, load_evidence(find(DERIVATION)))
-    session.run([claim])
-    found = next(c for c in derivation.claims if c.id == claim)
-    assert isinstance(found, InvariantRelations)
-    known = Bench("flint", session.texts, shelf=session.shelf, stages=session.stages)
-    matrix = found.matrix(known)
-    assert matrix is not None
-    if kind is None:
-        stage: Stage = ProgramStage(known.stage(found.scene))
-        words = session.texts.vocabulary
-        matrix = [[scalar(formula_of(e, words), stage) for e in row] for row in matrix]
-    else:
-        stage = Stage(found.scene, kind, session.texts)
-        matrix = [[stage.ring.from_neutral(e.neutral()) for e in row] for row in matrix]
-    return Growth(stage, found.functions(stage), matrix)
+def growth(claim: str, polynomials: Arithmetic | None = None) -> Growth:
+    """The growing work for the set of a claim, at points if no exact arithmetic is given.
+
+    The set and its matrix are those of the certificate of the claim.
+    """
+    data = paper().certificates[claim].data
+    (goal,) = read_problem(data).goals
+    found = read_evidence(data["evidence"][0], goal)
+    assert isinstance(goal, Exists) and isinstance(found, Found)
+    there = goal.goals[-1]
+    assert isinstance(there, Follows)
+    at = Evaluation(there.space, polynomials or load("flint")).adjoin_roots()
+    at = at if polynomials else Sampled(at)
+    entries = [at.scalar(found.values[name]) for name in goal.expressions]
+    functions = at.differences(there.given)
+    size = len(functions)
+    matrix = [entries[row * size : (row + 1) * size] for row in range(size)]
+    return Growth(at, functions, matrix)
 
 
 def steps(growth: Growth, most: int) -> Iterator[float]:
@@ -86,7 +82,7 @@ def steps(growth: Growth, most: int) -> Iterator[float]:
 
     The vector field is derived before the clock starts.
     """
-    growth.stage.field  # noqa: B018 (it is made when it is first asked for)
+    growth.at.rates  # noqa: B018 (they are derived when they are first asked for)
     start = perf_counter()
     for _ in range(most):
         if not growth.step():
@@ -101,7 +97,7 @@ def main(arithmetic: str, claim: str, most: str) -> None:
 
         found = direct(claim, int(most))
     else:
-        kind = None if arithmetic in POINTS else arithmetics.load(arithmetic)
+        kind = None if arithmetic in POINTS else load(arithmetic)
         found = steps(growth(claim, kind), int(most))
     for k, seconds in enumerate(found, 1):
         print(f"step {k} {seconds:.6f}", flush=True)

@@ -9,21 +9,23 @@ from __future__ import annotations
 
 import random
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, zip_longest
 
 from kowalevski_cas.algebra import EXACT
-from kowalevski_cas.claims import Claim, FirstIntegral, Identity
-from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.library import available, find, load
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.library import available
 from kowalevski_cas.notation import NotationError
+from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Texts
-from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.verify import Session
-from kowalevski_cas.stage import StageError
+from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.goals import Follows, Problem
+from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.verify.statement import Statement
 from study.near_misses import near_misses
+from study.paper import Paper, exact, paper
 
 
 class Disagreement(Exception):
@@ -39,13 +41,12 @@ class Labelled:
 
     id: str
     kind: str
-    claim: Claim
-    texts: Texts
+    statement: Statement
 
     @cached_property
     def verdicts(self) -> dict[str, bool]:
         """What each exact arithmetic says."""
-        return {name: holds(self, Bench(name, self.texts, refute=False)) for name in EXACT}
+        return {name: holds(self.statement.problem, name) for name in EXACT}
 
     @property
     def truth(self) -> bool:
@@ -55,31 +56,29 @@ class Labelled:
         return self.verdicts[EXACT[0]]
 
 
-def holds(statement: Labelled, bench: Bench) -> bool:
+def residuals(problem: Problem, of: Callable[[Setting], Evaluation]) -> Iterator[Element]:
+    """What has to vanish identically for a problem that consists of identities.
+
+    Raises ``TypeError`` for any other problem.
+    """
+    for goal in problem.goals:
+        if type(goal) is not Follows or goal.given or len(goal.conclusions) != 1:
+            raise TypeError("it is no identity")
+        yield from of(goal.space).differences(goal.conclusions[0])
+
+
+def holds(problem: Problem, arithmetic: str) -> bool:
     """Whether all residuals vanish, in an exact arithmetic."""
-    claim = statement.claim
-    assert claim.printed is not None
-    formula = statement.texts.formula(claim.printed)
-    residuals = claim.residuals(formula, bench.stage(claim.scene))
-    assert residuals
-    return all(residual.is_zero for residual in residuals)
+    return all(residual.is_zero for residual in residuals(problem, exact(arithmetic)))
 
 
 def labelled(mutants: int, names: Sequence[str] = ()) -> list[Labelled]:
     """The labelled set of the named derivations, of the whole library if none is named.
 
     ``mutants`` is how many are taken of each statement. Statements without meaning,
-    as with a name that nothing defines, are left out.
+    as with a name that nothing defines, are left out, and so is what is no identity.
     """
-    found: list[Labelled] = []
-    for name in names or available():
-        for statement in _statements(name, mutants):
-            try:
-                holds(statement, Bench(EXACT[0], statement.texts, refute=False))
-            except (NotationError, StageError, ZeroDivisionError):
-                continue
-            found.append(statement)
-    return found
+    return [one for name in names or available() for one in _statements(paper(name), mutants)]
 
 
 def spread(statements: Sequence[Labelled], size: int) -> list[Labelled]:
@@ -99,30 +98,31 @@ def _thinned(statements: list[Labelled], size: int) -> list[Labelled]:
     return [statements[k * len(statements) // size] for k in range(size)]
 
 
-def _statements(name: str, mutants: int) -> Iterator[Labelled]:
-    derivation = load(name)
-    session = Session(derivation, [EXACT[0]], False, load_evidence(find(name)))
-    session.run()
-    texts = session.texts
-    for claim in map(_identity, derivation.claims):
-        if claim is None:
-            continue
-        assert claim.printed is not None
-        label = f"{name}/{claim.id}"
-        yield Labelled(label, TRUE, claim, texts)
-        display = claim.printed.display
-        printed = texts.with_source(display, display.tex)
-        if printed.formula(claim.printed) != texts.formula(claim.printed):
-            yield Labelled(f"{label}/as printed", MISPRINT, claim, printed)
-        found = list(claim.neighbours(texts))
-        for neighbour in random.Random(label).sample(found, min(mutants, len(found))):
-            yield Labelled(f"{label}/{neighbour.words}", MUTANT, claim, neighbour.texts)
-        for kind, edit in near_misses(texts.statement(claim.printed), claim.scene, texts):
-            yield Labelled(f"{label}/{kind}", kind, claim, texts.edited(claim.printed, edit))
+def _statements(source: Paper, mutants: int) -> Iterator[Labelled]:
+    for claim in source.claims.values():
+        for id, kind, texts in _versions(source, claim, mutants):
+            try:
+                statement = Statement(claim, source.corrected.under(texts))
+                holds(statement.problem, EXACT[0])
+            except (NotationError, Meaningless, ZeroDivisionError, TypeError):
+                if kind == TRUE:
+                    break
+                continue
+            yield Labelled(f"{source.name}/{id}", kind, statement)
 
 
-def _identity(claim: Claim) -> Claim | None:
-    """A claim that says that some expressions vanish, and nothing else."""
-    if isinstance(claim, Identity):
-        return Identity(claim.id, claim.scene, claim.printed, claim.words)
-    return claim if isinstance(claim, FirstIntegral) and not claim.given else None
+def _versions(source: Paper, claim: Claim, mutants: int) -> Iterator[tuple[str, str, Texts]]:
+    """An id, a kind and texts for each reading of a claim, the corrected one first."""
+    place, texts = claim.printed, source.corrected.texts
+    if place is None:
+        return
+    yield claim.id, TRUE, texts
+    printed = source.printed.texts.formula(place)
+    if printed != texts.formula(place):
+        yield f"{claim.id}/as printed", MISPRINT, texts.reading({place: printed})
+    found = list(claim.neighbours(texts))
+    label = f"{source.name}/{claim.id}"
+    for neighbour in random.Random(label).sample(found, min(mutants, len(found))):
+        yield f"{claim.id}/{neighbour.words}", MUTANT, neighbour.texts
+    for kind, formula in near_misses(texts.formula(place), claim.scene, texts):
+        yield f"{claim.id}/{kind}", kind, texts.reading({place: formula})

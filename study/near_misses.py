@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterator
 
 from kowalevski_cas.notation import (
     Constant,
-    Edit,
     Formula,
     Name,
     Negative,
@@ -21,7 +20,6 @@ from kowalevski_cas.notation import (
     Quotient,
     Relation,
     Root,
-    Statement,
     Sum,
     replace,
 )
@@ -38,15 +36,15 @@ ORDINARY = 5
 _Rule = Callable[[Formula, Scene, Texts], Formula | None]
 
 
-def near_misses(statement: Statement, scene: Scene, texts: Texts) -> Iterator[tuple[str, Edit]]:
-    """The kind of each near miss of a statement on a scene, and the edit that makes it."""
+def near_misses(formula: Formula, scene: Scene, texts: Texts) -> Iterator[tuple[str, Formula]]:
+    """The kind of each near miss of a formula on a scene, and what it makes of the formula."""
     for kind, rule in _RULES.items():
         try:
-            changed = rule(statement.formula, scene, texts)
+            changed = rule(formula, scene, texts)
         except NotationError:  # a name that these texts do not have
             continue
         if changed is not None:
-            yield kind, Edit("near miss", (), changed, kind, statement, texts.vocabulary)
+            yield kind, changed
 
 
 def _plus(formula: Formula, term: Callable[[Formula], Formula]) -> Formula:

@@ -1,38 +1,33 @@
 """No more than a scene needs: generators of each scene and of its claims, and what more would cost.
 
 A claim stands on a scene; its statement uses some of the generators. Where they
-differ, each difference has a derived reason: the vector field needs the generator,
-the claim is about a set in the space of all variables, or another claim on the same
-scene uses it. The claims of Section 3 are then proved, searches included, on their own
-scenes and once more in the ring of all generators of the paper.
+differ, each difference has a derived reason: the vector field is closed with the generator,
+or another claim on the same scene uses it. The claims of Section 3 are then proved,
+searches included, on their own scenes and once more in the ring of all generators of the paper.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cache, partial
 from statistics import median
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-from kowalevski_cas.algebra.programs import Op, Program, field_of
-from kowalevski_cas.claims import (
-    Claim,
-    CriticalSet,
-    Dimension,
-    Equilibria,
-    Independence,
-    InvertibleChange,
-    LastMultiplier,
-)
-from kowalevski_cas.claims.bench import Bench
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pictures import FAINT, new_figure
-from kowalevski_cas.proof.verify import DECIDED
-from kowalevski_cas.stage.programs import ProgramStage, programs
+from kowalevski_cas.problem.accept import Judge, Unproved
+from kowalevski_cas.problem.evidence import Denial
+from kowalevski_cas.problem.space import generators as names_of
+from kowalevski_cas.verify.run import DECIDED
+from kowalevski_cas.verify.statement import Statement, finder_of
 from study.charts import list_cases, marked, names, split
-from study.stability.material import bench, claim, paper
+from study.paper import paper
 from study.step import Measured, Row, Task
 from study.worker import asked
 
@@ -47,9 +42,6 @@ SECONDS, MEBIBYTES = 60.0, 1500
 
 REPEATS = 5
 
-SPACE = (CriticalSet, Dimension, Equilibria, Independence, InvertibleChange, LastMultiplier)
-"""Kinds of claims about the space of all variables of a scene."""
-
 TARGET = f"{__name__}:prove"
 
 BOTH = ("own scene", "general scene")
@@ -57,10 +49,10 @@ BOTH = ("own scene", "general scene")
 
 def measure(quick: bool) -> Iterable[Task]:
     """The generators of every claim; the cost of proving those of Section 3 on two scenes."""
-    derivation, _ = paper()
-    for one in derivation.claims:
+    source = paper()
+    for one in source.claims.values():
         yield Task("generators", one.id, partial(generators, one))
-    section = next(s for s in derivation.sections if s.number == SECTION)
+    section = next(s for s in source.derivation.sections if s.number == SECTION)
     chosen = section.claims[:2] if quick else section.claims
     for one in chosen:
         for method in BOTH:
@@ -73,11 +65,9 @@ def measure(quick: bool) -> Iterable[Task]:
 
 def generators(one: Claim) -> Measured:
     """The generators of the scene of a claim and of its statement, and why they differ."""
-    stage = bench("modular").stage(one.scene)
-    assert isinstance(stage, ProgramStage)
-    scene = [*stage.programs.generators, *stage.programs.roots]
-    used = statement(one.id)
-    reasons = {name: reason(name, one, stage, used) for name in scene if name not in used}
+    setting, used = paper().corrected(one.scene), statement(one)
+    scene = [*names_of(setting), *setting.roots]
+    reasons = {name: reason(name, one) for name in scene if name not in used}
     return {
         "verdict": "equal" if not reasons else "justified" if all(reasons.values()) else "more",
         "scene": scene,
@@ -87,71 +77,49 @@ def generators(one: Claim) -> Measured:
 
 
 @cache
-def statement(id: str) -> frozenset[str]:
-    """The generators on which what a claim asks at points depends, on its own scene."""
-    one, work = claim(id), bench("modular")
-    stage = work.stage(one.scene)
-    assert isinstance(stage, ProgramStage)
-    asked = [
-        program
-        for question in one.questions(work)
-        if question.ring is stage.programs
-        for program in (*question.programs(), *question.given)
-    ]
-    return frozenset(support(asked))
+def statement(one: Claim) -> frozenset[str]:
+    """The generators that the goals of a claim lead to, on its own scene."""
+    on = paper().corrected
+    space = Statement(one, on).spaces.get(on(one.scene))
+    return frozenset() if space is None else frozenset((*names_of(space), *space.roots))
 
 
-def support(asked: Iterable[Program]) -> set[str]:
-    """The generators and roots that programs contain, those of the field where it is used."""
-    found: set[str] = set()
-    moved: dict[int, Mapping[str, Program]] = {}
-    waiting = list(asked)
-    seen: set[Program] = set()
-    while waiting:
-        program = waiting.pop()
-        if program in seen:
-            continue
-        seen.add(program)
-        if program.op in (Op.GENERATOR, Op.ROOT):
-            found.add(str(program.data))
-        if program.op is Op.ALONG:
-            moved[id(program.data)] = field_of(program)
-        waiting += program.args
-        if not waiting:
-            rates = (field[name] for field in moved.values() for name in found if name in field)
-            waiting = [rate for rate in rates if rate not in seen]
-    return found
-
-
-def reason(name: str, one: Claim, stage: ProgramStage, used: frozenset[str]) -> str:
+def reason(name: str, one: Claim) -> str:
     """Why a scene has a generator that a statement does not use; empty if nothing says so."""
-    if isinstance(one, SPACE):
-        return "the claim is about the space of all variables"
     if name in one.scene.undefined:
         return "printed by the paper and defined nowhere"
     if name in (exponent for _, exponent in one.scene.powers):
         return "the exponent of a power"
-    if name in stage.field and name in closure(used, stage):
+    if name in (getattr(one, field.name) for field in fields(one)):
+        return "the claim is about what stands for it"
+    if name in closure(statement(one), paper().corrected(one.scene)):
         return "the vector field is closed with it"
-    others = [c.id for c in paper()[0].claims if c.scene is one.scene and c is not one]
-    users = [id for id in others if name in statement(id)]
+    others = [c for c in paper().claims.values() if c.scene is one.scene and c is not one]
+    users = [other.id for other in others if name in statement(other)]
     if users:
         return f"{', '.join(users[:3])}{', …' if len(users) > 3 else ''} on the same scene"
-    if one.beyond_points:
-        return "what is claimed beyond points"
     return ""
 
 
-def closure(used: frozenset[str], stage: ProgramStage) -> set[str]:
+def closure(used: frozenset[str], setting: Elaboration) -> set[str]:
     """The generators that the field joins to some of them, in either direction."""
-    found = set(used)
-    while True:
-        moving = {name: support(programs([rate])) for name, rate in stage.field.items()}
-        joined = [{name, *others} for name, others in moving.items()]
-        more = found.union(*(group for group in joined if group & found))
-        if more == found:
-            return found
-        found = more
+    moves = setting.field or setting.change is not None
+    rates = setting.finder.rates if moves else {}
+    groups = [{name, *support(rate)} for name, rate in rates.items()]
+    found, before = set(used), 0
+    while before != len(found):
+        before = len(found)
+        found = found.union(*(group for group in groups if group & found))
+    return found
+
+
+def support(element: Element) -> set[str]:
+    """The generators and roots that stand in the numerator of an element."""
+    names, found = element.ring.polynomials.generators, set()
+    for mask, terms in element.terms().items():
+        found |= {name for bit, name in enumerate(element.ring.roots) if mask >> bit & 1}
+        found |= {name for powers in terms for name, e in zip(names, powers, strict=True) if e}
+    return found
 
 
 # -- what more would cost -------------------------------------------------------------
@@ -159,7 +127,7 @@ def closure(used: frozenset[str], stage: ProgramStage) -> set[str]:
 
 def general(scene: Scene) -> Scene:
     """The scene with all other generators of the paper beside its own."""
-    derivation, _ = paper()
+    derivation = paper().derivation
     known = {*scene.names(), *scene.roots, *(n for ns in scene.vectors.values() for n in ns)}
     others = dict.fromkeys(
         name
@@ -178,22 +146,36 @@ def general(scene: Scene) -> Scene:
 
 def prove(question: Mapping[str, Any]) -> Measured:
     """Prove a claim with nothing found before, some times over; the median of the times."""
-    _, texts = paper()
-    one = claim(question["claim"])
+    one, texts = paper().claims[question["claim"]], paper().corrected.texts
     if question["general"]:
         one = replace(one, scene=general(one.scene))
     seconds = []
     for _ in range(question["repeats"]):
         start = perf_counter()
-        finding = one.decide(Bench("flint", texts))
+        verdict = _decided(Statement(one, on := Elaborations(texts)))
         seconds.append(perf_counter() - start)
-    stage = Bench("flint", texts).stage(one.scene)
     return {
         "seconds": median(seconds),
         "spread": [min(seconds), max(seconds)],
-        "verdict": str(finding.verdict),
-        "generators": len(stage.ring.names),
+        "verdict": verdict,
+        "generators": len(on(one.scene).finder.ring.names),
     }
+
+
+def _decided(statement: Statement) -> str:
+    """The verdict for which what a search finds is accepted; conditions are not told."""
+    verdicts, judge = statement.search(), Judge(finder_of)
+    if verdicts is None:
+        return "undecided"
+    try:
+        if isinstance(verdicts, Denial):
+            judge.denies(statement.goals[verdicts.goal], verdicts.evidence)
+            return "refuted"
+        for goal, evidence in zip(statement.goals, verdicts, strict=True):
+            judge.holds(goal, evidence)
+    except Unproved:
+        return "error"
+    return "proved"
 
 
 # -- the chart --------------------------------------------------------------------------

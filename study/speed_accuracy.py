@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from kowalevski_cas.library import available
 from study.labelled import TRUE, Disagreement, Labelled, labelled, spread
-from study.methods import Method, methods
+from study.methods import Method, methods, missing
 from study.speed_accuracy_chart import chart
-from study.step import DISAGREEMENT, Measured, Row, Task
+from study.step import DISAGREEMENT, LEFT_OUT, Measured, Row, Task, left_out
 from study.summary import COLD, summaries
 
 if TYPE_CHECKING:
@@ -37,6 +37,8 @@ def measure(quick: bool) -> Iterable[Task]:
 
     Methods take turns, so that a noisy moment of the machine touches all of them.
     """
+    for name, reason in missing().items():
+        yield Task(name, LEFT_OUT, partial(left_out, reason))
     found = methods()
     statements = labelled(1, available()[:1]) if quick else labelled(MUTANTS)
     turns = []

@@ -7,11 +7,16 @@ from dataclasses import dataclass
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, Protocol
 
+from kowalevski_cas.systems import MissingSystem
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 DISAGREEMENT = "disagreement"
 """The verdict where exact arithmetics contradict each other: a bug, whatever else is measured."""
+
+LEFT_OUT = "left out"
+"""The verdict of a measurement that was not made."""
 
 Measured = Mapping[str, Any]
 """What one measurement found, as JSON: ``seconds``, ``verdict``, ``reason``, and whatever else."""
@@ -36,16 +41,23 @@ class Task:
 
         Where the measurement does not say so itself, the time is that of the whole call, and
         the verdict is ``measured``. An exception is a row with the verdict ``error``, so that
-        a method that fails is still seen.
+        a method that fails is still seen; a program that is not installed is left out.
         """
         start = perf_counter()
         try:
             found = self.run()
+        except MissingSystem as missing:
+            found = left_out(str(missing))
         except Exception as error:
             reason = f"{type(error).__name__}: {error}"
             found = {"seconds": None, "verdict": "error", "reason": reason}
         usual = {"seconds": perf_counter() - start, "verdict": "measured"}
         return {"method": self.method, "case": self.case, **usual, **found}
+
+
+def left_out(reason: str) -> Measured:
+    """The row of a measurement that was not made."""
+    return {"seconds": None, "verdict": LEFT_OUT, "reason": reason}
 
 
 class Step(Protocol):

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from statistics import median, quantiles
 
 from study.methods.method import ACCEPTED, NONE, REJECTED
-from study.step import Row
+from study.step import LEFT_OUT, Row
 
 COLD = "cold"
 
@@ -103,6 +103,8 @@ def summaries(rows: Iterable[Row]) -> list[Summary]:
     """One summary a method, in the order in which they were measured."""
     found: dict[str, Summary] = {}
     for row in rows:
+        if row["verdict"] == LEFT_OUT:
+            continue
         found.setdefault(row["method"], Summary(row["method"])).add(row)
     return list(found.values())
 

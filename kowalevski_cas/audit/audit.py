@@ -9,13 +9,11 @@ from time import perf_counter
 
 from kowalevski_cas.audit.audited import Audited
 from kowalevski_cas.audit.describe import Describer
-from kowalevski_cas.audit.differences import formulas
 from kowalevski_cas.audit.displays import Typed, find_formulas
 from kowalevski_cas.audit.limits import excess
 from kowalevski_cas.audit.macros import Expanded, expand
-from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.places import Place, find_places
-from kowalevski_cas.audit.session import AuditSession, base_of
+from kowalevski_cas.audit.session import AuditSession, AuthorSession, formulas
 from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import words
 from kowalevski_cas.paper.texts import Display
@@ -33,11 +31,15 @@ class Audit:
     expanded: Expanded
     places: list[Place]
     formulas: list[Audited]
-    outcomes: dict[str, Outcome]
-    session: AuditSession
+    session: AuthorSession
     notes: list[tuple[int, str]]
     """Lines, and what is to be said about them."""
     seconds: float = 0.0
+
+    @property
+    def outcomes(self) -> dict[str, Outcome]:
+        """What is said about each claim."""
+        return self.session.outcomes
 
     @property
     def counts(self) -> dict[str, int]:
@@ -60,31 +62,26 @@ def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
     return expanded, found
 
 
-def audit(source: Source, memory: Memory) -> Audit:
-    """Decide every claim of a derivation on the formulas of a source."""
+def audit(source: Source, base: AuditSession) -> Audit:
+    """Decide every claim on the formulas of a source; ``base`` is the run of the derivation."""
     start = perf_counter()
     expanded, typed = typed_formulas(source)
-    places = find_places(memory.derivation, typed)
-    sources = {
-        place.display: place.typed.tex
-        for place in places
-        if place.typed is not None and words(place.typed.tex) != words(place.display.tex)
-    }
-    excessive = {display: _excess(display, tex, memory) for display, tex in sources.items()}
-    refused = {display: reason for display, reason in excessive.items() if reason}
-    for display in refused:
-        del sources[display]
-    session = AuditSession(memory, base_of(memory), sources)
-    given = session.texts
-    outcomes = {outcome.claim: outcome for outcome in session.run().outcomes}
+    places = find_places(base.derivation, typed)
+    sources: dict[Display, str] = {}
+    refused: dict[Display, str] = {}
+    for place in places:
+        if place.typed is not None and words(place.typed.tex) != words(place.display.tex):
+            reason = _excess(place.display, place.typed.tex, base)
+            (refused if reason else sources)[place.display] = reason or place.typed.tex
+    session = AuthorSession(base, sources)
     notes = [(source.line(offset), reason) for offset, reason in expanded.notes]
-    describe = Describer(source, expanded, session, outcomes, given, refused)
+    describe = Describer(source, expanded, session, refused)
     found = [formula for place in places for formula in describe.formulas(place)]
     found += describe.new(typed, places)
-    return Audit(source, expanded, places, found, outcomes, session, notes, perf_counter() - start)
+    return Audit(source, expanded, places, found, session, notes, perf_counter() - start)
 
 
-def _excess(display: Display, tex: str, memory: Memory) -> str:
+def _excess(display: Display, tex: str, base: AuditSession) -> str:
     """Why a display is not evaluated; empty if it is."""
-    read = formulas(base_of(memory).own.with_source(display, tex), display)
+    read = formulas(base.texts.with_source(display, tex), display)
     return next((reason for formula in read if (reason := excess(formula))), "")

@@ -10,7 +10,6 @@ from time import perf_counter
 
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.equivalence import equivalence
-from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.mutants import Mutant
 from kowalevski_cas.audit.session import AS_BEFORE
 from kowalevski_cas.audit.source import Source
@@ -69,16 +68,14 @@ class Measurement:
 class Measure:
     """Audits mutants against the audit of the source as it is."""
 
-    def __init__(self, source: Source, memory: Memory) -> None:
-        self.memory = memory
-        self.base = audit(source, memory)
-        self.verdicts = _signature(self.base)
+    def __init__(self, base: Audit) -> None:
+        self.base = base
+        self.verdicts = _signature(base)
 
     def __call__(self, mutant: Mutant) -> Caught:
-        """The result for one mutant; the memory is left as it was."""
+        """The result for one mutant."""
         start = perf_counter()
-        with self.memory.kept_small():
-            found = audit(Source(self.base.source.path, mutant.text), self.memory)
+        found = audit(Source(self.base.source.path, mutant.text), self.base.session.base)
         seconds = perf_counter() - start
         after = _signature(found)
         changed = tuple(
@@ -88,7 +85,7 @@ class Measure:
         )
         reason = ""
         if not changed:
-            reason = equivalence(self.memory, mutant.printed, mutant.before, mutant.after)
+            reason = equivalence(self.base.session, mutant.printed, mutant.before, mutant.after)
         formula = next((f for f in self.base.formulas if f.place == mutant.printed), None)
         return Caught(
             mutant,
@@ -113,7 +110,7 @@ class Measure:
 
     def _repair(self, found: Audit, mutant: Mutant) -> str:
         """What the repair of a mutated claim is, if the claim was true before."""
-        claims = self.memory.derivation.claims
+        claims = self.base.session.derivation.claims
         about = [c for c in claims if mutant.printed in c.establishes()]
         if not about or any(not self.base.outcomes[c.id].verdict.green for c in about):
             return ""
@@ -123,10 +120,11 @@ class Measure:
             return ""
         if any(o.correction is None or not o.correction.verdict.green for o in broken):
             return "none"
-        if any(o.correction is not None and o.correction.words == AS_BEFORE for o in broken):
+        corrections = [o.correction for o in broken if o.correction is not None]
+        if any(correction.words == AS_BEFORE for correction in corrections):
             return "derivation"
-        texts = found.session.texts
-        return "restored" if texts.formula(mutant.printed) == mutant.before else "true"
+        edits = (c.edit for c in corrections if c.printed == mutant.printed and c.edit is not None)
+        return "restored" if any(edit.formula == mutant.before for edit in edits) else "true"
 
 
 def _signature(found: Audit) -> dict[str, object]:
@@ -151,17 +149,15 @@ def _of(outcome: Outcome) -> object:
 
 
 def measure(
-    source: Source,
-    memory: Memory,
+    base: Audit,
     mutants: Sequence[Mutant],
     jobs: int = 1,
     progress: Callable[[Caught], None] = lambda caught: None,
 ) -> Measurement:
-    """Audit every mutant, in several processes if asked to."""
+    """Audit mutants of an audited source, in several processes if asked to."""
     start = perf_counter()
-    work = Measure(source, memory)
     found = Measurement()
-    for result in _results(work, mutants, jobs):
+    for result in _results(Measure(base), mutants, jobs):
         found.results.append(result)
         progress(result)
     found.seconds = perf_counter() - start

@@ -14,16 +14,14 @@ from kowalevski_cas.audit.audited import (
     WRONG,
     Audited,
 )
-from kowalevski_cas.audit.differences import unused
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.macros import Expanded
 from kowalevski_cas.audit.places import Place
-from kowalevski_cas.audit.roles import Role, Roles, undefined
-from kowalevski_cas.audit.session import AuditSession, base_of
+from kowalevski_cas.audit.roles import Role, Roles, undefined, unused
+from kowalevski_cas.audit.session import AuthorSession
 from kowalevski_cas.audit.source import Source
-from kowalevski_cas.notation import NotationError, split_display
-from kowalevski_cas.paper.texts import Display, Printed, Texts
-from kowalevski_cas.verify.outcome import Outcome
+from kowalevski_cas.notation import NotationError, split_display, to_latex
+from kowalevski_cas.paper.texts import Display, Printed
 
 
 class Describer:
@@ -33,16 +31,14 @@ class Describer:
         self,
         source: Source,
         expanded: Expanded,
-        session: AuditSession,
-        outcomes: Mapping[str, Outcome],
-        given: Texts,
+        session: AuthorSession,
         refused: Mapping[Display, str],
     ) -> None:
         self.source = source
         self.expanded = expanded
         self.session = session
-        self.outcomes = outcomes
-        self.texts = given
+        self.outcomes = session.outcomes
+        self.texts = session.texts
         self.refused = refused
         self.roles = Roles(session.derivation)
         self.broken: dict[str, list[str]] = {}
@@ -147,20 +143,22 @@ class Describer:
         self._blame(audited, printed, role)
 
     def _blame(self, audited: Audited, printed: Printed, role: Role) -> None:
-        """What a changed statement makes false, and what it no longer defines."""
+        """What a statement makes false, and what it no longer defines."""
+        session = self.session
         audited.breaks = tuple(self.broken.get(printed.place, ()))
-        if printed not in self.session.changed:
-            return
-        lost = undefined(role, self.texts.formula(printed))
-        memory = self.session.memory
-        idle = unused(memory.derivation, base_of(memory).own, self.texts, printed)
+        lost = idle = []
+        if printed in session.changed:
+            lost = undefined(role, self.texts.formula(printed))
+            idle = unused(session.derivation, session.base.texts, self.texts, printed)
         if lost:
             audited.message = f"it does not define {', '.join(lost)}"
         elif idle:
             audited.message = f"nothing depends on {', '.join(idle)} any more"
-        if lost or idle or audited.breaks:
-            if audited.verdict not in WRONG:
-                audited.verdict = SUSPECT
+        elif audited.breaks and printed in session.misprints:
+            mended = to_latex(session.misprints[printed].formula)
+            audited.message = f"what rests on it is true with ${mended}$"
+        if (lost or idle or audited.breaks) and audited.verdict not in WRONG:
+            audited.verdict = SUSPECT
 
 
 def _label(display: Display) -> str:

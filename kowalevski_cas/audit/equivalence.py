@@ -2,29 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from fractions import Fraction
 
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.audit.memory import Memory
-from kowalevski_cas.audit.roles import places_of
-from kowalevski_cas.audit.session import base_of
-from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.formulas import components
+from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.notation import Constant, Formula, NotationError, Relation
-from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.stage import Stage, StageError, evaluate
+from kowalevski_cas.problem.evaluate import Meaningless
 
 
-def equivalence(memory: Memory, printed: Printed, old: Formula, new: Formula) -> str:
+def equivalence(session: AuditSession, printed: Printed, old: Formula, new: Formula) -> str:
     """Why the formulas are equivalent wherever the place is used; empty if that is not shown."""
-    bench = Bench(memory.arithmetics[0], base_of(memory).texts, stages=memory.stages, refute=False)
     reasons: dict[str, None] = {}
-    for scene in _scenes(memory, printed):
+    claims = [claim for claim in session.derivation.claims if printed in session.places(claim)]
+    settings = {session.on(claim)(scene): None for claim in claims for scene in claim.scenes()}
+    for setting in settings:
         try:
-            reason = _on(bench.stage(scene), old, new)
-        except (NotationError, StageError, ArithmeticError, ValueError):
+            reason = _on(setting, old, new)
+        except (NotationError, Meaningless, ArithmeticError, ValueError):
             continue
         if not reason:
             return ""
@@ -32,17 +28,8 @@ def equivalence(memory: Memory, printed: Printed, old: Formula, new: Formula) ->
     return "; ".join(reasons)
 
 
-def _scenes(memory: Memory, printed: Printed) -> Iterator[Scene]:
-    """The scenes on which a place is used, by the scene itself or by a claim."""
-    found: dict[Scene, None] = {}
-    for claim in memory.derivation.claims:
-        if printed in places_of(claim):
-            found.update(dict.fromkeys(claim.scenes()))
-    yield from found
-
-
-def _on(stage: Stage, old: Formula, new: Formula) -> str:
-    first, second = _members(old, stage), _members(new, stage)
+def _on(setting: Elaboration, old: Formula, new: Formula) -> str:
+    first, second = _members(old, setting), _members(new, setting)
     if len(first) != len(second):
         return ""
     pairs = list(zip(first, second, strict=True))
@@ -55,9 +42,10 @@ def _on(stage: Stage, old: Formula, new: Formula) -> str:
     return f"it is the same equation times {ratio}" if ratio else ""
 
 
-def _members(formula: Formula, stage: Stage) -> list[tuple[Element, ...]]:
+def _members(formula: Formula, setting: Elaboration) -> list[tuple[Element, ...]]:
     parts = formula.members if isinstance(formula, Relation) else (formula,)
-    return [components(evaluate(p, stage)) for p in parts if not isinstance(p, Constant)]
+    at = setting.finder
+    return [at.components(setting.plain(p)) for p in parts if not isinstance(p, Constant)]
 
 
 def _ratio(new: Element, old: Element) -> Fraction | None:

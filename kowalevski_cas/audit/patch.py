@@ -21,7 +21,7 @@ def mended(found: Audit) -> str:
         before, text = text, _once(found)
         if text == before:
             break
-        found = audit(replace(found.source, text=text), found.session.memory)
+        found = audit(replace(found.source, text=text), found.session.base)
     return text
 
 
@@ -44,14 +44,22 @@ def _once(audit: Audit) -> str:
 
 
 def wanted_tex(audit: Audit, place: Place) -> str | None:
-    """The source of a display as it should be; ``None`` if nothing is wrong with it."""
-    session, display = audit.session, place.display
-    base = audit.session.base
-    assert base is not None
-    wrong = [f for f in audit.formulas if f.place and f.place.display == display and f.wrong]
-    if any(formula.place in session.changed for formula in wrong):
-        return base.corrected(display)
-    return session.texts.sources.get(display.id) if wrong else None
+    """The source of a display as it should be; ``None`` if nothing is wrong with it.
+
+    What the author has changed is to be what the derivation has, and a misprint to be mended.
+    """
+    display = place.display
+    wrong = [f.place for f in audit.formulas if f.wrong and f.place and f.place.display == display]
+    if not wrong:
+        return None
+    changed = any(printed in audit.session.changed for printed in wrong)
+    session = audit.session.base if changed else audit.session
+    texts = session.texts
+    for printed, edit in session.repairs(display):
+        # An edit before this one may have changed the source: it is read again.
+        tex = replace(edit, statement=texts.statement(printed)).tex
+        texts = texts.with_source(display, tex)
+    return texts.source(display)
 
 
 def _minimal(audit: Audit, tex: str, wanted: str) -> list[tuple[int, int, str]]:

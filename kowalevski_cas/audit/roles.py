@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
 
-from kowalevski_cas.claims import Claim
 from kowalevski_cas.notation import Formula, Name, Relation
+from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.scene import Change, Scene
-from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.problem.prune import mentions
 
 ORDER = ("unit", "vector field", "definition", "claim", "condition")
 
@@ -46,7 +47,7 @@ class Roles:
                 role = self.at(printed.place)
                 role.roles.add("claim")
                 role.claims[claim.id] = None
-            for printed in parts_of(claim):
+            for printed in claim.places():
                 if printed not in own:
                     self.at(printed.place).roles.add("condition")
 
@@ -62,10 +63,26 @@ def undefined(role: Role, formula: Formula) -> list[str]:
     return sorted(role.defines - printed)
 
 
+def unused(derivation: Derivation, before: Texts, after: Texts, printed: Printed) -> list[str]:
+    """The constants of scenes that nothing depends on, now that a place has lost them."""
+    gone = _names(before.formula(printed)) - _names(after.formula(printed))
+    found: dict[str, None] = {}
+    for scene in derivation.scenes():
+        places = set(scene.places())
+        if printed in places:
+            places.update(*(c.places() for c in derivation.claims if scene in c.scenes()))
+            left = {name for place in places for name in _names(after.formula(place))}
+            found.update(dict.fromkeys(sorted(gone & set(scene.constants) - left)))
+    return list(found)
+
+
+def _names(formula: Formula) -> set[str]:
+    return {found.name for found in mentions(formula) if isinstance(found, Name)}
+
+
 def places_of(claim: Claim) -> Iterator[Printed]:
     """Every place on which the verdict of a claim can depend."""
     yield from claim.places()
-    yield from parts_of(claim)
     for scene in claim.scenes():
         yield from scene.places()
 
@@ -83,22 +100,3 @@ def _of_scene(scene: Scene) -> Iterator[tuple[Printed, str]]:
         yield scene.field.time, "definition"
     else:
         yield from ((printed, "vector field") for printed in scene.field)
-
-
-def parts_of(claim: Claim) -> Iterator[Printed]:
-    """The places in the parts of a claim, and in those of the claims in it."""
-    for part in fields(claim):
-        value = getattr(claim, part.name)
-        if isinstance(value, Claim):
-            yield from parts_of(value)
-        else:
-            yield from _printed(value)
-
-
-def _printed(value: object) -> Iterator[Printed]:
-    """The places in a part of a claim; other claims and scenes speak for themselves."""
-    if isinstance(value, Printed):
-        yield value
-    elif isinstance(value, tuple | list):
-        for item in value:
-            yield from _printed(item)

@@ -1,211 +1,269 @@
 """A run over an author's texts: what does not change is decided once, and causes are named.
 
-The derivation's own texts, with their corrections, are the base. Where a claim
-fails on the author's texts because of a definition that the author has changed,
-the definition is the cause, and the claim is not corrected to fit it.
+A claim that is refuted, although it would be true if another formula read otherwise, is not
+corrected to fit that formula: the place of the formula is the cause. Where the author differs
+from the derivation, it is what the derivation has there that would have to be restored; where
+both agree, it is an edit, of a formula about which nothing is claimed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
+from functools import cached_property
 
-from kowalevski_cas.audit.differences import changed_places, spliced, usable_evidence
-from kowalevski_cas.audit.memory import Base, Decided, Key, Memory
-from kowalevski_cas.audit.reach import Reach
-from kowalevski_cas.claims import Claim, Finding
-from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.notation import NotationError
+from kowalevski_cas.audit.roles import places_of
+from kowalevski_cas.notation import Edit, Formula, NotationError, edits
+from kowalevski_cas.paper.claims import Claim, Neighbour
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
-from kowalevski_cas.proof.dependencies import Dependencies
-from kowalevski_cas.proof.evidence import Evidence
-from kowalevski_cas.proof.verify import Session
+from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.verify.certificate import Stored
+from kowalevski_cas.verify.corrections import printed_of, true_ones
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
+from kowalevski_cas.verify.run import Session
+from kowalevski_cas.verify.statement import Statement
+
+PATIENCE = 2.0
+"""Seconds that a correction, or a misprint in a definition, is sought for."""
 
 AS_BEFORE = "as the derivation has it"
 """The words for a correction that restores what the author has changed."""
 
 
 class AuditSession(Session):
-    """A run over the displays in ``sources``, which differ from those of the derivation."""
+    """A run over the texts of a derivation, in which each outcome is found once."""
 
     def __init__(
-        self, memory: Memory, base: Base | None = None, sources: Mapping[Display, str] | None = None
+        self,
+        derivation: Derivation,
+        arithmetics: Sequence[str] = ("flint",),
+        certificates: Mapping[str, Stored] | None = None,
+        timeout: float | None = None,
+        record: Mapping[str, Mapping[str, object]] | None = None,
+        patience: float | None = PATIENCE,
     ) -> None:
-        derivation = memory.derivation
         super().__init__(
-            derivation,
-            memory.arithmetics,
-            False,
-            usable_evidence(memory, sources or {}),
-            memory.timeout,
+            derivation, arithmetics, certificates=certificates, timeout=timeout, record=record
         )
-        self.memory = memory
-        self.stages = memory.stages
-        self.base = base
+        self.patience = patience
         self.causes: dict[str, tuple[Printed, ...]] = {}
-        self.changed: frozenset[Printed] = frozenset()
-        if base is not None:
-            self.texts = base.own
-            for display, tex in (sources or {}).items():
-                self.texts = self.texts.with_source(display, tex)
-            self.dependencies = Dependencies(self.texts)
-        self.reach = Reach(self.texts)
-        if base is not None:
-            self.changed = changed_places(self.texts, base.own, sources or {})
+        self.misprints: dict[Printed, Edit] = {}
+        """Edits of formulas about which nothing is claimed, by which claims become true."""
+        self._places: dict[Claim, frozenset[Printed]] = {}
 
-    def needed(self, chosen: Sequence[Claim]) -> list[Claim]:
-        """All claims: an audit leaves none out."""
-        return list(chosen)
+    @cached_property
+    def outcomes(self) -> dict[str, Outcome]:
+        """What is said about each claim."""
+        claims = self.derivation.claims
+        found = {claim.id: self.decide(claim) for claim in claims}
+        for claim in claims:
+            if self._unexplained(claim, found[claim.id]):
+                for id in self._misprint(claim, found):
+                    found[id] = replace(found[id], correction=None)
+        return found
 
-    def decide(self, claim: Claim) -> Outcome:
-        """The outcome for a claim, from memory if the texts it rests on were met before."""
-        key, finer = self._keys(claim)
-        known = self.memory.outcomes.get(key) or self.memory.outcomes.get(finer)
-        if known is None:
-            known = self._decided(claim)
-            self.memory.outcomes[finer] = known
-        self.memory.outcomes[key] = known
-        for display, tex in known.corrected:
-            if self.texts.sources.get(display.id) != tex:
-                self.texts = self.texts.with_source(display, tex)
-        self.causes[claim.id] = known.causes
-        return known.outcome
+    def _unexplained(self, claim: Claim, outcome: Outcome) -> bool:
+        """Whether nothing is known that would make a refuted claim true."""
+        refuted = outcome.verdict is Verdict.REFUTED
+        return refuted and outcome.correction is None and claim.id not in self.causes
 
-    def _keys(self, claim: Claim) -> tuple[Key, Key]:
-        """The texts on which a claim can rest, and those that names lead to."""
-        places = self.memory.places(claim)
-        key = (claim, self.texts.changes(places), self.changed & places)
-        if key in self.memory.outcomes:
-            return key, key
-        if self.reach.texts is not self.texts:
-            self.reach = Reach(self.texts)
+    def _misprint(self, claim: Claim, outcomes: Mapping[str, Outcome]) -> list[str]:
+        """The refuted claims that one edit elsewhere makes true, this one among them.
+
+        Of the edits that leave true what is true, the one is taken that makes most claims true.
+        """
+        best: tuple[Neighbour, list[str]] | None = None
+        claims = self.derivation.claims
+        on = self.on(claim)
+        with suppress(TimeoutError, NotationError, Meaningless), time_limit(self.patience):
+            for found in true_ones(self._elsewhere(claim, on), on.apart(on.texts)):
+                assert found.printed is not None and found.edit is not None
+                texts = self.texts.edited(found.printed, found.edit)
+                about = [c for c in claims if found.printed in self.places(c)]
+                green = (c for c in about if outcomes[c.id].verdict.green)
+                if not all(self._true(c, texts) for c in green):
+                    continue
+                refuted = [c for c in about if outcomes[c.id].verdict is Verdict.REFUTED]
+                mended = [c.id for c in refuted if self._true(c, texts)]
+                if best is None or len(mended) > len(best[1]):
+                    best = found, mended
+                if len(mended) == len(refuted):
+                    break
+        if best is None or best[0].printed is None or best[0].edit is None:
+            return []
+        self.misprints[best[0].printed] = best[0].edit
+        self.causes.update((id, (best[0].printed,)) for id in best[1])
+        return best[1]
+
+    def places(self, claim: Claim) -> frozenset[Printed]:
+        """Every place on which the outcome for a claim can depend."""
+        if claim not in self._places:
+            self._places[claim] = frozenset(places_of(claim))
+        return self._places[claim]
+
+    def repairs(self, display: Display) -> Iterator[tuple[Printed, Edit]]:
+        """The edits that make statements of a display true."""
+        found = {**self.misprints}
+        for outcome in self.outcomes.values():
+            proposed = outcome.correction
+            if proposed is not None and proposed.printed is not None and proposed.edit is not None:
+                found[proposed.printed] = proposed.edit
+        yield from ((place, edit) for place, edit in found.items() if place.display == display)
+
+    def _true(self, claim: Claim, texts: Texts) -> bool:
+        """Whether a claim holds under other texts."""
         try:
-            places = self.reach.places(claim)
-        except NotationError:
-            return key, key
-        return key, (claim, "reach", self.texts.changes(places), self.changed & places)
+            return Statement(claim, self.on(claim, texts)).holds()
+        except (NotationError, Meaningless, ZeroDivisionError):
+            return False
 
-    def _decided(self, claim: Claim) -> Decided:
-        before = self.texts.sources
-        outcome = super().decide(claim)
-        own = self._own(claim)
-        if own and not outcome.verdict.green and outcome.correction is None:
-            found = None
-            if outcome.verdict is Verdict.ERROR and outcome.digest:
-                found = self._correct(claim, Evidence(outcome.digest))
-            correct = found is not None and found.verdict.green
-            outcome = replace(outcome, correction=found if correct else self._as_before(claim, own))
-        causes = self.causes.get(claim.id, ())
-        if not causes and not outcome.verdict.green:
-            causes = own or self._to_blame(claim)
-        if causes and not own:
-            self._correct_as_in_base(claim)
-        corrected = tuple(
-            (place.display, self.texts.sources[place.display.id])
-            for place in claim.establishes()
-            if self.texts.sources.get(place.display.id) != before.get(place.display.id)
+    def _elsewhere(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
+        """A claim with one edit of a formula on which it stands, and which no claim is about."""
+        names = frozenset(claim.scene.names()) - {*claim.scene.undefined}
+        for printed in dict.fromkeys(Statement(claim, on).places()):
+            if printed not in self.established and printed not in self.accepted:
+                for edit in edits(on.texts.statement(printed), on.texts.vocabulary, names):
+                    yield Neighbour(edit.words, claim, on.texts, printed, edit)
+
+
+class AuthorSession(AuditSession):
+    """A run over ``sources``, the displays that an author has typed otherwise than the derivation.
+
+    Nothing of it is kept in ``base``, the run over the derivation's own texts.
+    """
+
+    def __init__(self, base: AuditSession, sources: Mapping[Display, str]) -> None:
+        super().__init__(
+            base.derivation, base.arithmetics, base.stored, base.timeout, base.record, base.patience
         )
-        return Decided(outcome, corrected, causes)
+        self.base = base
+        self.known = base.outcomes
+        self.causes = {**base.causes}
+        self.misprints = {**base.misprints}
+        self._places = base._places
+        self.texts = self._with(base.texts, sources)
+        self.elaborations = base.elaborations.apart(self.texts)
+        self.changed = frozenset(
+            printed for display in sources for printed in self._changed(display)
+        )
+        """The statements that are not those of the derivation."""
 
-    def _correct_as_in_base(self, claim: Claim) -> None:
-        """Take over a correction of the base, which the claims that follow rest on."""
-        assert self.base is not None
-        known = self.base.outcomes[claim.id].correction
-        if known is None or not known.verdict.green:
-            return
-        try:
-            for place in claim.establishes():
-                tex = spliced(self.texts, self.base.texts, place)
-                self.texts = self.texts.with_source(place.display, tex)
-        except NotationError:
-            return
-
-    def _own(self, claim: Claim) -> tuple[Printed, ...]:
-        """The changed places among those that the claim establishes."""
-        return tuple(printed for printed in claim.establishes() if printed in self.changed)
-
-    def _correct(self, claim: Claim, kept: Evidence) -> Correction | None:
-        """The nearest true statement, unless a changed definition is what makes it false."""
-        if self.changed and not self._own(claim):
-            self.causes[claim.id] = self._to_blame(claim)
-            if self.causes[claim.id]:
-                return None
-        try:
-            with time_limit(self.memory.patience):
-                return super()._correct(claim, kept)
-        except Exception:
-            return None
-
-    def _as_before(self, claim: Claim, own: Sequence[Printed]) -> Correction | None:
-        """What the derivation has at changed places, if that is true under these texts."""
-        assert self.base is not None
-        texts = self.texts
-        try:
-            for printed in own:
-                texts = texts.with_source(printed.display, spliced(texts, self.base.texts, printed))
-            bench = Bench(self.arithmetics[0], texts, False, {}, self.stages, refute=False)
-            finding = self._decide(claim, bench)
-            formulas = tuple(texts.formula(printed) for printed in own)
-        except NotationError:
-            return None
-        if not finding.verdict.green:
-            return None
-        self.texts = texts
-        return Correction(formulas, AS_BEFORE, finding.verdict, finding.conditions)
-
-    def _to_blame(self, claim: Claim) -> tuple[Printed, ...]:
-        """The changed places without whose changes the claim would come out as in the base."""
-        own = set(claim.establishes())
-        suspects = [p for p in self.memory.places(claim) if p in self.changed and p not in own]
-        if not suspects or self.base is None:
-            return ()
-        changed = {printed.display for printed in self.changed}
-        texts = self.base.texts
-        for display in changed:
-            texts = texts.with_source(display, self.texts.sources[display.id])
-        if self._as_in_base(claim, texts):
-            return ()
-        displays = list(dict.fromkeys(printed.display for printed in suspects))
-        guilty = [d for d in displays if self._as_in_base(claim, self._mended(texts, [d]))]
-        if not guilty and self._as_in_base(claim, self._mended(texts, displays)):
-            guilty = displays
-        return tuple(sorted((p for p in suspects if p.display in guilty), key=lambda p: p.place))
-
-    def _mended(self, texts: Texts, displays: Iterable[Display]) -> Texts:
-        """Texts with some displays as they are, corrected, in the base."""
-        assert self.base is not None
-        for display in displays:
-            texts = texts.with_source(display, self.base.corrected(display))
+    @staticmethod
+    def _with(texts: Texts, sources: Mapping[Display, str]) -> Texts:
+        for display, tex in sources.items():
+            texts = texts.with_source(display, tex)
         return texts
 
-    def _decide(self, claim: Claim, bench: Bench) -> Finding:
-        """The finding; what an author types must not end the audit of everything else."""
+    def _changed(self, display: Display) -> Iterator[Printed]:
+        new, old = formulas(self.texts, display), formulas(self.base.texts, display)
+        for number in range(1, max(len(new), len(old)) + 1):
+            if new[number - 1 : number] != old[number - 1 : number]:
+                yield display[number]
+
+    def decide(self, claim: Claim) -> Outcome:
+        """The outcome for a claim: that of the derivation, if its problem is the same."""
+        known = self.known[claim.id]
+        if not self.places(claim) & self.changed or self._same(claim, known):
+            return known
+        self.causes.pop(claim.id, None)
         try:
-            return super()._decide(claim, bench)
-        except Exception as error:
+            outcome = super().decide(claim)
+        except Exception as error:  # what an author types must not end the audit of the rest
             message = f"it cannot be decided as it is typed ({type(error).__name__}: {error})"
-            return Finding(Verdict.ERROR, message=message)
+            outcome = self._unread(claim, self.on(claim), Verdict.ERROR, message)
+        unclear = outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT)
+        if unclear and not self._blame_changes(claim):
+            outcome = replace(outcome, correction=self._restored(claim, self.on(claim)))
+        return outcome
+
+    def _unexplained(self, claim: Claim, outcome: Outcome) -> bool:
+        return outcome is not self.known[claim.id] and super()._unexplained(claim, outcome)
+
+    def _same(self, claim: Claim, known: Outcome) -> bool:
+        """Whether a claim that is true in the derivation is typed as the same problem."""
+        try:
+            on = self.on(claim)
+            said = claim.formulas(on.texts) == known.formulas
+            return known.verdict.green and said and Statement(claim, on).digest == known.digest
+        except Exception:  # then deciding it says why
+            return False
+
+    def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
+        """Nothing is wrong with the derivation where the author has caused what is."""
+        return outcome if claim.id in self.causes else super()._with_acceptance(claim, outcome)
+
+    def _correct(self, claim: Claim, on: Elaborations) -> Correction | None:
+        if self._blame_changes(claim):
+            return None
+        try:
+            return self._restored(claim, on) or super()._correct(claim, on)
+        except Exception:  # candidates are made of what an author types
+            return None
+
+    def _restored(self, claim: Claim, on: Elaborations) -> Correction | None:
+        """What the derivation has for a claim, if the author has changed that and it is true."""
+        own = tuple(place for place in claim.establishes() if place in self.changed)
+        known = self.known[claim.id]
+        good: Outcome | Correction | None = known if known.verdict.green else known.correction
+        if not own:
+            return None
+        self.causes[claim.id] = own
+        if good is None or not self._as_in_base(claim, self._without(own)):
+            return None
+        with suppress(NotationError):
+            for neighbour in claim.neighbours(on.texts):
+                if printed_of(neighbour) == good.formulas:
+                    return self._proposed(neighbour, on)
+        return Correction(good.formulas, AS_BEFORE, good.verdict, good.conditions)
+
+    def _blame_changes(self, claim: Claim) -> bool:
+        """Whether changes elsewhere are what makes a claim come out otherwise than in the base."""
+        own = set(claim.establishes())
+        suspects: dict[Display, list[Printed]] = {}
+        for printed in sorted(self.places(claim) & self.changed, key=lambda p: p.place):
+            if printed not in own:
+                suspects.setdefault(printed.display, []).append(printed)
+        if not suspects:
+            return False
+        if not self.known[claim.id].verdict.green and self._as_in_base(claim, self.texts):
+            return False
+        guilty = [ps for ps in suspects.values() if self._as_in_base(claim, self._without(ps))]
+        every = [place for places in suspects.values() for place in places]
+        if not guilty and self._as_in_base(claim, self._without(every)):
+            guilty = [every]
+        if guilty:
+            self.causes[claim.id] = tuple(place for places in guilty for place in places)
+        return bool(guilty)
+
+    def _without(self, places: Iterable[Printed]) -> Texts:
+        """The author's texts with the displays of some places as the derivation has them."""
+        gone = {printed.display for printed in places}
+        kept = {printed.display for printed in self.changed} - gone
+        return self._with(self.base.texts, {one: self.texts.sources[one.id] for one in kept})
 
     def _as_in_base(self, claim: Claim, texts: Texts) -> bool:
-        """Whether the claim, corrected where the base corrects it, has the verdict of the base."""
-        assert self.base is not None
-        expected = self.base.outcomes[claim.id]
-        corrected = expected.correction is not None and expected.correction.verdict.green
-        green = corrected or expected.verdict.green
-        bench = Bench(self.arithmetics[0], texts, False, {}, self.stages, refute=not green)
-        finding = self._decide(claim, bench)
-        if green:
-            return finding.verdict.green
-        return (finding.verdict, finding.message) == (expected.verdict, expected.message)
+        """Whether a claim is as true as in the base, with its correction where that has one."""
+        known = self.known[claim.id]
+        if texts is self.base.texts:
+            return True
+        if known.verdict.green:
+            return self._true(claim, texts)
+        proposed = known.correction
+        if proposed is not None and proposed.printed is not None and proposed.edit is not None:
+            return self._true(claim, texts.edited(proposed.printed, proposed.edit))
+        try:
+            return Statement(claim, self.on(claim, texts)).digest == known.digest
+        except (NotationError, Meaningless):
+            return False
 
 
-def base_of(memory: Memory) -> Base:
-    """The derivation as it stands, decided once."""
-    if memory.base is None:
-        session = AuditSession(memory)
-        own = session.texts
-        outcomes = {outcome.claim: outcome for outcome in session.run().outcomes}
-        memory.base = Base(own, session.texts, outcomes)
-    return memory.base
+def formulas(texts: Texts, display: Display) -> tuple[Formula, ...]:
+    """The statements of a display as they are read; none if it cannot be read."""
+    try:
+        return tuple(statement.formula for statement in texts.statements(display))
+    except NotationError:
+        return ()

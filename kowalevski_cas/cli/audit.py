@@ -10,13 +10,14 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.listing import listing
-from kowalevski_cas.audit.memory import Memory
+from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source, SourceError, read_source
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.audit_formats import FORMATS, load_format
@@ -31,9 +32,9 @@ from kowalevski_cas.cli.exits import (
 )
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.verify import disagreement
+from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.run import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -60,7 +61,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="decide in this arithmetic, or in all three (flint)",
     )
     parser.add_argument(
-        "--timeout", type=_positive, default=20.0, metavar="SECONDS", help="for each claim (20)"
+        "--timeout", type=_positive, default=5.0, metavar="SECONDS", help="for each claim (5)"
     )
 
 
@@ -72,8 +73,7 @@ def run(arguments: argparse.Namespace) -> int:
             return _list(source, arguments.format)
         arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
         folder, derivation = chosen(source, arguments.derivation)
-        memory = Memory(derivation, arithmetics, load_evidence(folder), arguments.timeout)
-        found = audit(source, memory)
+        found = audit(source, auditing(folder, derivation, arithmetics, arguments.timeout))
     except SourceError as error:
         raise CommandError(str(error)) from None
     if arguments.patch:
@@ -101,6 +101,14 @@ def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
             NOTHING,
         )
     return next(pair for pair in candidates if pair[1] is found)
+
+
+def auditing(
+    folder: Path, derivation: Derivation, arithmetics: Sequence[str], timeout: float
+) -> AuditSession:
+    """The run of a derivation with which sources are compared."""
+    stored, record = load_certificates(folder), session.recorded(folder)
+    return AuditSession(derivation, arithmetics, stored, timeout, record)
 
 
 def exit_code(found: Audit) -> int:

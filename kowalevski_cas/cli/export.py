@@ -1,12 +1,11 @@
 """Write the certificates of a derivation in the language of another program.
 
-Each claim has a file of its own, in a folder with the name of the derivation.
+Each certificate has a file of its own, in a folder with the name of the derivation.
 """
 
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from pathlib import Path
 
@@ -15,7 +14,8 @@ from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandErro
 from kowalevski_cas.export import FORMATS, Export, Json, load
 from kowalevski_cas.files import write_all
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.proof.committed import certificate_files, check_committed, check_files
+from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.committed import certificate_files, check_committed, check_files
 from kowalevski_cas.verify.record import RecordError, load_record
 
 
@@ -32,12 +32,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     for folder, derivation in session.derivations(arguments.derivations):
-        _, export = translated(arguments.format, folder, derivation)
+        certificates, export = translated(arguments.format, folder, derivation)
         target = arguments.output / derivation.name
         files = export.files | load(arguments.format).project(export.files)
         write_all({target / name: text for name, text in files.items()})
-        total = len(derivation.claims)
-        print(f"{derivation.name}: {len(export.texts)} of {total} claims, in {target}")
+        said = f"{len(export.texts)} of {len(certificates)} certificates"
+        print(f"{derivation.name}: {said}, in {target}")
     return AS_RECORDED
 
 
@@ -47,21 +47,21 @@ def translated(format: str, folder: Path, derivation: Derivation) -> tuple[dict[
     export = load(format).files(certificates)
     if not export.texts:
         raise CommandError(f"no claim of {derivation.name} can be said in {format}", NOTHING)
-    for claim in derivation.claims:
-        if claim.id not in export.texts:
-            reason = export.omitted.get(claim.id, "it has no certificate")
-            print(f"{claim.id}: left out: {reason}", file=sys.stderr)
+    for name in dict.fromkeys([*(claim.id for claim in derivation.claims), *certificates]):
+        if name not in export.texts:
+            reason = export.omitted.get(name, "it has no certificate")
+            print(f"{name}: left out: {reason}", file=sys.stderr)
     return certificates, export
 
 
 def accepted(folder: Path) -> dict[str, Json]:
-    """The certificates in the folder of a derivation by claim; all have to be as recorded."""
+    """The certificates in the folder of a derivation by name; all have to be as recorded."""
     try:
         record = load_record(folder)
     except RecordError as error:
         raise CommandError(str(error)) from None
-    files = certificate_files(folder)
-    found = check_files(files) if record is None else check_committed(folder, record)
+    found = check_committed(folder, record) if record else check_files(certificate_files(folder))
     for name, reason in found.rejected.items():
         raise CommandError(f"{name}: {reason}", REJECTED)
-    return {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in files}
+    stored = load_certificates(folder)
+    return {name: stored[name].data for name in found.digests}

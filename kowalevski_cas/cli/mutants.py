@@ -16,14 +16,12 @@ from pathlib import Path
 
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.catching import Caught, Measurement, measure
-from kowalevski_cas.audit.memory import Memory
 from kowalevski_cas.audit.mutants import every, sample
 from kowalevski_cas.audit.source import SourceError, read_source
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.audit import chosen
+from kowalevski_cas.cli.audit import auditing, chosen
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
-from kowalevski_cas.proof.evidence import load_evidence
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -43,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes"
     )
     parser.add_argument(
-        "--timeout", type=float, default=5.0, metavar="SECONDS", help="for each claim (5)"
+        "--timeout", type=float, default=2.0, metavar="SECONDS", help="for each claim (2)"
     )
 
 
@@ -61,15 +59,14 @@ def run(arguments: argparse.Namespace) -> int:
         folder, derivation = session.derivations(name)[0]
         source = synthetic(derivation)
     print(f"{source.path} by {derivation.name}, seed {seed}", flush=True)
-    memory = Memory(derivation, evidence=load_evidence(folder), timeout=arguments.timeout)
-    base = audit(source, memory)
+    base = audit(source, auditing(folder, derivation, ("flint",), arguments.timeout))
     chosen_ones = (
         list(every(base)) if arguments.all else sample(base, arguments.sample, random.Random(seed))
     )
     if not chosen_ones:
         raise CommandError("no mutants can be made of this source", NOTHING)
     shown = _Progress(len(chosen_ones))
-    found = measure(source, memory, chosen_ones, arguments.jobs, shown)
+    found = measure(base, chosen_ones, arguments.jobs, shown)
     print(report(found), end="")
     return DIFFERENT if found.missed else AS_RECORDED
 

@@ -50,8 +50,8 @@ def run(arguments: argparse.Namespace) -> int:
             for claim, reason in testimony.failed.items():
                 print(f"{claim}: not confirmed: {reason}", file=sys.stderr)
                 code = REJECTED
-            number, total = len(testimony.confirmed), len(derivation.claims)
-            print(f"{derivation.name}: {number} of {total} claims confirmed by {testimony.version}")
+            said = f"{len(testimony.confirmed)} of {len(certificates)} certificates"
+            print(f"{derivation.name}: {said} confirmed by {testimony.version}")
     except MissingSystem as error:
         raise CommandError(str(error)) from None
     return code

@@ -1,6 +1,6 @@
 r"""Printed formulas as functions of numbers: what an exact arithmetic read, as Python source.
 
-A formula is evaluated once on its stage, exactly; the element that comes out is
+A formula is evaluated once on its scene, exactly; the element that comes out is
 written as an expression in ``+``, ``-``, ``*``, ``/``. So the function takes whatever
 has these operations: floats, NumPy arrays, balls, symbols of another library.
 """

@@ -7,15 +7,14 @@ from __future__ import annotations
 
 from functools import cache
 
-from kowalevski_cas.algebra import load as load_arithmetic
 from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
 from kowalevski_cas.notation import Formula, Name, replace
 from kowalevski_cas.paper.closed_form import ClosedForm, Member, Values
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import vocabulary
 from kowalevski_cas.paper.texts import Texts
-from kowalevski_cas.stage import Stage, scalar
 
 INTEGRALS = ("H", "K", "a^2", "b^2", "c", "F_1", "F_2")
 """Names of the values of :func:`integrals`."""
@@ -73,18 +72,18 @@ def across() -> tuple[Function, Function, Function]:
 @cache
 def _compiled(values: Values) -> Function:
     """The values, read on their scene, as a function of numbers."""
-    words = vocabulary((*source().scenes(), values.scene))
-    stage = Stage(values.scene, load_arithmetic("flint"), Texts(words))
-    named = [(stage.formula(tex), Name(tex)) for tex in values.supplied]
+    texts = Texts(vocabulary((*source().scenes(), values.scene)))
+    on = Elaborations(texts)(values.scene)
+    named = [(texts.expression(tex), Name(tex)) for tex in values.supplied]
     elements = []
     for expression in values.expressions:
         if isinstance(expression, Member):
-            formula = stage.relation(expression.printed).members[expression.place]
+            formula = texts.relation(expression.printed).members[expression.place]
         else:
-            formula = stage.formula(expression)
+            formula = texts.expression(expression)
         for part, name in named:
             formula = _named(formula, part, name)
-        elements.append(scalar(formula, stage))
+        elements.append(on.finder.scalar(on.plain(formula)))
     return function(elements, values.arguments)
 
 

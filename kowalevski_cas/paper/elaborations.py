@@ -35,6 +35,10 @@ class Elaborations:
         """The elaborations under other texts."""
         return self if texts is self.texts else Elaborations(texts, self._known)
 
+    def apart(self, texts: Texts) -> Elaborations:
+        """The elaborations under other texts, of which these here do not hear."""
+        return Elaborations(texts, {**self._known})
+
 
 @cache
 def _places(scene: Scene) -> frozenset[Printed]:

@@ -17,6 +17,7 @@ from kowalevski_cas.notation import (
     Formula,
     Heads,
     Name,
+    Negative,
     NotationError,
     Product,
     Relation,
@@ -160,12 +161,11 @@ class Texts:
 
     def time_scale(self, printed: Printed) -> Formula:
         r"""The factor :math:`\kappa` of a printed change of time, :math:`\tau=\kappa t`."""
-        right = self.relation(printed).members[1]
-        if not isinstance(right, Product) or right.factors[-1] != Name("t"):
+        scale = _scale(self.relation(printed).members[1])
+        if scale is None:
             source = self.source(printed.display)
             raise NotationError(f"a multiple of t is expected at {printed.place}", source, 0)
-        rest = right.factors[:-1]
-        return rest[0] if len(rest) == 1 else Product(rest)
+        return scale
 
     def statement(self, printed: Printed) -> Statement:
         """The statement at a place, as it stands before edits."""
@@ -200,6 +200,17 @@ class Texts:
             ids = _displays(places)
             changed |= {item for item in self.sources.items() if item[0] in ids}
         return frozenset(changed)
+
+
+def _scale(formula: Formula) -> Formula | None:
+    """The factor before t; ``None`` if the formula is no multiple of it."""
+    match formula:
+        case Negative(argument):
+            scale = _scale(argument)
+            return None if scale is None else Negative(scale)
+        case Product((*rest, Name("t"))):
+            return rest[0] if len(rest) == 1 else Product(tuple(rest))
+    return None
 
 
 @cache

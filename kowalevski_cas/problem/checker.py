@@ -136,6 +136,10 @@ class Ring:
         self.unknown: set[str] = set()  # what may depend on all other names
         self.squares, self.guard = 0, 1 << WIDTH - 1
 
+    def another(self) -> Ring:
+        """A ring without generators; the work in both is counted together."""
+        return Ring(self.work)
+
     def spend(self, steps: int) -> None:
         """Count work."""
         self.work[0] -= steps
@@ -283,6 +287,10 @@ class Element:
         """Whether it is zero wherever it is defined."""
         return not self.cleared()[0].terms
 
+    def differs(self) -> bool:
+        """Whether a number is certainly not zero, whatever the signs of its roots."""
+        return bool(self.normed()[1].terms)
+
     def value(self) -> Fraction | None:
         """The number that it is, if it is one."""
         return Fraction(self.terms.get(0, 0), self.below) if self.terms.keys() <= {0} else None
@@ -374,10 +382,10 @@ class Space:
     is known not to vanish there. A formula of the evidence divides by known divisors only.
     """
 
-    def __init__(self, data: Json, before: list[Space], work: list[int]) -> None:
+    def __init__(self, data: Json, before: list[Space], ring: Ring) -> None:
         record(data, "variables", "constants nonzero steps field change conjugates")
         need(not {"field", "change"} <= data.keys(), "a space has a field, or a change")
-        self.data, self.ring, self.stating = data, Ring(work), True
+        self.data, self.ring, self.stating = data, ring, True
         self.known: dict[str, str] = {}  # inverses of divisors, with words for these
         self.env: dict[str, Value] = {}
         self.bar: dict[str, Element] = {}
@@ -446,6 +454,10 @@ class Space:
         other.rates = None if self.rates is None else dict(self.rates)
         return other
 
+    def carried(self, ring: Ring, images: dict[str, Element]) -> Map:
+        """What elements of a ring become here, where its generators have values."""
+        return Map(ring, images, self)
+
     @contextmanager
     def statement(self, stating: bool = True) -> Iterator[None]:
         """Formulas that are read here belong to the statement, or do not."""
@@ -469,7 +481,7 @@ class Space:
         if self.mirror is None:
             space = self.local()
             space.stating = True
-            self.mirror = Map(self.ring, dict(self.bar), space)
+            self.mirror = space.carried(self.ring, dict(self.bar))
         conjugate = self.mirror(element)
         defined = self.env.keys() | self.ring.divisors.keys()
         need({*conjugate.generators()} <= defined, "a conjugate is not defined yet")
@@ -585,7 +597,7 @@ class Space:
         need({*self.variables} <= new.keys() <= self.env.keys(), "a new variable has no formula")
         fixed = {*self.constants, *self.ring.powers}
         need(not new.keys() & fixed, "a constant moves, or a power by itself")
-        here = Map(source.ring, {name: self.scalar(name) for name in source.bar}, self)
+        here = self.carried(source.ring, {name: self.scalar(name) for name in source.bar})
         back = ((here(e) - self.scalar(name)).vanishes() for name, e in new.items())
         need(all(back), "the inverse does not give the variables back")
         for name, conjugate in source.bar.items():
@@ -620,8 +632,9 @@ class Space:
             base, exponent = ring.powers[name]
             return exponent * own * self.along(base, rates) * self.inverse(base)
         change = self.along(ring.roots[name], rates) if name in ring.roots else ring.number(0)
-        if not change.terms or change.split(name).keys() == {1}:
-            return change.partial(name) * ring.number(Fraction(1, 2))
+        half = change.partial(name) * ring.number(Fraction(1, 2))
+        if (change - own * (half + half)).vanishes():
+            return half
         return change * own * self.inverse(own * own + own * own)
 
     def derivative(self, element: Element) -> Element:
@@ -708,7 +721,7 @@ class Space:
 
 def rational(space: Space, tree: Json) -> Fraction:
     """The value of a formula of integers."""
-    number = Space({"variables": []}, [], space.ring.work).scalar(tree).value()
+    number = Space({"variables": []}, [], Ring(space.ring.work)).scalar(tree).value()
     if number is None:
         raise Rejected("a rational number is expected")
     return number
@@ -720,7 +733,7 @@ def numbers_of(space: Space, points: list[Json]) -> Space:
     roots = {integer(d, 2, 10**12) for roots in lists for d in roots}
     squares = {"i": ["-", 1], **{f"\\sqrt{{{d}}}": d for d in sorted(roots)}}
     steps = [["root", name, tree] for name, tree in squares.items()]
-    return Space({"variables": [], "steps": steps}, [], space.ring.work)
+    return type(space)({"variables": [], "steps": steps}, [], space.ring.another())
 
 
 def locate(space: Space, data: Json, given: list[Element], numbers: Space | None = None) -> Map:
@@ -729,21 +742,17 @@ def locate(space: Space, data: Json, given: list[Element], numbers: Space | None
     values = {label(name): numbers.scalar(tree) for name, tree in pairs(data["values"])}
     whole = values.keys() == space.bar.keys() and len(values) == len(data["values"])
     need(whole, "a value of the point is missing, or unknown, or given twice")
-    at = Map(space.ring, values, numbers)
+    at = numbers.carried(space.ring, values)
     for name, conjugate in space.bar.items():
-        need(not (at(conjugate) - numbers.conj(at.images[name])).terms, f"{name} is not real there")
-    need(not any(at(e).terms for e in given), "the point is not where it should be")
+        real = (at(conjugate) - numbers.conj(at.images[name])).vanishes()
+        need(real, f"{name} is not real there")
+    need(all(at(e).vanishes() for e in given), "the point is not where it should be")
     for name, words in space.known.items():
         try:
             at(space.ring.generator(name))
         except Rejected:
             raise Rejected(f"a condition fails at the point: {words:.200}") from None
     return at
-
-
-def differs(at: Map, element: Element) -> bool:
-    """Whether an element is certainly not zero at a point, whatever the signs of roots."""
-    return bool(at(element).normed()[1].terms)
 
 
 def combined(space: Space, goal: Element, row: Json, known: list[Element]) -> bool:
@@ -838,7 +847,7 @@ def fails(space: Space, goal: Json, evidence: Json) -> None:
     need(all(conclusions) and (conclusions or given), "nothing is stated")
     at = locate(space, evidence["point"], given)
     for conclusion in conclusions:
-        need(any(differs(at, e) for e in conclusion), "the two sides may be equal")
+        need(any(at(e).differs() for e in conclusion), "the two sides may be equal")
 
 
 def differentials(space: Space, goal: Json) -> tuple[list[Element], list[list[Element]]]:
@@ -859,7 +868,7 @@ def independent(space: Space, goal: Json, evidence: Json) -> int:
     rows = [[at(e) for e in row] for row in matrix]
     while rows:
         row = rows.pop()
-        k = next((k for k, e in enumerate(row) if e.normed()[1].terms), None)
+        k = next((k for k, e in enumerate(row) if e.differs()), None)
         if k is None:
             raise Rejected("the differentials may depend on each other")
         over = at.space.inverse(row[k])
@@ -970,7 +979,7 @@ class Solutions:
     def put(self, element: Element, values: dict[str, Element]) -> Element:
         """An element with values for some generators."""
         own = {name: self.space.ring.generator(name) for name in element.generators()}
-        return Map(self.space.ring, own | values, self.space)(element)
+        return self.space.carried(self.space.ring, own | values)(element)
 
     def solutions_are_roots(self) -> None:
         """The equations imply the eliminant of the form, and give the variables by the form."""
@@ -1061,10 +1070,10 @@ def no_count(space: Space, goal: Json, evidence: Json) -> None:
     found = [locate(space, point, equations, numbers).images for point in points]
     others = {*space.variables, *space.constants} - {*goal["names"]}
     for one, other in combinations(found, 2):
-        same = not any((one[name] - other[name]).terms for name in others)
+        same = all((one[name] - other[name]).vanishes() for name in others)
         need(same, "the points belong to different constants")
-        gaps = ((one[name] - other[name]).normed()[1] for name in goal["names"])
-        need(any(gap.terms for gap in gaps), "two points may be the same")
+        apart = any((one[name] - other[name]).differs() for name in goal["names"])
+        need(apart, "two points may be the same")
 
 
 # -- a problem ---------------------------------------------------------------------
@@ -1082,10 +1091,10 @@ KINDS: dict[str, tuple[str, Judge, Judge]] = {
 class Problem:
     """Spaces and goals."""
 
-    def __init__(self, spaces: Json, goals: Json, work: list[int]) -> None:
+    def __init__(self, spaces: Json, goals: Json, ring: Ring, kind: type[Space] = Space) -> None:
         self.spaces = list[Space]()
         for data in items(spaces):
-            self.spaces.append(Space(data, self.spaces, work))
+            self.spaces.append(kind(data, self.spaces, ring.another()))
         self.goals = items(goals)
         need(self.goals, "there is no goal")
         for goal in self.goals:
@@ -1193,7 +1202,7 @@ def fails_regardless(
         return False
     if len(weighted) == 1:
         ((_, at),) = weighted
-        return not any(at(part).terms for part in parts.values()) and differs(at, free)
+        return all(at(part).vanishes() for part in parts.values()) and at(free).differs()
 
     def total(part: Element) -> Fraction:
         values = [at(part).value() for _, at in weighted]
@@ -1398,7 +1407,7 @@ def judged(text: str) -> Certificate:
     statement = {key: data[key] for key in ("spaces", "goals")}
     digest = hashlib.sha256(json.dumps(statement, sort_keys=True).encode()).hexdigest()[:16]
     need(data["digest"] == digest, "the digest is another one")
-    problem = Problem(data["spaces"], data["goals"], [WORK])
+    problem = Problem(data["spaces"], data["goals"], Ring([WORK]))
     if sign == "holds":
         need(len(evidence) == len(problem.goals), "evidence is missing")
         both = zip(problem.goals, evidence, strict=True)

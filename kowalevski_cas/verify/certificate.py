@@ -81,20 +81,24 @@ def certificate(statement: Statement, verdicts: Verdicts, accepted: Accepted) ->
     else:
         pairs = zip(verdicts, statement.goals, strict=True)
         evidence = [_with_away(one, goal, away) for one, goal in pairs]
-    data: dict[str, Any] = {
-        "format": FORMAT,
-        "version": VERSION,
-        "claim": statement.claim.id,
-        **problem_data(statement.problem),
-        "sign": "denied" if isinstance(verdicts, Denial) else "holds",
-        "evidence": evidence,
-        "digest": statement.digest,
-    }
-    from kowalevski_cas.problem import checker  # only those who write certificates need it
-
-    text = dump(data)
+    text = written(statement, "denied" if isinstance(verdicts, Denial) else "holds", evidence)
     checker.check(text)
     return text
+
+
+def written(statement: Statement, sign: str, evidence: list[Data]) -> str:
+    """The text of a certificate that nobody has checked."""
+    return dump(
+        {
+            "format": FORMAT,
+            "version": VERSION,
+            "claim": statement.claim.id,
+            **problem_data(statement.problem),
+            "sign": sign,
+            "evidence": evidence,
+            "digest": statement.digest,
+        }
+    )
 
 
 def _with_away(evidence: Evidence, goal: Goal, away: Any) -> Data:

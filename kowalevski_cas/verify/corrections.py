@@ -5,7 +5,7 @@ A correction is a proposal. It stands in for the print elsewhere only if the der
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.notation import Formula, NotationError
@@ -32,21 +32,25 @@ def recorded_correction(claim: Claim, on: Elaborations, recorded: str) -> Neighb
 
 
 def correction(claim: Claim, on: Elaborations) -> Neighbour | None:
-    """The first neighbour of a refuted claim that is true, the most plausible first.
-
-    Candidates are screened at points modulo primes where their goals allow it; the others are
-    decided in full, with FLINT.
-    """
+    """The first neighbour of a refuted claim that is true, the most plausible first."""
     neighbours = sorted(
         claim.neighbours(on.texts), key=lambda n: n.edit is not None and n.edit.path[:1] == (0,)
     )
+    return next(true_ones(neighbours, on), None)
+
+
+def true_ones(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Neighbour]:
+    """The neighbours that are true.
+
+    They are screened at points modulo primes where their goals allow it; the others are decided
+    in full, with FLINT.
+    """
     for neighbour in _screened(neighbours, on):
         try:
             if Statement(neighbour.claim, on.under(neighbour.texts)).holds():
-                return neighbour
+                yield neighbour
         except (NotationError, Meaningless, ZeroDivisionError):
             continue
-    return None
 
 
 def printed_of(neighbour: Neighbour) -> tuple[Formula, ...]:
@@ -56,7 +60,7 @@ def printed_of(neighbour: Neighbour) -> tuple[Formula, ...]:
     return neighbour.claim.formulas(neighbour.texts)
 
 
-def _screened(neighbours: list[Neighbour], on: Elaborations) -> Iterator[Neighbour]:
+def _screened(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Neighbour]:
     """The neighbours that pass the screen."""
     stages: dict[object, Sampled] = {}
     decided = 0

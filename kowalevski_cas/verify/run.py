@@ -12,7 +12,7 @@ from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
 from kowalevski_cas.problem.evidence import Denial
@@ -102,6 +102,8 @@ class Session:
         self.arithmetics = arithmetics
         self.explain = explain
         self.timeout = timeout
+        self.patience = timeout
+        """The seconds for a correction."""
         self.stored = certificates or {}
         self.record = record or {}
         self.points = {name: load_points(name, seed) for name in arithmetics if name in POINTS}
@@ -143,11 +145,15 @@ class Session:
             vocabulary=self.texts.vocabulary,
         )
 
-    def on(self, claim: Claim) -> Elaborations:
-        """The texts for a claim: with the accepted corrections, but for those that it is about."""
+    def on(self, claim: Claim, texts: Texts | None = None) -> Elaborations:
+        """The texts for a claim, of the run or others: with the accepted corrections.
+
+        Those that it is about itself are left out.
+        """
         own = set(claim.about())
         read = {place: f for place, f in self.accepted.items() if place not in own}
-        return self.elaborations.under(self.texts.reading(read)) if read else self.elaborations
+        texts = texts or self.texts
+        return self.elaborations.under(texts.reading(read) if read else texts)
 
     # -- one claim -----------------------------------------------------------------
 
@@ -373,7 +379,7 @@ class Session:
         """The nearest true statement, decided in every arithmetic."""
         recorded = self.record.get(claim.id, {}).get("correction")
         try:
-            with time_limit(self.timeout):
+            with time_limit(self.patience):
                 if isinstance(recorded, str):
                     known = self._proposed(recorded_correction(claim, on, recorded), on)
                     if known is not None:

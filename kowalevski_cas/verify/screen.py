@@ -37,7 +37,7 @@ def screen(
     answers: list[Answer] = []
     unseen: list[str] = []
     try:
-        for question in _questions(statement, verdicts, unseen, stages):
+        for question in questions(statement, verdicts, unseen, stages):
             answer = points.answer(question)
             if answer.holds is False:
                 return _refuted(answer)
@@ -63,7 +63,7 @@ def _refuted(answer: Answer) -> Screened:
     return Screened(Verdict.REFUTED, answer.words, found)
 
 
-def _questions(
+def questions(
     statement: Statement, verdicts: Verdicts | None, unseen: list[str], stages: Stages
 ) -> Iterator[Question]:
     """What can be asked at points; what cannot is entered as ``unseen``."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.export import FORMATS, load
-from kowalevski_cas.systems import MissingSystem
+from kowalevski_cas.systems import SYSTEMS, MissingSystem
 from study.methods.arithmetics import ExactArithmetic, PointArithmetic
 from study.methods.certificates import CALLS, ByHand, Checker, Program
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
@@ -27,4 +27,15 @@ def methods() -> list[Method]:
     return found
 
 
-__all__ = ["ACCEPTED", "NONE", "REJECTED", "Method", "methods"]
+def missing() -> dict[str, str]:
+    """Why a program is not among the methods, by its name."""
+    reasons = {}
+    for name in FORMATS:
+        try:
+            SYSTEMS[name].call()
+        except MissingSystem as reason:
+            reasons[name] = str(reason)
+    return reasons
+
+
+__all__ = ["ACCEPTED", "NONE", "REJECTED", "Method", "methods", "missing"]

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Iterator
 from time import perf_counter
 
 from kowalevski_cas.algebra import load, load_points
-from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.proof.screen import screen
-from study.labelled import Labelled, holds
+from kowalevski_cas.algebra.points import Answer, Question
+from kowalevski_cas.problem.goals import Problem
+from study.labelled import Labelled, holds, residuals
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
+from study.paper import sampled
 from study.step import Measured
 
 SEED = 2002
@@ -22,17 +23,16 @@ class ExactArithmetic(Method):
 
     proves = True
 
-    def prepare(self, statement: Labelled) -> Labelled:
+    def prepare(self, one: Labelled) -> Problem:
         load(self.name)
-        return statement
+        return one.statement.problem
 
-    def answer(self, prepared: Labelled) -> Measured:
-        true = holds(prepared, Bench(self.name, prepared.texts, refute=False))
-        return {"verdict": ACCEPTED if true else REJECTED}
+    def answer(self, prepared: Problem) -> Measured:
+        return {"verdict": ACCEPTED if holds(prepared, self.name) else REJECTED}
 
-    def cold(self, statement: Labelled) -> float:
-        """How long the command line takes for one claim, and what it rests on."""
-        name, claim = statement.id.split("/")[:2]
+    def cold(self, one: Labelled) -> float:
+        """How long the command line takes for one claim."""
+        name, claim = one.id.split("/")[:2]
         command = [sys.executable, "-m", "kowalevski_cas", "verify", name, "--only", claim]
         start = perf_counter()
         subprocess.run(
@@ -45,18 +45,27 @@ class ExactArithmetic(Method):
 
 
 class PointArithmetic(ExactArithmetic):
-    """Statements are screened as ``verify --arithmetic`` does it: what is accepted is likely."""
+    """Residuals are put to points, and never expanded: what is accepted is likely."""
 
     proves = False
 
-    def prepare(self, statement: Labelled) -> Labelled:
+    def prepare(self, one: Labelled) -> Problem:
         load_points(self.name, SEED)
-        return statement
+        return one.statement.problem
 
-    def answer(self, prepared: Labelled) -> Measured:
-        points = load_points(self.name, SEED)
-        finding = screen(prepared.claim, Bench(self.name, prepared.texts), points)
-        refuted = finding.verdict is Verdict.REFUTED
-        verdict = ACCEPTED if finding.verdict.likely else REJECTED if refuted else NONE
-        measured = {"verdict": verdict, "reason": finding.message}
-        return measured | ({} if finding.chance is None else {"bound": finding.chance})
+    def answer(self, prepared: Problem) -> Measured:
+        answers = list(self._answers(prepared))
+        for answer in answers:
+            if not answer.holds:
+                verdict = NONE if answer.holds is None else REJECTED
+                return {"verdict": verdict, "reason": answer.words}
+        bounds = [answer.bound for answer in answers if answer.bound is not None]
+        measured = {"verdict": ACCEPTED, "reason": answers[-1].words}
+        return {**measured, "bound": max(bounds)} if bounds else measured
+
+    def _answers(self, problem: Problem) -> Iterator[Answer]:
+        points, of = load_points(self.name, SEED), sampled()
+        for goal in problem.goals:
+            asked = residuals(Problem((goal,)), of)
+            at = of(goal.space)
+            yield points.answer(Question(at.programs, [at.carry(element) for element in asked]))

@@ -11,7 +11,7 @@ from time import perf_counter
 from typing import Any
 
 from kowalevski_cas.export import Format
-from kowalevski_cas.proof import checker
+from kowalevski_cas.problem import checker
 from study.labelled import Labelled
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method, certificate
 from study.step import Measured
@@ -37,8 +37,8 @@ class Checker(Method):
 
     proves = True
 
-    def prepare(self, statement: Labelled) -> str:
-        return certificate(statement)
+    def prepare(self, one: Labelled) -> str:
+        return certificate(one)
 
     def answer(self, prepared: str) -> Measured:
         try:
@@ -47,10 +47,10 @@ class Checker(Method):
             return answer(str(error.args[0]))
         return answer("")
 
-    def cold(self, statement: Labelled) -> float:
+    def cold(self, one: Labelled) -> float:
         with TemporaryDirectory() as folder:
-            file = Path(folder) / f"{statement.claim.id}.json"
-            file.write_text(certificate(statement), encoding="utf-8")
+            file = Path(folder) / f"{one.statement.claim.id}.json"
+            file.write_text(certificate(one), encoding="utf-8")
             start = perf_counter()
             subprocess.run(
                 [sys.executable, "-I", "-S", checker.__file__, str(file)],
@@ -61,7 +61,10 @@ class Checker(Method):
 
 
 class Program(Method):
-    """Another program reads an export; a process for each statement, warm or cold."""
+    """Another program reads an export; a process for each statement, warm or cold.
+
+    Raises ``MissingSystem`` if the program is not installed.
+    """
 
     proves = True
 
@@ -82,8 +85,8 @@ class Program(Method):
                 self._run(path)
         return Path(self._folder.name)
 
-    def prepare(self, statement: Labelled) -> str:
-        text = self.format.translate(json.loads(certificate(statement)))
+    def prepare(self, one: Labelled) -> str:
+        text = self.format.translate(json.loads(certificate(one)))
         self._path.write_text(text, encoding="utf-8")
         return text
 
@@ -107,8 +110,8 @@ class Program(Method):
             check=False,
         )
 
-    def cold(self, statement: Labelled) -> float:
-        return float(self.decide(statement)["seconds"])
+    def cold(self, one: Labelled) -> float:
+        return float(self.decide(one)["seconds"])
 
 
 class ByHand(Method):
@@ -119,13 +122,13 @@ class ByHand(Method):
         self.call = call
         self._worker = Worker(TARGET, SECONDS, MEBIBYTES)
 
-    def prepare(self, statement: Labelled) -> dict[str, Any]:
-        return {"method": self.call, "certificate": json.loads(certificate(statement))}
+    def prepare(self, one: Labelled) -> dict[str, Any]:
+        return {"method": self.call, "certificate": json.loads(certificate(one))}
 
     def answer(self, prepared: dict[str, Any]) -> Measured:
         return self._worker.ask(prepared)
 
-    def cold(self, statement: Labelled) -> float:
+    def cold(self, one: Labelled) -> float:
         start = perf_counter()
-        asked(TARGET, 4 * SECONDS, MEBIBYTES, self.prepare(statement))
+        asked(TARGET, 4 * SECONDS, MEBIBYTES, self.prepare(one))
         return perf_counter() - start

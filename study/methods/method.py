@@ -6,12 +6,13 @@ from abc import ABC, abstractmethod
 from time import perf_counter
 from typing import Any
 
-from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.export import Inexpressible
-from kowalevski_cas.proof.certificate import stated
-from kowalevski_cas.proof.checker import Rejected
+from kowalevski_cas.problem.checker import Rejected
+from kowalevski_cas.problem.codec import evidence_data
+from kowalevski_cas.problem.evidence import Shown
+from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.verify.certificate import written
 from kowalevski_cas.verify.limits import time_limit
-from kowalevski_cas.proof.trees import CertificateError
 from study.labelled import Labelled
 from study.step import Measured
 
@@ -34,11 +35,11 @@ class Method(ABC):
         self.name = name
         self.share = share
 
-    def decide(self, statement: Labelled) -> Measured:
+    def decide(self, one: Labelled) -> Measured:
         """The verdict on a statement, with the seconds that it took in a running process."""
         try:
-            prepared = self.prepare(statement)
-        except (CertificateError, Inexpressible, Rejected) as error:
+            prepared = self.prepare(one)
+        except (FormatError, Inexpressible, Rejected) as error:
             return {"seconds": None, "verdict": NONE, "reason": str(error.args[0])}
         start = perf_counter()
         try:
@@ -49,7 +50,7 @@ class Method(ABC):
         return {"seconds": perf_counter() - start, "reason": "", **answer}
 
     @abstractmethod
-    def prepare(self, statement: Labelled) -> Any:
+    def prepare(self, one: Labelled) -> Any:
         """What the method is given; raises an error that says why if it cannot be stated."""
 
     @abstractmethod
@@ -57,10 +58,11 @@ class Method(ABC):
         """The verdict on what was prepared; this is what is timed."""
 
     @abstractmethod
-    def cold(self, statement: Labelled) -> float:
+    def cold(self, one: Labelled) -> float:
         """The seconds from the start of a process of its own to the verdict on a true statement."""
 
 
-def certificate(statement: Labelled) -> str:
-    """What the certificate of a statement would be, were it true; made with FLINT."""
-    return stated(statement.claim, Bench("flint", statement.texts, refute=False))
+def certificate(one: Labelled) -> str:
+    """What the certificate of an identity would be, were it true: it needs no evidence."""
+    nothing = [evidence_data(Shown()) for _ in one.statement.problem.goals]
+    return written(one.statement, "holds", nothing)

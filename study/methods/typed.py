@@ -1,26 +1,31 @@
 """Formulas as people type them into SymPy with ``sqrt`` and ``I``, and simplified.
 
-An expression is built from the trees of a certificate as one would type it: a
-root of an expression is ``sqrt``; a variable whose square the paper prints, as
+The space of a statement is evaluated in SymPy's expressions instead of polynomials: a root of
+an expression is ``sqrt``; a variable whose square the paper prints, as
 :math:`z_1^2+x_1y_2=c_1`, stays a symbol and the constant is replaced. Derivatives
 are SymPy's own. This runs in a process of its own, under a limit.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from functools import reduce
+from collections.abc import Callable, Iterable, Mapping
+from fractions import Fraction
+from functools import cache
 from typing import Any
 
 import sympy
 
-from kowalevski_cas.proof.trees import Tree
+from kowalevski_cas.algebra import load
+from kowalevski_cas.algebra.derivation import Field, along
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Formula, Name, Sum
+from kowalevski_cas.problem.codec import read_problem
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.space import Adjoined, Setting, generators
+from study.labelled import residuals
 from study.step import Measured
 
-Expression = Any
-Values = tuple[Expression, ...]
-
-METHODS: Mapping[str, Callable[[Expression], bool | None]] = {
+METHODS: Mapping[str, Callable[[Any], bool | None]] = {
     "simplify": lambda e: bool(sympy.simplify(e) == 0),
     "expand": lambda e: bool(sympy.expand(e) == 0),
     "cancel": lambda e: bool(sympy.cancel(e) == 0),
@@ -31,125 +36,134 @@ METHODS: Mapping[str, Callable[[Expression], bool | None]] = {
 
 
 def decide(question: Mapping[str, Any]) -> Measured:
-    """Whether a method finds that the statements of a certificate are true."""
-    certificate, method = question["certificate"], METHODS[question["method"]]
-    spaces: list[Typed] = []
-    for data in certificate["spaces"]:
-        spaces.append(Typed(data, spaces))
-    for part in certificate["parts"]:
-        space = spaces[part["space"]]
-        for left, right in part["equations"]:
-            for a, b in zip(space.value(left), space.value(right), strict=True):
-                zero = method(a - b)
-                if zero is None:
-                    return {"verdict": "none", "reason": "it does not know"}
-                if not zero:
-                    return {"verdict": "rejected", "reason": "something is left that is not 0"}
+    """Whether a method finds that the identities of a certificate are true."""
+    problem, method = read_problem(question["certificate"]), METHODS[question["method"]]
+    for residual in residuals(problem, cache(Typed)):
+        assert isinstance(residual, Expression)
+        zero = method(residual.value)
+        if zero is None:
+            return {"verdict": "none", "reason": "it does not know"}
+        if not zero:
+            return {"verdict": "rejected", "reason": "something is left that is not 0"}
     return {"verdict": "accepted", "reason": ""}
 
 
-class Typed:
-    """A space of a certificate, typed into SymPy."""
+class Expression(Element):
+    """An expression of SymPy as an element of a ring."""
 
-    def __init__(self, data: Mapping[str, Any], earlier: list[Typed]) -> None:
-        self.names = [*data["variables"], *data.get("constants", [])]
-        steps = data.get("steps", [])
-        roots = {step[1]: step[2] for step in steps if step[0] == "root"}
-        replaced = self._replaced(data, roots)
-        self.names = [name for name in self.names if name not in replaced.values()]
-        self.symbols = {
-            name: sympy.Symbol(name) for name in [*self.names, *replaced] if name != "i"
-        }
-        self.env: dict[str, Values] = {name: (s,) for name, s in self.symbols.items()}
-        self.env |= {"i": (sympy.I,)}
-        for kind, name, tree in steps:
-            if kind == "where" and tree in replaced.values():
-                self.env.setdefault(tree, self.value(name))
-        for kind, name, tree in steps:
-            if kind == "let":
-                self.env[name] = self.value(tree)
-            elif kind == "root" and name not in self.env:
-                self.env[name] = (sympy.sqrt(self.scalar(tree)),)
-        self.rates: dict[str, Expression] = {}
-        self._move(data, earlier)
-        pairs = data.get("conjugates", [])
-        swap = {a: b for pair in pairs for a, b in (pair, pair[::-1])}
-        self.bar = {s: self.symbols[swap.get(n, n)] for n, s in self.symbols.items()}
-        self.bar[sympy.I] = -sympy.I
+    __slots__ = ("value",)
 
-    @staticmethod
-    def _replaced(data: Mapping[str, Any], roots: Mapping[str, Tree]) -> dict[str, str]:
-        """Variables that are roots, with the constant that is replaced instead."""
-        found: dict[str, str] = {}
-        for kind, left, right in data.get("steps", []):
-            if kind == "where" and isinstance(right, str) and right in data.get("constants", []):
-                names = [name for name in roots if name != "i" and ["^", name, 2] in _all(left)]
-                found |= {name: right for name in names[:1]}
-        return found
+    ring: Expressions  # type: ignore[assignment] # an expression lives in a ring of its own
 
-    def _move(self, data: Mapping[str, Any], earlier: list[Typed]) -> None:
-        if "change" in data:
-            change = data["change"]
-            source = earlier[change["old"]]
-            images = {s: self.scalar(name) for name, s in source.symbols.items()}
-            scale = source.scalar(change["time"]).xreplace(images)
-            for name, tree in change["formulas"]:
-                rate = source.along(source.scalar(tree)).xreplace(images)
-                self.rates[name] = sympy.expand(rate * scale)
-        for names, factor, right in data.get("field", []):
-            rows = zip(names, self.value(factor), self.value(right), strict=True)
-            self.rates |= {name: above / below for name, below, above in rows}
+    def __init__(self, ring: Expressions, value: Any) -> None:
+        self.ring, self.value = ring, value
 
-    def along(self, e: Expression) -> Expression:
-        """The derivative along the field, by the chain rule."""
-        moving = [(s, self.rates[name]) for name, s in self.symbols.items() if name in self.rates]
-        return sum((sympy.diff(e, s) * rate for s, rate in moving), sympy.Integer(0))
+    @property
+    def is_zero(self) -> bool:
+        """Whether nothing is left after expansion; a residual is put to other methods."""
+        return bool(sympy.expand(self.value) == 0)
 
-    def scalar(self, tree: Tree) -> Expression:
-        """The value of a formula that is no vector."""
-        (value,) = self.value(tree)
-        return value
+    def _made(self, value: Any) -> Expression:
+        return Expression(self.ring, value)
 
-    def value(self, tree: Tree) -> Values:
-        """The components of the value of a formula."""
-        if isinstance(tree, str):
-            return self.env[tree]
-        if isinstance(tree, int):
-            return (sympy.Integer(tree),)
-        op, first, *rest = tree
-        if op == "^":
-            return (self.scalar(first) ** int(rest[0]),)
-        if op == "d":
-            return (sympy.diff(self.scalar(*rest), self.symbols[first]),)
-        values = [self.value(part) for part in tree[1:]]
-        if op in ("vector", "diag"):
-            return tuple(value for (value,) in values)
-        if rest:
-            return reduce(lambda a, b: _binary(op, a, b), values)
-        return tuple(self._unary(op, value) for value in values[0])
+    def __add__(self, other: Element) -> Expression:
+        return self._made(self.value + _value(other))
 
-    def _unary(self, op: str, e: Expression) -> Expression:
-        if op == "D":
-            return self.along(e)
-        if op == "conj":
-            return e.xreplace(self.bar)
-        return sympy.sqrt(e) if op == "sqrt" else -e
+    def __neg__(self) -> Expression:
+        return self._made(-self.value)
+
+    def __sub__(self, other: Element) -> Expression:
+        return self._made(self.value - _value(other))
+
+    def __mul__(self, other: Element) -> Expression:
+        return self._made(self.value * _value(other))
+
+    def __truediv__(self, other: Element) -> Expression:
+        return self._made(self.value / _value(other))
+
+    def __pow__(self, exponent: int) -> Expression:
+        return self._made(self.value**exponent)
+
+    def inverse(self) -> Expression:
+        return self._made(1 / self.value)
 
 
-def _binary(op: str, a: Values, b: Values) -> Values:
-    if op == "+":
-        return tuple(x + y for x, y in zip(a, b, strict=True))
-    if op == "cross":
-        (p, q, r), (x, y, z) = a, b
-        return (q * z - r * y, r * x - p * z, p * y - q * x)
-    a, b = (a * len(b) if len(a) == 1 else a), (b * len(a) if len(b) == 1 else b)
-    pairs = zip(a, b, strict=True)
-    if op == "dot":
-        return (sum((x * y for x, y in pairs), sympy.Integer(0)),)
-    return tuple(x / y if op == "/" else x * y for x, y in pairs)
+def _value(element: Element) -> Any:
+    assert isinstance(element, Expression)
+    return element.value
 
 
-def _all(tree: Tree) -> list[Tree]:
-    """A tree and everything below it."""
-    below = [part for item in tree for part in _all(item)] if isinstance(tree, list) else []
-    return [tree, *below]
+@along.register
+def _(element: Expression, field: Field) -> Expression:
+    symbols = element.ring.symbols
+    moving = [(symbols[name], _value(rate)) for name, rate in field.items() if name in symbols]
+    terms = (sympy.diff(element.value, symbol) * rate for symbol, rate in moving)
+    return Expression(element.ring, sum(terms, sympy.Integer(0)))
+
+
+class Expressions:
+    """What makes expressions; ``symbols`` are those that were typed, by name."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        self.symbols = {name: sympy.Symbol(name) for name in names}
+        self.roots: tuple[str, ...] = ()
+        self.zero, self.one = self.number(0), self.number(1)
+
+    def number(self, value: int | Fraction) -> Expression:
+        """A rational number."""
+        return Expression(self, sympy.Rational(value.numerator, value.denominator))
+
+    def generator(self, name: str) -> Expression:
+        """A symbol."""
+        return Expression(self, self.symbols[name])
+
+    def adjoin(self, name: str, radicand: Expression) -> Expression:
+        """What is typed for a root: the square root of the radicand."""
+        return Expression(self, sympy.sqrt(radicand.value))
+
+
+class Typed(Evaluation):
+    """A space, typed into SymPy."""
+
+    def __init__(self, setting: Setting) -> None:
+        replaced = dict(_replaced(setting))
+        names = [*(n for n in generators(setting) if n not in replaced.values()), *replaced]
+        ring = Expressions(names)
+        values = {name: ring.generator(name) for name in names}
+        super().__init__(setting, load("sympy"), ring, values, Typed)  # type: ignore[arg-type]
+        for name, constant in replaced.items():
+            step = setting.step(name)
+            assert isinstance(step, Adjoined) and step.printed is not None
+            left, right = step.printed
+            other = left if right == Name(constant) else right
+            self._values[constant, False] = self.scalar(other)
+
+    def polynomial(self, formula: Sum) -> None:
+        """Nothing: a sum stays as it is typed."""
+
+    def root(self, argument: Formula, conjugated: bool = False) -> Element:
+        value = self.scalar(argument, conjugated)
+        assert isinstance(value, Expression)
+        return value.ring.adjoin("", value)
+
+    def image(
+        self, element: Element, value_of: Callable[[str], Element] | None = None
+    ) -> Expression:
+        assert isinstance(element, Expression)
+        of = value_of or (lambda name: self.scalar(Name(name)))
+        used = element.value.free_symbols
+        images = {s: _value(of(n)) for n, s in element.ring.symbols.items() if s in used}
+        return Expression(self.ring, element.value.xreplace(images))  # type: ignore[arg-type]
+
+    def _rate_of_generator(self, name: str, rates: Field) -> Element:
+        return rates[name]
+
+
+def _replaced(setting: Setting) -> Iterable[tuple[str, str]]:
+    """Variables that are roots, with the constant that is replaced instead."""
+    for name in setting.roots:
+        step = setting.step(name)
+        sides = step.printed or () if isinstance(step, Adjoined) else ()
+        for side in sides:
+            if isinstance(side, Name) and side.name in setting.constants:
+                yield name, side.name

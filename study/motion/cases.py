@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from functools import partial
 from time import process_time
 from typing import TYPE_CHECKING, Any
@@ -91,8 +91,3 @@ def draw_errors(
             label=label or method,
             **LOOK[method].line,
         )
-
-
-def left_out(reason: str) -> Mapping[str, Any]:
-    """The row of a measurement that was not made."""
-    return {"seconds": None, "verdict": "left out", "reason": reason}

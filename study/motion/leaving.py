@@ -25,10 +25,9 @@ from study.motion.cases import (
     MOTIONS,
     SLOWEST,
     Array,
-    left_out,
     timed,
 )
-from study.step import Measured, Row, Task
+from study.step import Measured, Row, Task, left_out
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -22,11 +22,10 @@ from study.motion.cases import (
     Array,
     draw_errors,
     forecast,
-    left_out,
     relative_error,
     timed,
 )
-from study.step import Measured, Row, Task
+from study.step import Measured, Row, Task, left_out
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -29,11 +29,10 @@ from study.motion.cases import (
     draw_errors,
     drift,
     forecast,
-    left_out,
     relative_error,
     timed,
 )
-from study.step import Measured, Row, Task
+from study.step import Measured, Row, Task, left_out
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -19,12 +19,12 @@ from typing import TYPE_CHECKING
 
 from kowalevski_cas.algebra import load_points
 from kowalevski_cas.algebra.points import Question
-from kowalevski_cas.algebra.programs import Program
-from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.notation import Name
 from kowalevski_cas.pictures import INK, new_figure
-from kowalevski_cas.stage import StageError, scalar
+from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.verify.screen import questions
 from study.charts import by_place, marked
-from study.stability.material import bench, claim, paper
+from study.paper import both, paper
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
@@ -84,14 +84,15 @@ def loop(number: int) -> Measured:
 
 def both_roots() -> Measured:
     """Which claims about √θ stay true when the sign of the root is changed; F1 itself does not."""
-    points, work = load_points("modular"), bench("modular")
+    points = load_points("modular")
     same: dict[str, bool] = {}
-    for one in paper()[0].claims:
-        if ROOT not in one.scene.roots:
+    for id, claim in paper().claims.items():
+        if ROOT not in claim.scene.roots:
             continue
         answers = []
-        for question in one.questions(work):
-            if not question.residuals:
+        statement = paper().statement(id)
+        for question in questions(statement, paper().verdicts(statement), [], {}):
+            if not question.residuals or ROOT not in question.ring.roots:
                 continue
             bit = question.ring.roots.index(ROOT)
             changed = Question(
@@ -101,11 +102,10 @@ def both_roots() -> Measured:
             )
             answers.append(bool(points.answer(changed).holds))
         if answers:
-            same[one.id] = all(answers)
-    stage = work.stage(claim("F1-prime").scene)
-    f1 = scalar(stage.formula("F_1"), stage)
-    assert isinstance(f1, Program)
-    bit = stage.ring.roots.index(ROOT)
+            same[id] = all(answers)
+    _, at = both(paper().claims["F1-prime"].scene)
+    f1 = at.carry(at.scalar(Name("F_1")))
+    bit = at.programs.roots.index(ROOT)
     return {
         "verdict": "probable" if all(same.values()) else "refuted",
         "claims": same,
@@ -115,11 +115,10 @@ def both_roots() -> Measured:
 
 def undeclared() -> Measured:
     """What the tool says when the root is written as a product of roots: there is no such root."""
-    scene: Scene = claim("F1-prime").scene
-    stage = bench("flint").stage(scene)
+    on = paper().corrected(paper().claims["F1-prime"].scene)
     try:
-        scalar(stage.formula(NAIVE), stage)
-    except StageError as error:
+        on.finder.scalar(on.formula(NAIVE))
+    except Meaningless as error:
         return {"verdict": "refused", "reason": str(error)}
     return {"verdict": "accepted"}
 

@@ -18,29 +18,21 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.algebra import load_points
-from kowalevski_cas.algebra.derivation import gradient
 from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.algebra.points import Points, Question
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.claims import Claim
-from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.dimension import Dimension
-from kowalevski_cas.claims.invariant_relations import InvariantRelations
-from kowalevski_cas.claims.points import AtPoint
+from kowalevski_cas.paper.claims import InvariantRelations
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.pictures import new_figure
-from kowalevski_cas.stage import Stage, StageError
-from kowalevski_cas.stage.programs import ProgramStage
-from kowalevski_cas.stage.programs import programs as programs_of
+from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.goals import Rank
+from kowalevski_cas.problem.sampled import Sampled
+from kowalevski_cas.search.find import Candidate
+from kowalevski_cas.verify.screen import questions
 from study.charts import by_place, marked, split
-from study.stability.material import (
-    Gaussian,
-    as_complex,
-    bench,
-    claim,
-    paper,
-    stages,
-)
+from study.paper import both, paper
+from study.stability.material import Gaussian, as_complex
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
@@ -101,13 +93,23 @@ def point_near(family: str, distance: Fraction) -> dict[str, Gaussian]:
     return {f"{v}_{k + 1}": (x, zero) for v, xs in vectors.items() for k, x in enumerate(xs)}
 
 
-def differentials(stage: Stage) -> list[list[Element]]:
+RELATIONS, LEVELS = "eq16.invariance", "M4-dimension"
+"""The claims whose set and whose integrals are taken."""
+
+
+def relations(at: Evaluation) -> list[Element]:
+    """The polynomials (16)."""
+    claim = paper().claims[RELATIONS]
+    assert isinstance(claim, InvariantRelations)
+    return [at.scalar(function) for function in claim.functions(paper().corrected)]
+
+
+def differentials(at: Evaluation) -> list[list[Element]]:
     """The differentials of the integrals (4) and of the polynomials (16)."""
-    names = stage.scene.variables
-    relations, levels = claim("eq16.invariance"), claim("M4-dimension")
-    assert isinstance(relations, InvariantRelations) and isinstance(levels, Dimension)
-    functions = [*levels.level_functions(stage), *relations.functions(stage)]
-    return [gradient(function, names) for function in functions]
+    (levels,) = paper().statement(LEVELS).goals
+    assert isinstance(levels, Rank)
+    functions = [*map(at.scalar, levels.functions), *relations(at)]
+    return [[at.partial(f, name) for name in at.setting.variables] for f in functions]
 
 
 def singular_values(family: str, exponents: Sequence[int]) -> Measured:
@@ -116,15 +118,15 @@ def singular_values(family: str, exponents: Sequence[int]) -> Measured:
 
     from kowalevski_cas.algebra.floating import at
 
-    _, programs = stages(claim("eq16.invariance").scene)
-    assert isinstance(programs, ProgramStage)
+    _, programs = both(paper().claims[RELATIONS].scene)
     points = [point_near(family, Fraction(1, 10**k)) for k in exponents]
     ring, count = programs.programs, len(points)
+    rows = [list(map(programs.carry, row)) for row in differentials(programs)]
     values = {name: np.array([as_complex(p[name]) for p in points]) for name in ring.generators}
     with np.errstate(all="ignore"):
         point = at(ring, values, {name: np.ones(count) for name in ring.roots})
-        rows = [[point(e).value for e in row] for row in map(programs_of, differentials(programs))]
-    matrix = np.array([[np.broadcast_to(value, count) for value in row] for row in rows])
+        values_of = [[np.broadcast_to(point(e).value, count) for e in row] for row in rows]
+    matrix = np.array(values_of)
     matrices = np.moveaxis(matrix, 2, 0)
     spectra = np.linalg.svd(matrices, compute_uv=False)
     return {
@@ -136,14 +138,12 @@ def singular_values(family: str, exponents: Sequence[int]) -> Measured:
 
 def exact_ranks(family: str, exponents: Sequence[int]) -> Measured:
     """The exact rank at exact points of the set, for each ε and, last, for ε = 0."""
-    stage = bench("flint").stage(claim("eq16.invariance").scene)
-    relations = claim("eq16.invariance")
-    assert isinstance(relations, InvariantRelations)
-    rows, functions = differentials(stage), relations.functions(stage)
+    exact, _ = both(paper().claims[RELATIONS].scene)
+    rows, functions = differentials(exact), relations(exact)
     ranks, on_set = [], True
     for distance in (*(Fraction(1, 10**k) for k in exponents), Fraction(0)):
-        at = AtPoint(stage, point_near(family, distance))
-        on_set = on_set and all(at(function).is_zero for function in functions)
+        at = Candidate(exact, point_near(family, distance))
+        on_set = on_set and at.vanish(functions)
         ranks.append(rank([[at(entry) for entry in row] for row in rows]))
     return {
         "verdict": "measured" if on_set else "error",
@@ -162,23 +162,24 @@ def claims_at(place: str, quick: bool) -> Measured:
     ``empty`` (no point was found on the set), or ``elsewhere`` (the scene does not
     know the fields).
     """
-    work, points = bench("modular"), load_points("modular")
-    chosen = [c for c in paper()[0].claims if not quick or c.id in ("eq15", "N4-dimension")]
-    said = {one.id: _at(one, place, work, points) for one in chosen}
-    return {"claims": said}
+    points = load_points("modular")
+    chosen = [id for id in paper().claims if not quick or id in ("eq15", "N4-dimension")]
+    return {"claims": {id: _at(id, place, points) for id in chosen}}
 
 
-def _at(one: Claim, place: str, work: Bench, points: Points) -> str:
-    stage = work.stage(one.scene)
-    assert isinstance(stage, ProgramStage)
+def _at(id: str, place: str, points: Points) -> str:
+    scene, statement = paper().claims[id].scene, paper().statement(id)
     said = "elsewhere"
-    if one.scene.zero:
+    if scene.zero:
         return said  # one field only
-    questions = [q for q in one.questions(work) if q.ring is stage.programs and q.programs()]
+    setting = paper().corrected(scene)
+    at = Sampled(setting.finder)
+    found = questions(statement, paper().verdicts(statement), [], {setting: at})
+    own = [question for question in found if question.ring is at.programs and question.programs()]
     for group in AT[place]:
-        equations = _known(stage, group)
+        equations = _known(at, group)
         if equations is not None and said in ("elsewhere", "empty"):
-            said = _asked(questions, equations, points) if questions else "not asked"
+            said = _asked(own, equations, points) if own else "not asked"
     return said
 
 
@@ -194,11 +195,12 @@ def _asked(questions: Sequence[Question], equations: Sequence[Program], points: 
     return "holds" if all(answers) else "fails"
 
 
-def _known(stage: ProgramStage, equations: Sequence[str]) -> list[Program] | None:
-    """The equations on a stage, where they say something."""
+def _known(at: Sampled, equations: tuple[str, ...]) -> list[Program] | None:
+    """The equations in a scene, where they say something."""
+    assert isinstance(at.setting, Elaboration)
     try:
-        found = programs_of(stage.equations(tuple(equations)))
-    except StageError:
+        found = [at.carry(e) for e in at.differences(at.setting.equations(equations))]
+    except Meaningless:
         return None
     return [e for e in found if e.number != 0] or None
 

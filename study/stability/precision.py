@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING
 
 from kowalevski_cas.algebra import load_points
 from kowalevski_cas.algebra.points import ExactPoint, Question
-from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.pictures import FAINT, new_figure
 from study.charts import curve, marked
-from study.stability.material import bench, claim, sides, stages
+from study.paper import both, paper
+from study.stability.material import sides
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
@@ -48,12 +48,10 @@ def measure(quick: bool) -> Iterable[Task]:
 
 def near_miss(id: str, exponent: int) -> Question:
     """The identity, as corrected, with one side off by a little."""
-    _, stage = stages(claim(id).scene)
-    left, right = sides(claim(id), stage)
-    factor = stage.ring.number(1 + Fraction(1, 10**exponent))
-    residual = left * factor - right
-    assert isinstance(residual, Program)
-    return Question(residual.ring, [residual])
+    _, at = both(paper().claims[id].scene)
+    left, right = sides(id, at)
+    factor = at.ring.number(1 + Fraction(1, 10**exponent))
+    return Question(at.programs, [at.carry(left * factor - right)])
 
 
 def bits(id: str, exponents: Sequence[int]) -> Measured:
@@ -86,11 +84,11 @@ def verdicts(method: str, id: str, exponents: Sequence[int]) -> Measured:
 
 def exactly(id: str, exponents: Sequence[int]) -> Measured:
     """The exact arithmetic refutes every near miss: the difference is not the zero polynomial."""
-    stage = bench("flint").stage(claim(id).scene)
-    left, right = sides(claim(id), stage)
+    at, _ = both(paper().claims[id].scene)
+    left, right = sides(id, at)
     refuted = []
     for exponent in exponents:
-        factor = stage.ring.number(1 + Fraction(1, 10**exponent))
+        factor = at.ring.number(1 + Fraction(1, 10**exponent))
         refuted.append(not (left * factor - right).is_zero)
     return {"exponents": list(exponents), "refuted": refuted}
 

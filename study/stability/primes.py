@@ -21,10 +21,12 @@ from kowalevski_cas.algebra.bounds import Sizes
 from kowalevski_cas.algebra.modular import primes, residue_point
 from kowalevski_cas.algebra.points import NoPoint, Question
 from kowalevski_cas.algebra.programs import Programs
-from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.pictures import FAINT, new_figure
+from kowalevski_cas.problem.goals import Problem
+from kowalevski_cas.verify.statement import Statement
 from study.charts import curve, legend_below, marked
-from study.stability.material import claim, paper
+from study.labelled import residuals
+from study.paper import paper, sampled
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
@@ -58,12 +60,14 @@ def small_prime(least: int) -> int:
 
 
 def question(id: str) -> Question:
-    """What is asked about the claim as it is printed, with all misprints before it corrected."""
-    derivation, texts = paper()
-    printed = claim(id).printed
-    assert printed is not None
-    sources = {k: v for k, v in texts.sources.items() if k != printed.display.id}
-    return next(iter(claim(id).questions(Bench("modular", derivation.texts(sources)))))
+    """What is asked about the claim as it is printed, with all other misprints corrected."""
+    claim, texts = paper().claims[id], paper().corrected.texts
+    assert claim.printed is not None
+    printed = {claim.printed: paper().printed.texts.formula(claim.printed)}
+    statement = Statement(claim, paper().corrected.under(texts.reading(printed)))
+    of, goal = sampled(), statement.problem.goals[0]
+    at = of(goal.space)
+    return Question(at.programs, [at.carry(e) for e in residuals(Problem((goal,)), of)])
 
 
 def accepted(id: str, moduli: Sequence[int], number: int) -> Measured:

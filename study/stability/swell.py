@@ -13,14 +13,13 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.algebra import EXACT, POINTS, load_points
-from kowalevski_cas.claims.bench import Bench
-from kowalevski_cas.claims.claim import ask
-from kowalevski_cas.library import find
+from kowalevski_cas.algebra.points import Question
 from kowalevski_cas.pictures import INK, new_figure
-from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.verify import Session
+from kowalevski_cas.problem.goals import Follows
+from kowalevski_cas.problem.sampled import Sampled
+from kowalevski_cas.verify.run import verify
 from study.charts import legend_below, marked, names, split
-from study.stability.material import PAPER, claim, paper, sides
+from study.paper import exact, paper, sampled
 from study.step import Measured, Row, Task
 from study.worker import asked
 
@@ -57,24 +56,30 @@ def _task(method: str, case: str, **question: Any) -> Task:
 
 def decide(question: Mapping[str, Any]) -> Measured:
     """The verdict of a method on a claim, or on derivatives of both sides of an identity."""
-    method = question["method"]
-    derivation, texts = paper()
     if "claim" in question:
-        kept = load_evidence(find(PAPER))
-        start = perf_counter()
-        session = Session(derivation, (method,), False, kept)
-        outcome = session.run([question["claim"]]).outcomes[-1]
-        seconds = perf_counter() - start
-        return {"seconds": seconds, "verdict": str(outcome.verdict), "reason": outcome.message}
-    one = claim("F2-prime")
+        return _claim(question["method"], question["claim"])
+    return _derivatives(question["method"], question["order"])
+
+
+def _claim(method: str, id: str) -> Measured:
+    source = paper()
     start = perf_counter()
-    stage = Bench(method, texts).stage(one.scene)
-    left, right = sides(one, stage)
-    for _ in range(question["order"]):
-        left, right = stage.derivative(left), stage.derivative(right)
+    run = verify(source.derivation, (method,), [id], certificates=source.certificates)
+    seconds, (outcome,) = perf_counter() - start, run.outcomes
+    return {"seconds": seconds, "verdict": str(outcome.verdict), "reason": outcome.message}
+
+
+def _derivatives(method: str, order: int) -> Measured:
+    (goal,) = paper().statement("F2-prime").problem.goals
+    assert isinstance(goal, Follows)
+    start = perf_counter()
+    at = sampled()(goal.space) if method in POINTS else exact(method)(goal.space)
+    ((left, right),) = at.pairs(goal.conclusions[0])
+    for _ in range(order):
+        left, right = at.derivative(left), at.derivative(right)
     verdict, bound = "refuted", None
-    if method in POINTS:
-        answer = load_points(method).answer(ask(stage, [left - right]))
+    if isinstance(at, Sampled):
+        answer = load_points(method).answer(Question(at.programs, [at.carry(left - right)]))
         bound = answer.bound
         if answer.holds is not False:
             likely = "probable" if answer.radius is None else "enclosed"

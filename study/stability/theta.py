@@ -11,24 +11,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pictures import FAINT, INK, new_figure
-from kowalevski_cas.stage import Stage, scalar
+from kowalevski_cas.problem.evaluate import Evaluation
 from study.charts import curve, legend_below, marked
-from study.stability.material import (
-    Gaussian,
-    as_complex,
-    bench,
-    claim,
-    exact_value,
-    log10,
-    sides,
-    stages,
-)
+from study.paper import both, paper
+from study.stability.material import Gaussian, as_complex, exact_value, log10, sides
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
@@ -71,7 +63,7 @@ def lost(method: str, case: str, exponents: Sequence[int]) -> Measured:
     """The decimal logarithms of the relative errors; ``None`` where nothing is finite, or zero."""
     id, kind = CASES[case]
     scene = scene_of(kind)
-    exact, programs = stages(scene)
+    exact, programs = both(scene)
     points = [point_at(kind, Fraction(1, 10**k)) for k in exponents]
     left, right = _sides(id, exact)
     truth = [exact_value(exact, left, point) for point in points]
@@ -87,9 +79,7 @@ def lost(method: str, case: str, exponents: Sequence[int]) -> Measured:
         verdict = "proved" if holds else "refuted"
         return {"verdict": verdict, "exponents": list(exponents), "errors": errors}
     one, other = _sides(id, programs)
-    assert isinstance(one, Program)
-    difference = one if other is None else one - other
-    assert isinstance(difference, Program)
+    difference = programs.carry(one if other is None else one - other)
     find = _floating if method == "floating" else _ball
     errors = find(difference, points, None if other is not None else truth, sizes)
     return {"exponents": list(exponents), "errors": errors}
@@ -99,12 +89,12 @@ def _ratios(
     id: str, truth: Sequence[Gaussian], exponents: Sequence[int]
 ) -> list[tuple[Fraction, Fraction]]:
     r"""The values of (16) over :math:`\sqrt\theta F_1` or :math:`\theta F_2`, taken elsewhere."""
-    exact, _ = stages(scene_of("initial"))
+    on = paper().corrected(scene_of("initial"))
     function = r"\sqrt{x_1x_2}F_1" if id == "eq16.1" else "x_1x_2F_2"
-    element = scalar(exact.formula(function), exact)
+    element = on.finder.scalar(on.formula(function))
     found = []
     for (value, _), k in zip(truth, exponents, strict=True):
-        re, im = exact_value(exact, element, point_at("initial", Fraction(1, 10**k)))
+        re, im = exact_value(on.finder, element, point_at("initial", Fraction(1, 10**k)))
         size = re * re + im * im
         found.append((value * re / size, -value * im / size))
     return found
@@ -166,14 +156,15 @@ def _ball(
 # -- scenes and points ---------------------------------------------------------
 
 
+@cache
 def scene_of(kind: str) -> Scene:
     """The complex variables with the root; the initial ones with i and the root; the real ones."""
     if kind == "complex":
-        return claim("F1-prime").scene
+        return paper().claims["F1-prime"].scene
     if kind == "real":
-        return claim("eq16.invariance").scene
+        return paper().claims["eq16.invariance"].scene
     # The scene of the limit has the abbreviations (9) and the root; here β is kept.
-    limit, whole = claim("limit").scene, claim("eq6").scene
+    limit, whole = paper().claims["limit"].scene, paper().claims["eq6"].scene
     return replace(limit, name="initial with the root", variables=whole.variables, zero=())
 
 
@@ -204,9 +195,9 @@ def point_at(kind: str, root: Fraction) -> dict[str, Gaussian]:
     return point | {"c_1": c, "c_2": (c[0], -c[1])}
 
 
-def _sides(id: str, stage: Stage) -> tuple[Any, Any]:
+def _sides(id: str, at: Evaluation) -> tuple[Any, Any]:
     """Both sides of an identity; the left side alone of an equation with zero."""
-    left, right = sides(claim(id), stage)
+    left, right = sides(id, at)
     return (left, None) if id.startswith("eq16") else (left, right)
 
 
@@ -215,15 +206,15 @@ def order_of_leaving(name: str) -> Measured:
 
     Both polynomials vanish there with their first derivatives, and are left all the same.
     """
-    stage = bench("flint").stage(scene_of("real"))
+    at, _ = both(scene_of("real"))
     point = point_at("real", Fraction(0))
-    element, _ = _sides("eq16.1" if name == "E_1" else "eq16.2", stage)
+    element, _ = _sides("eq16.1" if name == "E_1" else "eq16.2", at)
     derivatives = []
     for _ in range(6):
-        derivatives.append(exact_value(stage, element, point)[0])
+        derivatives.append(exact_value(at, element, point)[0])
         if derivatives[-1]:
             break
-        element = stage.derivative(element)
+        element = at.derivative(element)
     return {"order": len(derivatives) - 1, "value": str(derivatives[-1])}
 
 

@@ -1,4 +1,4 @@
-"""What the tests of audits share: the paper's source where it is, and one memory."""
+"""What the tests of audits share: the paper's source where it is, and one run."""
 
 from functools import cache
 from pathlib import Path
@@ -6,11 +6,12 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.audit.audit import Audit, audit
-from kowalevski_cas.audit.memory import Memory
+from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source, decode, read_source
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.library import find, load
-from kowalevski_cas.proof.evidence import load_evidence
+from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.record import load_record
 
 PAPERS = Path(__file__).parents[2] / ".." / "shared" / "paper"
 NAME = "kharlamov2002"
@@ -25,22 +26,31 @@ def paper_path() -> Path:
 
 
 @cache
-def memory() -> Memory:
-    return Memory(load(NAME), evidence=load_evidence(find(NAME)), patience=600)
+def base() -> AuditSession:
+    """The run of the derivation, to which audits add nothing."""
+    folder = find(NAME)
+    stored, record = load_certificates(folder), load_record(folder)
+    return AuditSession(load(NAME), certificates=stored, timeout=2, record=record)
 
 
 @cache
 def source() -> Source:
     """The paper's source, or the derivation as an article."""
     found = sorted([*PAPERS.glob("*.tex"), *PAPERS.glob("*.txt")])
-    return read_source(found[0]) if found else synthetic(memory().derivation)
+    return read_source(found[0]) if found else synthetic(base().derivation)
+
+
+@cache
+def audited() -> Audit:
+    """The audit of the source as it is."""
+    return audit(source(), base())
 
 
 def changed(old: str, new: str) -> Audit:
     """The audit of the source with one piece of text changed, spaces of any kind ignored."""
     text = source().text
     assert old in text, f"{old} does not stand in the source"
-    return audit(Source("paper.tex", text.replace(old, new, 1)), memory())
+    return audit(Source("paper.tex", text.replace(old, new, 1)), base())
 
 
 def article(body: str, preamble: str = "") -> Source:

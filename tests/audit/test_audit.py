@@ -3,43 +3,49 @@
 import pytest
 
 from kowalevski_cas.audit.audit import audit
+from kowalevski_cas.audit.patch import mended
+from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source
-from kowalevski_cas.library import find
-from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.verify.record import in_latex
-from kowalevski_cas.proof.verify import verify
-from tests.audit.material import changed, memory, source
-
-
-@pytest.fixture(scope="module")
-def base():
-    return audit(source(), memory())
+from kowalevski_cas.audit.synthetic import synthetic
+from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.paper.derivation import Derivation, Section
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.verify.outcome import in_latex
+from kowalevski_cas.verify.run import verify
+from tests.audit.material import audited, base, changed, source
 
 
 def by_id(found):
     return {formula.id: formula for formula in found.formulas}
 
 
-def test_an_audit_says_what_verify_says(base):
-    run = verify(memory().derivation, ["flint"], evidence=load_evidence(find("kharlamov2002")))
-    said = {o.claim: (o.verdict, o.conditions, o.correction) for o in run.outcomes}
-    found = {k: (o.verdict, o.conditions, o.correction) for k, o in base.outcomes.items()}
+def test_an_audit_says_what_verify_says():
+    run = verify(
+        base().derivation, ["flint"], certificates=base().stored, record=base().record,
+        sources={place.display.id: place.typed.tex for place in audited().places},
+    )  # fmt: skip
+    said = {o.claim: (o.verdict, o.conditions, o.counterexample) for o in run.outcomes}
+    found = {k: (o.verdict, o.conditions, o.counterexample) for k, o in audited().outcomes.items()}
     assert found == said
+    corrected = {o.claim: o.correction and o.correction.formulas for o in run.outcomes}
+    assert corrected == {
+        k: o.correction and o.correction.formulas for k, o in audited().outcomes.items()
+    }
 
 
-def test_the_misprints_of_the_paper(base):
-    wrong = [formula.id for formula in base.formulas if formula.wrong]
+def test_the_misprints_of_the_paper():
+    wrong = [formula.id for formula in audited().formulas if formula.wrong]
     rows = [f"eq10.{k}" for k in (1, 2, 3, 4, 7, 8)]
     assert wrong == ["eq9.i", *rows, "eq14", "eq21"]
-    for formula in base.formulas:
+    for formula in audited().formulas:
         if formula.wrong:
             assert formula.counterexample is not None
             assert formula.correction is not None
             assert formula.correction.verdict.green
 
 
-def test_the_roles(base):
-    roles = {formula.id: formula.role for formula in base.formulas}
+def test_the_roles():
+    roles = {formula.id: formula.role for formula in audited().formulas}
     assert roles["eq2"] == roles["eq3.1"] == "vector field"
     assert roles["eq9.i"] == "unit"
     assert roles["eq9.1"] == roles["J.1"] == roles["eq11.1"] == roles["tau"] == "definition"
@@ -47,10 +53,10 @@ def test_the_roles(base):
     assert roles["beta"] == roles["norm"] == "condition"
 
 
-def test_the_formulas_stand_in_the_order_of_the_source(base):
-    lines = [formula.line for formula in base.formulas]
+def test_the_formulas_stand_in_the_order_of_the_source():
+    lines = [formula.line for formula in audited().formulas]
     assert lines == sorted(lines)
-    for formula in base.formulas:
+    for formula in audited().formulas:
         first = formula.tex.split()[0]
         assert first in source().text.split("\n")[formula.line - 1]
 
@@ -74,7 +80,7 @@ def test_the_formulas_stand_in_the_order_of_the_source(base):
 def test_a_changed_definition_is_the_cause(old, new, cause, false):
     text = source().text
     at = text.rindex(old)
-    found = audit(Source("paper.tex", text[:at] + new + text[at + len(old) :]), memory())
+    found = audit(Source("paper.tex", text[:at] + new + text[at + len(old) :]), base())
     causes = found.session.causes
     for claim in false:
         assert not found.outcomes[claim].verdict.green
@@ -125,8 +131,46 @@ def test_a_formula_that_would_take_too_long():
     assert "degree" in found["J"].message
 
 
-def test_memory_is_left_as_it_was(base):
-    sizes = len(memory().outcomes), len(memory().stages)
-    with memory().kept_small():
-        changed(r"\theta  = x_1 x_2", r"\theta  = x_1 x_1")
-    assert (len(memory().outcomes), len(memory().stages)) == sizes
+def test_nothing_of_an_audit_is_kept():
+    before = len([*base().elaborations.made()])
+    found = changed(r"\theta  = x_1 x_2", r"\theta  = x_1 x_1")
+    assert len([*found.session.elaborations.made()]) > before
+    assert len([*base().elaborations.made()]) == before
+
+
+def test_a_claim_of_which_the_problem_is_the_same_is_not_decided_again():
+    found = changed(r"\theta  = x_1 x_2", r"\theta  = x_1 x_1")
+    assert found.outcomes["eq12"] is base().outcomes["eq12"]
+    assert found.outcomes["theta-prime"] is not base().outcomes["theta-prime"]
+
+
+def misprinted(tex: str) -> AuditSession:
+    """A run of a derivation that prints a definition like this, with two claims about it."""
+    section = Section("1", "A rotation")
+    motion = section.display("motion", r"\dot x=y,\quad \dot y=-x")
+    energy = section.display("energy", tex)
+    rate = section.display("rate", r"\dot E=0")
+    value = section.display("value", "2E=x^2+y^2")
+    scene = Scene(
+        "rotation", "a rotation", variables=("x", "y"), field=(motion[1], motion[2]),
+        definitions={"E": energy[1]},
+    )  # fmt: skip
+    section.claim(
+        Identity("rate", scene, rate[1], "the energy is constant"),
+        Identity("value", scene, value[1], "the energy"),
+    )
+    return AuditSession(Derivation("rotation", "A rotation", "", "", (section,)), patience=600)
+
+
+def test_a_misprint_in_a_definition_of_the_derivation_is_the_cause():
+    run = misprinted(r"E=\frac{1}{2}(x^2-y^2)")
+    found = audit(synthetic(run.derivation), run)
+    energy = by_id(found)["energy"]
+    assert energy.verdict == "suspect"
+    assert energy.breaks == ("rate", "value")
+    assert "x^2 + y^2" in energy.message
+    assert all(outcome.correction is None for outcome in found.outcomes.values())
+    mended_text = mended(found)
+    assert r"\frac{1}{2}(x^2+y^2)" in mended_text.replace(" ", "")
+    again = audit(Source("mended.tex", mended_text), run)
+    assert not any(formula.wrong for formula in again.formulas)

@@ -7,7 +7,7 @@ import pytest
 
 from kowalevski_cas.audit.patch import mended
 from kowalevski_cas.cli import main
-from tests.audit.material import audit, memory, source
+from tests.audit.material import audited, source
 
 
 @pytest.fixture
@@ -72,7 +72,7 @@ def test_patch(paper, capfdbinary):
 
 def test_nothing_but_words_is_wrong_after_the_patch(tmp_path, capsys):
     path = tmp_path / "mended.tex"
-    path.write_text(mended(audit(source(), memory())), encoding="utf-8")
+    path.write_text(mended(audited()), encoding="utf-8")
     main(["audit", str(path), "--format", "json"])
     value = json.loads(capsys.readouterr().out)
     assert value["summary"]["wrong"] == 0

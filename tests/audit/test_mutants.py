@@ -7,25 +7,19 @@ import pytest
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.catching import measure
 from kowalevski_cas.audit.mutants import sample
-from kowalevski_cas.audit.session import base_of
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli.mutants import report
-from tests.audit.material import memory, source
+from tests.audit.material import audited, base, source
 
 
-@pytest.fixture(scope="module")
-def base():
-    return audit(source(), memory())
-
-
-def test_a_sample_is_repeated_by_its_seed(base):
-    one, other = (sample(base, 20, Random(7)) for _ in range(2))
+def test_a_sample_is_repeated_by_its_seed():
+    one, other = (sample(audited(), 20, Random(7)) for _ in range(2))
     assert [m.words for m in one] == [m.words for m in other]
     assert len({m.text for m in one}) == 20
 
 
-def test_a_mutant_is_one_token_away(base):
-    for mutant in sample(base, 30, Random(8)):
+def test_a_mutant_is_one_token_away():
+    for mutant in sample(audited(), 30, Random(8)):
         assert mutant.before != mutant.after
         first = next(
             k for k, (a, b) in enumerate(zip(source().text, mutant.text, strict=False)) if a != b
@@ -34,21 +28,21 @@ def test_a_mutant_is_one_token_away(base):
         assert mutant.line == source().line(first) or mutant.text[first] in " \\"
 
 
-def test_mutants_are_caught(base):
-    found = measure(source(), memory(), sample(base, 5, Random(6)))
+def test_mutants_are_caught():
+    found = measure(audited(), sample(audited(), 5, Random(6)))
     assert found.missed == []
     assert "5 mutants" in report(found)
 
 
 def test_the_derivation_stands_in_for_the_paper():
-    found = audit(synthetic(memory().derivation), memory())
+    found = audit(synthetic(base().derivation), base())
     assert {k: o.verdict for k, o in found.outcomes.items()} == {
-        k: o.verdict for k, o in base_of(memory()).outcomes.items()
+        k: o.verdict for k, o in base().outcomes.items()
     }
 
 
 @pytest.mark.slow
-def test_a_large_sample_of_mutants_is_caught(base):
-    found = measure(source(), memory(), sample(base, 300, Random(2002)), jobs=2)
+def test_a_large_sample_of_mutants_is_caught():
+    found = measure(audited(), sample(audited(), 300, Random(2002)), jobs=2)
     assert [result.mutant.words for result in found.missed] == []
     assert all(result.named for result in found.results if result.caught)

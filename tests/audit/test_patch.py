@@ -8,21 +8,21 @@ import pytest
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.patch import mended, patch
 from kowalevski_cas.audit.source import Source
-from tests.audit.material import changed, memory, source
+from tests.audit.material import audited, base, changed, source
 
 
 def wrong(text: str) -> list[str]:
-    found = audit(Source("paper.tex", text), memory())
+    found = audit(Source("paper.tex", text), base())
     return [formula.id for formula in found.formulas if formula.wrong]
 
 
 def test_nothing_is_wrong_after_the_patch():
-    assert wrong(mended(audit(source(), memory()))) == []
+    assert wrong(mended(audited())) == []
 
 
 def test_a_patch_changes_as_little_as_it_can():
     before = source().text.split("\n")
-    after = mended(audit(source(), memory())).split("\n")
+    after = mended(audited()).split("\n")
     assert len(before) == len(after)
     lines = [(a, b) for a, b in zip(before, after, strict=True) if a != b]
     assert len(lines) <= 8
@@ -57,7 +57,7 @@ def test_the_diff_applies(tmp_path):
     program = shutil.which("patch")
     if program is None:
         pytest.skip("there is no program called patch")
-    found = audit(source(), memory())
+    found = audited()
     path = tmp_path / "paper.tex"
     path.write_bytes(source().text.encode(source().encoding))
     diff = patch(found).encode(source().encoding)
@@ -66,12 +66,12 @@ def test_the_diff_applies(tmp_path):
 
 
 def test_no_misprint_no_patch():
-    text = mended(audit(source(), memory()))
-    assert patch(audit(Source("paper.tex", text), memory())) == ""
+    text = mended(audited())
+    assert patch(audit(Source("paper.tex", text), base())) == ""
 
 
 def test_line_ends_of_another_system_stay():
     text = source().text.replace("\n", "\r\n")
-    found = mended(audit(Source("paper.tex", text), memory()))
+    found = mended(audit(Source("paper.tex", text), base()))
     assert found.count("\n") == found.count("\r\n")
-    assert found.replace("\r\n", "\n") == mended(audit(source(), memory()))
+    assert found.replace("\r\n", "\n") == mended(audited())

@@ -8,11 +8,11 @@ from kowalevski_cas.audit.audit import typed_formulas
 from kowalevski_cas.audit.places import find_places
 from kowalevski_cas.audit.source import Source, read_source
 from kowalevski_cas.audit.tokens import likeness, words
-from tests.audit.material import article, memory, paper_path, source
+from tests.audit.material import article, base, paper_path, source
 
 
 def places(found: Source):
-    return find_places(memory().derivation, typed_formulas(found)[1])
+    return find_places(base().derivation, typed_formulas(found)[1])
 
 
 def test_the_formulas_are_those_of_the_paper():
@@ -29,7 +29,7 @@ def test_the_formulas_are_those_of_the_paper():
 
 def test_every_display_of_the_paper_has_a_place():
     formulas = typed_formulas(read_source(paper_path()))[1]
-    known = {id(place.typed) for place in find_places(memory().derivation, formulas)}
+    known = {id(place.typed) for place in find_places(base().derivation, formulas)}
     assert [f.tex for f in formulas if not f.inline and id(f) not in known] == []
 
 

@@ -4,18 +4,16 @@ import shutil
 import pytest
 
 from kowalevski_cas.library import find
-from kowalevski_cas.proof.committed import certificate_files
+from kowalevski_cas.verify.committed import certificate_files
 
 KEPT = ("eq6", "eq7", "eq21", "N4-dimension")
 
 
 @pytest.fixture
 def small(tmp_path):
-    """The derivation with a few of its certificates: an identity, a combination, a misprint, a rank."""
+    """The derivation with a few certificates: an identity, a combination, a misprint, a rank."""
     folder = tmp_path / "small"
-    shutil.copytree(
-        find("kharlamov2002"), folder, ignore=shutil.ignore_patterns("__pycache__", "evidence.json")
-    )
+    shutil.copytree(find("kharlamov2002"), folder, ignore=shutil.ignore_patterns("__pycache__"))
     record = json.loads((folder / "record.json").read_text(encoding="utf-8"))
     record["claims"] = {claim: record["claims"][claim] for claim in KEPT}
     (folder / "record.json").write_text(json.dumps(record), encoding="utf-8")

@@ -4,6 +4,7 @@ import json
 import shutil
 import subprocess
 from copy import deepcopy
+from pathlib import Path
 
 import pytest
 
@@ -11,14 +12,14 @@ from kowalevski_cas.cli import main
 from kowalevski_cas.export import Inexpressible, load
 from kowalevski_cas.export.rocq.terms import Terms
 from kowalevski_cas.library import find
+from kowalevski_cas.verify.certificate import load_certificates
 
 ROCQ = load("rocq")
 needs_rocq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Rocq is not installed")
 
 
 def certificate(claim, derivation="kharlamov2002"):
-    path = find(derivation) / "certificates" / f"{claim}.json"
-    return json.loads(path.read_text(encoding="utf-8"))
+    return deepcopy(load_certificates(find(derivation))[claim].data)
 
 
 @pytest.fixture(scope="module")
@@ -62,21 +63,50 @@ def test_a_combination_a_misprint_and_a_rank(rocq, claim):
 
 @needs_rocq
 @pytest.mark.slow
-def test_rocq_confirms_the_paper_save_a_split_into_cases_over_the_reals(tmp_path, capsys):
+def test_rocq_confirms_the_paper_save_what_needs_real_numbers(tmp_path, capsys):
     assert main(["witness", "rocq", "kharlamov2002", "-o", str(tmp_path)]) == 0
     said = json.loads((tmp_path / "kharlamov2002" / "rocq.json").read_text(encoding="utf-8"))
     assert said["failed"] == {}
     assert said["confirmed"] == {c: certificate(c)["digest"] for c in said["confirmed"]}
-    all_claims = {file.stem for file in find("kharlamov2002").glob("certificates/*.json")}
-    assert all_claims - said["confirmed"].keys() == {"critical-set"}
+    left_out = load_certificates(find("kharlamov2002")).keys() - said["confirmed"].keys()
+    assert left_out == {"corrected/critical-set", "equilibria", "redundant-integral"}
 
 
 @needs_rocq
 @pytest.mark.parametrize("claim", ["solution.2", "psi.1"])
 def test_what_divides_by_a_polynomial_is_multiplied_by_it(rocq, claim):
     text = ROCQ.translate(certificate(claim, "kharlamov_savushkin2004"))
-    assert "Definition under_0_1 : table :=" in text
+    assert "Definition under_goal_1_1 : table :=" in text
     assert rocq("multiplied.v", text) == ""
+
+
+@needs_rocq
+@pytest.mark.parametrize(
+    "name",
+    [
+        "alternatives", "denied-alternatives", "denied-empty", "denied-fails", "denied-independence",
+        "denied-minors", "denied-rank", "exponents", "invariant-relation", "last-multiplier",
+    ],
+)  # fmt: skip
+def test_evidence_and_denials_of_each_kind(rocq, name):
+    path = Path(__file__).parents[1] / f"problem/handwritten/{name}.json"
+    data = json.loads(path.read_text(encoding="utf-8"))
+    assert rocq("kind.v", ROCQ.translate(data)) == ""
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [
+        ("positive", "something is positive"),
+        ("count", "real solutions are counted"),
+        ("critical-set", "a proof splits into cases"),
+        ("rank", "Gaussian"),
+    ],
+)
+def test_what_cannot_be_said_is_named(name, reason):
+    path = Path(__file__).parents[1] / f"problem/handwritten/{name}.json"
+    with pytest.raises(Inexpressible, match=reason):
+        ROCQ.translate(json.loads(path.read_text(encoding="utf-8")))
 
 
 # -- what is false --------------------------------------------------------------
@@ -85,22 +115,28 @@ def test_what_divides_by_a_polynomial_is_multiplied_by_it(rocq, claim):
 @needs_rocq
 def test_multiplying_by_a_polynomial_makes_nothing_true(rocq):
     data = certificate("solution.2", "kharlamov_savushkin2004")
-    left, right = data["parts"][0]["equations"][0]
-    data["parts"][0]["equations"][0] = [left, ["*", 2, right]]
+    (equations,) = data["goals"][0]["conclusions"]
+    left, right = equations[0]
+    equations[0] = [left, ["*", 2, right]]
     assert "Unable to unify" in rocq("multiplied_statement.v", ROCQ.translate(data))
 
 
 @needs_rocq
 def test_without_its_condition_a_polynomial_has_no_inverse(rocq):
     text = ROCQ.translate(certificate("solution.2", "kharlamov_savushkin2004"))
-    (condition,) = (line for line in text.splitlines() if "Hypothesis nonzero_0_0" in line)
-    weaker = "Hypothesis nonzero_0_0 : val 1 <> zero."
+    (condition,) = (line for line in text.splitlines() if "Hypothesis nonzero_goal_1_0" in line)
+    weaker = "Hypothesis nonzero_goal_1_0 : val 1 <> zero."
     assert "Unable to unify" in rocq("condition.v", text.replace(condition, weaker))
 
 
-def test_the_derivative_of_a_root_that_may_be_zero_is_named():
-    with pytest.raises(Inexpressible, match="derivative of the root a is divided by it"):
-        ROCQ.translate(certificate("involution.2", "kharlamov_savushkin2004"))
+@needs_rocq
+def test_what_the_derivative_of_a_root_is_divided_by_is_a_condition(rocq):
+    text = ROCQ.translate(certificate("involution.2", "kharlamov_savushkin2004"))
+    conditions = [line for line in text.splitlines() if "Hypothesis nonzero_goal_1_" in line]
+    assert conditions and rocq("root.v", text) == ""
+    for line in conditions:
+        text = text.replace(line, f"{line.partition(':')[0]}: val 1 <> zero.")
+    assert "Unable to unify" in rocq("root_condition.v", text)
 
 
 def test_statements_are_not_empty():
@@ -112,10 +148,9 @@ def test_statements_are_not_empty():
 
 @needs_rocq
 def test_a_changed_statement_is_refused(rocq):
-    data = certificate("eq21")
-    part = next(part for part in data["parts"] if part["shows"] == "follows")
-    left, right = part["equations"][0]
-    part["equations"][0] = [left, ["+", right, 1]]
+    data = certificate("corrected/eq21")
+    (equations,) = data["goals"][0]["conclusions"]
+    equations[0] = [equations[0][0], ["+", equations[0][1], 1]]
     assert "Unable to unify" in rocq("statement.v", ROCQ.translate(data))
 
 
@@ -129,8 +164,8 @@ def test_a_changed_vector_field_is_refused(rocq):
 
 @needs_rocq
 def test_a_changed_cofactor_is_refused(rocq):
-    data = certificate("eq7")
-    row = data["parts"][0]["cofactors"][0]
+    data = certificate("eq16.2")
+    row = data["evidence"][0]["cofactors"][0]
     place = next(k for k, entry in enumerate(row) if entry != 0)
     row[place] = ["*", 2, row[place]]
     assert "Unable to unify" in rocq("cofactor.v", ROCQ.translate(data))
@@ -139,8 +174,8 @@ def test_a_changed_cofactor_is_refused(rocq):
 @needs_rocq
 def test_a_point_where_both_sides_are_equal_refutes_nothing(rocq):
     data = certificate("eq21")
-    part = next(part for part in data["parts"] if part["shows"] == "differ")
-    part["equation"][1] = deepcopy(part["equation"][0])
+    for equation in data["goals"][0]["conclusions"][0]:
+        equation[1] = deepcopy(equation[0])
     assert "incomplete proof" in rocq("equal.v", ROCQ.translate(data))
 
 
@@ -172,9 +207,7 @@ def test_only_the_words_of_rocq_count(output):
 
 def test_a_point_with_other_roots_is_named():
     data = certificate("eq21")
-    for part in data["parts"]:
-        if "point" in part:
-            part["point"]["roots"] = [2]
+    data["evidence"][0]["point"]["roots"] = [2]
     with pytest.raises(Inexpressible, match="Gaussian"):
         ROCQ.translate(data)
 

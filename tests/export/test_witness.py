@@ -3,7 +3,7 @@
 import json
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.proof.committed import certificate_files
+from kowalevski_cas.verify.committed import certificate_files
 
 
 def test_a_missing_program_is_named_with_what_installs_it(small, tmp_path, monkeypatch, capsys):
@@ -18,12 +18,13 @@ def test_silence_confirms_nothing(small, tmp_path, program, capsys):
     program("coqc", 'case "$1" in --version) echo Rocq 0;; esac')
     assert main(["witness", "rocq", str(small), "-o", str(tmp_path)]) == 5
     out, err = capsys.readouterr()
-    assert "kharlamov2002: 0 of 68 claims confirmed by Rocq 0" in out
+    assert "kharlamov2002: 0 of 5 certificates confirmed by Rocq 0" in out
     assert "eq21: not confirmed: the theorems are not closed" in err
     (path,) = tmp_path.glob("*/rocq.json")
     said = json.loads(path.read_text(encoding="utf-8"))
     assert said["confirmed"] == {} and sorted(said["failed"]) == [
         "N4-dimension",
+        "corrected/eq21",
         "eq21",
         "eq6",
         "eq7",

@@ -24,7 +24,7 @@ def test_points_see_it_too_and_a_wrong_matrix_is_seen():
     work = growth("eq15")
     assert len(list(steps(work, 3))) == 3
     wrong = growth("eq15")
-    wrong.matrix[0][0] = wrong.stage.ring.one
+    wrong.matrix[0][0] = wrong.at.ring.one
     assert len(list(steps(wrong, 3))) == 0
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from importlib import import_module
 
 from kowalevski_cas.audit.audit import Audit
-from kowalevski_cas.verify.record import in_latex
+from kowalevski_cas.verify.outcome import in_latex
 
 FORMATS = ("pretty", "json", "sarif", "github")
 

@@ -1,29 +1,42 @@
-"""Certificates as programs over polynomials: definitions, derivatives, and sums that vanish.
+"""Certificates as programs over polynomials: what the checker computes, computed once more.
 
-Denominators are cleared by generators v with v n = 1 for each expression n that is
-assumed non-zero; a root is a generator with a square. Nothing is taken from here
-on trust: the program differentiates by itself, and it checks each inverse, each
-relation and each change of variables as it does the statements.
+The checker reads the certificate with a ring that writes down each operation: sums, products,
+partial derivatives, substitutions, and each test whether something vanishes. So the program
+differentiates and reduces by itself, and nothing counts as confirmed but what it found to
+vanish. Divisors are generators v with v n = 1; a root is a generator with a square. What follows
+over the real numbers (that a sum of squares vanishes only with each of them, Hermite's theorem)
+is the checker's to say: the program confirms the identities from which it follows.
 """
 
 from __future__ import annotations
 
 from abc import ABC
+from copy import deepcopy
 
 from kowalevski_cas.export.format import Format, Inexpressible, Json
 from kowalevski_cas.export.polynomials.language import Language
-from kowalevski_cas.export.polynomials.program import program
-from kowalevski_cas.proof.checker import Rejected
+from kowalevski_cas.export.polynomials.space import Space
+from kowalevski_cas.export.polynomials.trace import Traced, Writer
+from kowalevski_cas.problem import checker
 
 
 class Polynomials(Language, Format, ABC):
     """A format that is made of the words of a language."""
 
     def translate(self, certificate: Json) -> str:
+        writer = Writer(self)
+        writer.comment(f"{certificate['claim']}, certificate {certificate['digest']}")
+        spaces, goals = (deepcopy(certificate[key]) for key in ("spaces", "goals"))
         try:
-            return program(self, certificate)
-        except Rejected as error:
+            problem = checker.Problem(spaces, goals, Traced(writer, [5 * checker.WORK]), Space)
+            denied = certificate["sign"] == "denied"
+            for k, evidence in enumerate(deepcopy(certificate["evidence"])):
+                goal = goals[evidence.pop("goal") if denied else k]
+                writer.comment(checker.sentence(goal, not denied))
+                (problem.denied if denied else problem.holds)(goal, evidence)
+        except checker.Rejected as error:
             raise Inexpressible(f"the checker says: {error.args[0]}") from None
+        return writer.text
 
     def objection(self, text: str, output: str) -> str:
         wanted = [line.split('"')[1] for line in text.splitlines() if line.startswith('holds("')]

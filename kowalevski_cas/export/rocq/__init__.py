@@ -8,14 +8,15 @@ theorem about numbers that Rocq computes. What is proved may rest on no axiom.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from copy import deepcopy
 from importlib.resources import files
 from pathlib import Path
 from typing import ClassVar
 
 from kowalevski_cas.export.format import Format, Inexpressible, Json, identifier
 from kowalevski_cas.export.rocq.space import Space
-from kowalevski_cas.export.rocq.theorems import Theorems
-from kowalevski_cas.proof import checker
+from kowalevski_cas.export.rocq.theorems import KINDS, Theorems, foundations, instances
+from kowalevski_cas.problem import checker
 from kowalevski_cas.systems import SYSTEMS
 
 HEAD = """\
@@ -58,8 +59,12 @@ SHARED = ("Expressions", "Values", "Identities", "Points")
 class Program(Format):
     """Rocq 9, or Coq since 8.16.
 
+    Where something exists, the theorems are about the values found for it; of several
+    conclusions, of which one holds, they say that products of their differences vanish.
+
     It leaves out points whose coordinates are no Gaussian rational numbers, since their
-    roots would have to be numbers that can be computed with, and splits into cases, since
+    roots would have to be numbers that can be computed with; and what needs an order or
+    real numbers: positive formulas, numbers of solutions, and splits into cases, since
     squares that add up to zero vanish for real numbers only.
     """
 
@@ -75,20 +80,24 @@ class Program(Format):
         return {"_CoqProject": "\n".join([*options, *names, ""])}
 
     def translate(self, certificate: Json) -> str:
-        checker.Space.left = 10 * checker.WORK
         try:
-            return self._text(certificate)
+            return self._text(deepcopy(certificate))
         except checker.Rejected as error:
             raise Inexpressible(f"the checker says: {error.args[0]}") from None
 
     def _text(self, certificate: Json) -> str:
+        ring = checker.Ring([10 * checker.WORK])
+        problem = checker.Problem(certificate["spaces"], certificate["goals"], ring)
         spaces: list[Space] = []
-        for k, data in enumerate(certificate["spaces"]):
-            spaces.append(Space(data, k, spaces))
-        sections = [Theorems(space) for space in spaces]
-        for number, part in enumerate(certificate["parts"], 1):
-            sections[part["space"]].part(f"claim_{number}", part)
-        proved = [name for section in sections for name in section.names]
+        for k, checked in enumerate(problem.spaces):
+            spaces.append(Space(checked, k, spaces))
+        sections = [*map(foundations, spaces)]
+        for number, (goal, evidence, values, holds) in enumerate(instances(certificate), 1):
+            staged = problem.stage(goal, evidence)
+            space = spaces[goal["space"]].local(staged, f"goal_{number}", values)
+            sections.append(section := Theorems(space))
+            prove, deny = KINDS[goal["goal"]]
+            (prove if holds else deny)(section, f"claim_{number}", goal, evidence)
         head = HEAD.format(
             title=identifier(certificate["claim"]),
             shared=", ".join(self.shared()),
@@ -96,7 +105,8 @@ class Program(Format):
         )
         bodies = [section.text() for section in sections if section.names]
         modules = [space.module() for space in spaces]
-        return "\n".join([head, *modules, FIELD, *bodies, END.format(names=", ".join(proved))])
+        proved = ", ".join(name for section in sections for name in section.names)
+        return "\n".join([head, *modules, FIELD, *bodies, END.format(names=proved)])
 
     def arguments(self, file: Path) -> list[str]:
         return ["-q", "-w", "none", "-Q", ".", "", file.name]

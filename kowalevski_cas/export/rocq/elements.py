@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kowalevski_cas.proof import checker
-from kowalevski_cas.proof.trees import Tree
+from kowalevski_cas.problem.checker import MASK, Element, Ring
+from kowalevski_cas.problem.trees import Tree
 
 
 @dataclass(frozen=True)
@@ -29,108 +29,71 @@ class Plain:
 
     condition: int
     tree: Tree
-    element: checker.Element
-    cofactor: checker.Element
+    element: Element
+    cofactor: Element
 
 
 class Elements:
-    """How the elements of a space are written.
+    """How the elements of a ring are written, where some of its divisors do not vanish.
 
     What is divided by is a number, a variable, or a polynomial that is no monomial:
     ``1/x_1`` and ``1/x_2`` make ``1/(x_1 x_2)``. Each of these inverses is one new
     generator, with one relation to the rest, so that relations never compete.
     """
 
-    def __init__(self, space: checker.Space) -> None:
-        self.space = space
+    def __init__(self, ring: Ring, known: Iterable[str]) -> None:
+        self.ring = ring
+        self.conditions = [ring.divisors[name] for name in known]
         self.plain: list[Plain] = []
-        for k, divisor in sorted(
-            enumerate(space.divisors.values()), key=lambda kd: max(kd[1].terms)
-        ):
+        for k, divisor in sorted(enumerate(self.conditions), key=lambda kd: max(kd[1].terms)):
             _, _, rest = self._factored(divisor)
             if len(rest.terms) > 1:
-                tree = written(self.terms(rest)) if rest is not divisor else space.nonzero[k]
-                self._add(k, tree, rest, divisor)
+                self._add(k, written(self.terms(rest)), rest)
             else:
                 for name in self._powers(max(rest.terms)):
-                    self._add(k, name, space.generator(name), divisor)
+                    self._add(k, name, ring.generator(name))
 
-    def _add(self, k: int, tree: Tree, element: checker.Element, divisor: checker.Element) -> None:
-        cofactor = self._quotient(divisor, element)
+    def _add(self, k: int, tree: Tree, element: Element) -> None:
+        cofactor = self.conditions[k].over(element)
         if cofactor is not None:
             self.plain.append(Plain(k, tree, element, cofactor))
 
-    def terms(self, element: checker.Element) -> list[Term]:
+    def terms(self, element: Element) -> list[Term]:
         """The terms of an element."""
         return [
             self._term(Fraction(value, element.below), self._powers(monomial))
             for monomial, value in sorted(element.terms.items(), reverse=True)
         ]
 
-    def inverse(self, element: checker.Element) -> list[Term]:
-        """The terms of one over an element.
-
-        Raises:
-            Rejected: it may be zero.
-        """
-        value, powers, rest = self._factored(element)
-        if rest.terms.keys() == {0}:
-            return [_over(value, [(self.plain[k], e) for k, e in powers.items()], {})]
-        return self.terms(element.inverse())
-
-    def _factored(
-        self, element: checker.Element
-    ) -> tuple[Fraction, dict[int, int], checker.Element]:
+    def _factored(self, element: Element) -> tuple[Fraction, dict[int, int], Element]:
         """A number and powers of what has plain inverses, and what is left without them."""
         powers: dict[int, int] = {}
         for k, plain in enumerate(self.plain):
-            while (quotient := self._quotient(element, plain.element)) is not None:
+            while (quotient := element.over(plain.element)) is not None:
                 element, powers[k] = quotient, powers.get(k, 0) + 1
-        value = Fraction(element.terms[0], element.below) if element.terms.keys() == {0} else 1
-        return Fraction(value), powers, element
-
-    def _quotient(self, top: checker.Element, below: checker.Element) -> checker.Element | None:
-        """An exact quotient of polynomials, or none."""
-        space, lead = self.space, max(below.terms)
-        quotient, least = space.number(0), self._powers(lead)
-        while top.terms:
-            first = max(top.terms)
-            powers = self._powers(first)
-            if any(powers.get(name, 0) < e for name, e in least.items()):
-                return None
-            value = Fraction(top.terms[first], top.below) / Fraction(below.terms[lead], below.below)
-            term = checker.Element(space, {first - lead: value.numerator}, value.denominator)
-            quotient, top = quotient + term, top - term * below
-        return quotient
+        return element.value() or Fraction(1), powers, element
 
     def _term(self, value: Fraction, powers: dict[str, int]) -> Term:
-        """A term, from powers among which may be those of inverses in the space."""
-        over: list[tuple[Plain, int]] = []
+        """A term, from powers among which may be those of inverses in the ring."""
+        exponents, under = dict[str, int](), list[Tree]()
         for name, e in powers.items():
-            if name in self.space.divisors:
-                number, plain, _ = self._factored(self.space.divisors[name])
-                value /= number**e
-                over += [(self.plain[k], n * e) for k, n in plain.items()]
-        return _over(
-            1 / value, over, {n: e for n, e in powers.items() if n not in self.space.divisors}
-        )
+            if name not in self.ring.divisors:
+                exponents[name] = exponents.get(name, 0) + e
+                continue
+            number, factors, _ = self._factored(self.ring.divisors[name])
+            value /= number**e
+            for k, n in factors.items():
+                tree = self.plain[k].tree
+                if isinstance(tree, str):
+                    exponents[tree] = exponents.get(tree, 0) - n * e
+                else:
+                    under += [tree] * (n * e)
+        under += [name for name, e in exponents.items() for _ in range(-e)]
+        return Term(value, {n: e for n, e in exponents.items() if e > 0}, tuple(under))
 
     def _powers(self, monomial: int) -> dict[str, int]:
-        shifts = self.space.at.items()
-        powers = ((name, monomial >> shift & checker.MASK) for name, shift in shifts)
+        powers = ((name, monomial >> shift & MASK) for name, shift in self.ring.at.items())
         return {name: e for name, e in powers if e}
-
-
-def _over(value: Fraction, over: Iterable[tuple[Plain, int]], powers: dict[str, int]) -> Term:
-    """A term, divided by a number and by powers of what has plain inverses."""
-    exponents, under = dict(powers), list[Tree]()
-    for plain, e in over:
-        if isinstance(plain.tree, str):
-            exponents[plain.tree] = exponents.get(plain.tree, 0) - e
-        else:
-            under += [plain.tree] * e
-    under += [name for name, e in exponents.items() for _ in range(-e)]
-    return Term(1 / value, {n: e for n, e in exponents.items() if e > 0}, tuple(under))
 
 
 def written(terms: Iterable[Term]) -> Tree:

@@ -22,7 +22,7 @@ class Facts:
     """
 
     def __init__(self, space: Space) -> None:
-        self.space, self.k = space, space.k
+        self.space, self.k = space, space.label
         self._lines: list[str] = []
         self._facts = self._under = 0
 
@@ -30,14 +30,14 @@ class Facts:
         """The hypotheses, lemmas and the tactic."""
         space, k = self.space, self.k
         inverses = dict(space.inverses())
-        squares = {name: space.elements.terms(e) for name, e in space.checked.roots.items()}
+        squares = {name: space.elements.terms(e) for name, e in space.checked.ring.roots.items()}
         self._number = number(
             [t for terms in (*inverses.values(), *squares.values()) for t in terms]
         )
         if self._number > 1:
             self._lines.append(f"Hypothesis number_{k} : val {self._number} <> zero.")
-        for j, tree in enumerate(space.checked.nonzero):
-            self._lines.append(f"Hypothesis nonzero_{k}_{j} : val ({space.term(tree)}) <> zero.")
+        for j, text in enumerate(space.conditions()):
+            self._lines.append(f"Hypothesis nonzero_{k}_{j} : val ({text}) <> zero.")
         for j, (name, square) in enumerate(space.squares.items()):
             own = space.term(name)
             equation = f"val ({own} * {own}) = val ({space.term(square)})"

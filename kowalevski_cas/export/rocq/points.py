@@ -2,73 +2,79 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from kowalevski_cas.export.format import Inexpressible, Json
-from kowalevski_cas.export.rocq.space import Element, Sides, Space
-from kowalevski_cas.proof import checker
-
-Statements = tuple[str, list[str]]
-"""The coordinates of a point, and what is computed there."""
+from kowalevski_cas.export.rocq.space import Sides, Space
+from kowalevski_cas.problem.checker import Element, locate, need
 
 
-def given(space: Space, part: Json) -> Statements:
-    """There is a point of the space where the given equations hold."""
-    point, _, _ = _point(space, part)
-    return point, [*_admissible(space), *_hold(space.sides(part.get("given", [])))]
+class Place:
+    """A point of a space where given equations hold, and the theorem that there is one."""
 
+    def __init__(self, space: Space, point: Json, given: Sequence[Sides]) -> None:
+        if point["roots"]:
+            raise Inexpressible("a point has coordinates that are no Gaussian rational numbers")
+        self.space, self.at = space, locate(space.checked, point, [])
+        self.statements = _hold(given)
 
-def differ(space: Space, part: Json) -> Statements:
-    """There is a point, perhaps one where given equations hold, where an equation fails."""
-    point, statements = given(space, part)
-    equal = [_equal(sides) for sides in space.sides([part["equation"]])]
-    while len(equal) > 1:
-        equal = [f"andb ({equal[0]}) ({equal[1]})", *equal[2:]]
-    return point, [*statements, f"{equal[0]} = false"]
+    @property
+    def statement(self) -> str:
+        """There is such a point."""
+        return "exists p : nat -> gauss,\n  " + " /\\\n  ".join(
+            [*self._admissible(), *self.statements]
+        )
 
+    @property
+    def proof(self) -> list[str]:
+        """It is this one."""
+        shown = [self._coordinates(self.at.images[name]) for name in self.space.names]
+        return [f"exists (point [{'; '.join(shown)}]%Q).", "vm_compute. repeat split."]
 
-def rank(space: Space, part: Json) -> Statements:
-    """There is a point where a minor of the matrix of partial derivatives is not zero."""
-    point, statements = given(space, part)
-    _, images, numbers = _point(space, part)
-    trees = [*part["levels"], *part["functions"], *(["+", a, ["-", b]] for a, b in part["given"])]
-    partials = "; ".join(space.partial(name) for name in space.data["variables"])
-    space.define("partials", f"[{partials}]", "list (expr -> expr)")
-    functions = [component for tree in trees for component in space.parts(tree)]
-    one = space.checked.number(1)
-    matrix = [
-        [value.along({name: one}).image(images, numbers) for name in space.data["variables"]]
-        for tree in trees
-        for value in space.checked.value(tree)
-    ]
-    rows = [f"map (fun d => at_point p (d ({f}))) partials" for f in functions]
-    columns = "; ".join(map(str, sorted(_pivots(matrix))))
-    return point, [
-        *statements,
-        f"vanishes (minor [{'; '.join(rows)}] [{columns}]%nat) = false",
-    ]
+    def fails(self, pairs: Sequence[Sides]) -> None:
+        """One of these equations fails there."""
+        equal = [_equal(sides) for sides in pairs]
+        self.statements.append(f"{' && '.join(f'({one})' for one in equal)} = false")
 
+    def independent(self, functions: Sequence[str], elements: Sequence[Element]) -> None:
+        """The differentials of functions are independent there."""
+        space, one = self.space, self.space.checked.ring.number(1)
+        variables = space.checked.variables
+        partials = "; ".join(space.partial(name) for name in variables)
+        word = space.define("partials", f"[{partials}]", "list (expr -> expr)")
+        matrix = [[self.at(space.checked.along(e, {v: one})) for v in variables] for e in elements]
+        rows = [f"map (fun d => at_point p (d ({f}))) {word}" for f in functions]
+        columns = "; ".join(map(str, sorted(self._pivots(matrix))))
+        self.statements.append(f"vanishes (minor [{'; '.join(rows)}] [{columns}]%nat) = false")
 
-def _pivots(rows: list[list[Element]]) -> list[int]:
-    """Columns in which the rows are independent."""
-    found = []
-    while rows:
-        row = rows.pop()
-        k = next(k for k, entry in enumerate(row) if entry.terms)
-        over = row[k].inverse()
-        rows = [[a - r[k] * over * b for a, b in zip(r, row, strict=True)] for r in rows]
-        found.append(k)
-    return found
+    def _pivots(self, rows: list[list[Element]]) -> Iterator[int]:
+        """Columns in which the rows are independent."""
+        while rows:
+            row = rows.pop()
+            k = next((k for k, entry in enumerate(row) if entry.terms), None)
+            need(k is not None, "the differentials are dependent")
+            assert k is not None
+            over = self.at.space.inverse(row[k])
+            rows = [[a - r[k] * over * b for a, b in zip(r, row, strict=True)] for r in rows]
+            yield k
 
+    def _admissible(self) -> list[str]:
+        """The point obeys relations and conditions of the space, and what is real is so there."""
+        space = self.space
+        squares = [(f"{a} * {a}", b) for a, b in space.sides(space.squares.items())]
+        ones = [tree for pair in space.bases.items() for tree in pair]
+        squares += [(space.say(tree), "1") for tree in ones]
+        nonzero = [f"vanishes (at_point p ({text})) = false" for text in space.conditions()]
+        names = [space.term(name) for name in space.names]
+        real = [f"equal (at_point p (conjugate {n})) (gbar (at_point p {n})) = true" for n in names]
+        return [*_hold(squares), *nonzero, *real]
 
-def _admissible(space: Space) -> list[str]:
-    """The point obeys the relations and conditions of the space, and what is real is so there."""
-    squares = [(f"{a} * {a}", b) for a, b in space.sides(space.squares.items())]
-    nonzero = [f"vanishes (at_point p ({space.say(t)})) = false" for t in space.checked.nonzero]
-    names = [space.term(name) for name in space.names]
-    real = [f"equal (at_point p (conjugate {n})) (gbar (at_point p {n})) = true" for n in names]
-    return [*_hold(squares), *nonzero, *real]
+    def _coordinates(self, value: Element) -> str:
+        """A Gaussian rational number."""
+        both = (value.terms.get(m, 0) for m in (0, self.at.space.ring.unit["i"]))
+        parts = (Fraction(part, value.below) for part in both)
+        return f"({', '.join(f'{z.numerator} # {z.denominator}' for z in parts)})"
 
 
 def _hold(pairs: Sequence[Sides]) -> list[str]:
@@ -77,18 +83,3 @@ def _hold(pairs: Sequence[Sides]) -> list[str]:
 
 def _equal(sides: Sides) -> str:
     return f"equal (at_point p ({sides[0]})) (at_point p ({sides[1]}))"
-
-
-def _point(space: Space, part: Json) -> tuple[str, checker.Elements, checker.Space]:
-    """The coordinates of a point, also as the checker has them."""
-    if part["point"]["roots"]:
-        raise Inexpressible("a point has coordinates that are no Gaussian rational numbers")
-    images, numbers = space.checked.point([], **part["point"])
-    coordinates = []
-    for name in space.names:
-        value = images[name]
-        both = (value.terms.get(m, 0) for m in (0, numbers.unit["i"]))
-        real, imaginary = (Fraction(part, value.below) for part in both)
-        shown = (f"{z.numerator} # {z.denominator}" for z in (real, imaginary))
-        coordinates.append(f"({', '.join(shown)})")
-    return f"[{'; '.join(coordinates)}]%Q", images, numbers

@@ -2,86 +2,94 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from copy import deepcopy
+from copy import copy
 
-from kowalevski_cas.export.format import Inexpressible, Json
 from kowalevski_cas.export.rocq.elements import Elements, Term, written
 from kowalevski_cas.export.rocq.terms import Terms
-from kowalevski_cas.proof import checker
-from kowalevski_cas.proof.trees import Tree
+from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.checker import Element
+from kowalevski_cas.problem.trees import Tree
 
-Element = checker.Element
 Sides = tuple[str, str]
 
 
 class Space(Terms):
     """A space of a certificate, and its definitions in a module ``Space_k``.
 
-    ``divisors`` has everything by which its formulas divide, as it is written inside of
-    the module and outside.
+    ``checked`` is the checker's space, in which the conditions are entered; ``divisors`` has
+    everything by which the formulas divide, as it is written inside of the module and outside,
+    with its value.
     """
 
-    def __init__(self, data: Json, k: int, spaces: Sequence[Space]) -> None:
+    def __init__(self, checked: checker.Space, k: int, spaces: Sequence[Space]) -> None:
         super().__init__()
-        self.data, self.k, self.spaces = data, k, spaces
-        checked: list[checker.Space] = [space.checked for space in spaces]
-        self.checked: checker.Space = checker.Space(checked, **deepcopy(data))
-        self.elements = Elements(self.checked)
-        self.steps = data.get("steps", [])
-        self.squares: dict[str, Tree] = {s[1]: s[2] for s in self.steps if s[0] == "root"}
-        self.names: list[str] = self.checked.names
+        self.checked, self.data, self.k, self.label = _apart(checked), checked.data, k, f"{k}"
+        steps = self.data.get("steps", [])
+        self.lets: dict[str, Tree] = {s[1]: s[2] for s in steps if s[0] == "let"}
+        self.squares: dict[str, Tree] = {s[1]: s[2] for s in steps if s[0] == "root"}
+        self.bases: dict[str, Tree] = {s[1]: s[2] for s in steps if s[0] == "power"}
+        self.names = [*checked.bar]
         self.divisors: dict[str, tuple[str, Element]] = {}
-        self.images: dict[str, checker.Elements] = {}
-        self.applied: set[str] = set()
-        self._lines: list[str] = []
+        self.values: Mapping[str, Tree] = {}
+        self.conjugated = "change" in self.data
+        self._lines: dict[str, str] = {}
         for place, name in enumerate(self.names):
             self.define(self.new_word(name), f"Var {place}")
-        for kind, name, tree in self.steps:
+        for kind, name, tree, *_ in steps:
             if kind == "let":
                 shown, wide = self.say(tree), self.is_vector(tree)
                 self.wide |= {name} if wide else set()
                 self.define(self.new_word(name), shown, "vec" if wide else "expr")
-            elif kind == "root":
+            else:
                 self._note(tree)
-        if self.checked.rates:
-            self.define("D", self.motion(self.checked.rates), "expr -> expr")
-        self._image("bar", {name: self.checked.bar[name] for name in self.names})
+        if checked.rates is not None:
+            self.define("D", self.motion(dict(checked.rates)), "expr -> expr")
+        images = [self.polynomial(image) for image in checked.bar.values()]
+        self.define("bar", f"each [{'; '.join(images)}]", "nat -> expr")
         self.define("conjugate", "subst bar", "expr -> expr")
-        for tree in self.checked.nonzero:
-            self._note(tree)
-        if "change" in data:
-            self.applied.add("bar")
+        if "change" in self.data:
+            self.old = spaces[self.data["change"]["old"]]
             back = [self.term(name) for name in self.old.names]
             self.define("back", f"each [{'; '.join(back)}]", "nat -> expr")
 
-    @property
-    def old(self) -> Space:
-        """The space with the variables before the change."""
-        place: int = self.data["change"]["old"]
-        return self.spaces[place]
+    def local(self, checked: checker.Space, label: str, values: Mapping[str, Tree]) -> Space:
+        """The same with the conditions of one goal, and with values for bound names."""
+        other = copy(self)
+        other.checked, other.label, other.values = _apart(checked), label, values
+        other.divisors = dict(self.divisors)
+        return other
 
     def module(self) -> str:
         """The text of the module."""
-        body = "\n".join(f"  {line}" for line in self._lines)
+        body = "\n".join(f"  {line}" for line in self._lines.values())
         return f"Module Space_{self.k}.\n{body}\nEnd Space_{self.k}.\n"
 
-    def define(self, word: str, term: str, kind: str = "expr") -> None:
-        """Add a definition to the module."""
-        line = f"Definition {word} : {kind} := {term}."
-        if line not in self._lines:
-            self._lines.append(line)
+    def define(self, word: str, term: str, kind: str = "expr") -> str:
+        """Add a definition to the module; the word may be longer if it has another meaning."""
+        while self._lines.get(word, line := f"Definition {word} : {kind} := {term}.") != line:
+            word += "_"
+        self._lines[word] = line
+        return word
+
+    # -- formulas ------------------------------------------------------------------
 
     def say(self, tree: Tree) -> str:
         """A tree as an expression; what it divides by is noted."""
+        tree = _put(tree, self.values)
         self._note(tree)
         return self.term(tree)
 
     def parts(self, tree: Tree) -> list[str]:
         """The components of a tree as expressions; what it divides by is noted."""
+        tree = _put(tree, self.values)
         self._note(tree)
         return self.components(tree)
+
+    def value(self, tree: Tree) -> checker.Value:
+        """The components of the value of a tree."""
+        return self.checked.value(_put(tree, self.values))
 
     def sides(self, equations: Iterable[Sequence[Tree]]) -> list[Sides]:
         """Both sides of equations, component by component; what they divide by is noted."""
@@ -95,70 +103,67 @@ class Space(Terms):
 
     def root(self, tree: Tree) -> str:
         found = self.checked.unary("sqrt", self.checked.scalar(tree))
-        (name,) = (n for n in self.squares if found.terms == self.checked.generator(n).terms)
-        return str(name)
+        return next(n for n in self.squares if found.terms == self.checked.bar[n].terms)
 
     def partial(self, name: str) -> str:
-        word = f"d_{self.words[name]}"
-        self.define(word, self.motion({name: self.checked.number(1)}), "expr -> expr")
-        return word
+        number = self.checked.ring.number
+        fixed = dict.fromkeys((*self.checked.variables, *self.checked.constants), number(0))
+        motion = self.motion(fixed | {name: number(1)})
+        return self.define(f"d_{self.words[name]}", motion, "expr -> expr")
 
-    def motion(self, rates: checker.Elements) -> str:
-        """The derivative when some names have rates; those of roots follow.
-
-        Raises:
-            Inexpressible: a root moves that may be zero.
-        """
-        every = []
-        for name in self.names:
-            try:
-                every.append(self.polynomial(self.checked.generator(name).along(rates)))
-            except checker.Rejected:
-                reason = f"the derivative of the root {name} is divided by it, and it may be zero"
-                raise Inexpressible(reason) from None
+    def motion(self, rates: checker.Rates) -> str:
+        """The derivative when some names have rates; those of roots and powers follow."""
+        generators = (self.checked.ring.generator(name) for name in self.names)
+        every = [self.polynomial(self.checked.along(own, rates)) for own in generators]
         return f"along (each [{'; '.join(every)}])"
 
     def polynomial(self, element: Element) -> str:
         """An element as an expression; what it divides by is noted."""
         return self.say(written(self.elements.terms(element)))
 
-    def flip(self, name: str) -> str:
-        """The word for the change of sign of a root."""
-        word = f"flip_{self.words[name]}"
-        self.applied.add(word)
-        images = {n: self.checked.generator(n) for n in self.names}
-        self._image(word, images | {name: self.checked.number(-1) * images[name]})
-        return word
+    # -- conditions ----------------------------------------------------------------
 
-    def _image(self, word: str, images: checker.Elements) -> None:
-        """Define other expressions for the names."""
-        shown = [self.polynomial(images[name]) for name in self.names]
-        self.define(word, f"each [{'; '.join(shown)}]", "nat -> expr")
-        with suppress(checker.Rejected):  # not all that is divided by need have an image
-            self.images[word] = self.checked.carried(dict(images), self.checked)
+    @property
+    def elements(self) -> Elements:
+        """How elements are written under the conditions, and those on their conjugates."""
+        mirror = self.checked.mirror
+        known = self.checked.known | (mirror.space.known if mirror else {})
+        return Elements(self.checked.ring, known)
 
-    def inverses(self) -> Iterator[tuple[str, list[Term]]]:
+    def conditions(self) -> list[str]:
+        """What does not vanish."""
+        elements = self.elements
+        return [self.term(written(elements.terms(divisor))) for divisor in elements.conditions]
+
+    def inverses(self) -> dict[str, list[Term]]:
         """Divisors as expressions, with their inverses; each may rest on those before it."""
-        own = [(text, divisor) for text, (_, divisor) in self.divisors.items()]
-        yield from ((text, self.elements.inverse(divisor)) for text, divisor in own)
-        needed = [word for word in self.images if word in self.applied]
-        carried = [(f"subst {word}", self.images[word], own) for word in needed]
+        found, checked = self._own_inverses(), self.checked
+        if self.conjugated:
+            bars = {t: checked.conj(e) for t, e in found.items() if e.value() is None}
+            found |= {f"subst bar ({text})": inverse for text, inverse in bars.items()}
         if "change" in self.data:
-            images = {name: self.checked.scalar(name) for name in self.old.names}
-            images = self.old.checked.carried(images, self.checked)
-            carried.append(("subst back", images, list(self.old.divisors.values())))
-        for head, images, divisors in carried:
-            for text, divisor in divisors:
-                if divisor.terms.keys() != {0}:
-                    with suppress(checker.Rejected):  # not all of them are divided by again
-                        image = divisor.image(images, self.checked)
-                        yield f"{head} ({text})", self.elements.inverse(image)
+            names = {name: checked.scalar(name) for name in self.old.names}
+            here = checked.carried(self.old.checked.ring, names)
+            for text, inverse in self.old._own_inverses(outside=True).items():
+                if inverse.value() is None:
+                    with suppress(checker.Rejected):
+                        found[f"subst back ({text})"] = here(inverse)
+        elements = self.elements
+        return {text: elements.terms(inverse) for text, inverse in found.items()}
+
+    def _own_inverses(self, outside: bool = False) -> dict[str, Element]:
+        """One over what was noted; some of it belongs to other goals, and may be zero here."""
+        found = dict[str, Element]()
+        with self.checked.statement(False):
+            for text, (shown, divisor) in self.divisors.items():
+                with suppress(checker.Rejected):
+                    found[shown if outside else text] = self.checked.inverse(divisor)
+        return found
 
     def divisors_in(self, tree: Tree) -> set[str]:
         """What a tree divides by, also in the definitions of its names."""
         if isinstance(tree, str):
-            let = next((s[2] for s in self.steps if s[:2] == ["let", tree]), None)
-            return self.divisors_in(let) if let is not None else set()
+            return self.divisors_in(self.lets.get(tree, 0))
         parts = tree[1:] if isinstance(tree, list) else []
         found = {text for part in parts for text in self.divisors_in(part)}
         under = parts[1:] if isinstance(tree, list) and tree[0] == "/" else []
@@ -168,11 +173,25 @@ class Space(Terms):
         """Note the divisors in a tree, inner ones first."""
         if not isinstance(tree, list):
             return
-        if tree[0] == "conj":
-            self.applied.add("bar")
+        self.conjugated = self.conjugated or tree[0] == "conj"
         for part in tree[1:]:
             self._note(part)
         for part in tree[2:] if tree[0] == "/" else ():
             shown = self.components(part), self.components(part, f"Space_{self.k}.")
             for text, outside, value in zip(*shown, self.checked.value(part), strict=True):
                 self.divisors.setdefault(text, (outside, value))
+                self.checked.inverse(value)
+
+
+def _apart(checked: checker.Space) -> checker.Space:
+    """A copy that learns the conditions of a statement."""
+    space = checked.local()
+    space.stating, space.mirror = True, None
+    return space
+
+
+def _put(tree: Tree, values: Mapping[str, Tree]) -> Tree:
+    """A formula with values for some names."""
+    if isinstance(tree, list):
+        return [tree[0], *(_put(part, values) for part in tree[1:])]
+    return values.get(tree, tree) if isinstance(tree, str) else tree

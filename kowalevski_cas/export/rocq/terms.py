@@ -6,19 +6,20 @@ import re
 from abc import ABC, abstractmethod
 
 from kowalevski_cas.export.format import Inexpressible, identifier
-from kowalevski_cas.proof.trees import Tree
+from kowalevski_cas.problem.trees import Tree
 
 WORDS = set(
     "Add Axiom Claims D Definition Div End Fixpoint I Import Lemma Let Module Mul Notation Num "
     "Opp Pow Prop R R_field Section Set Sub Theorem Type Var Variable add all_sound along andb as "
     "at at_point back bar cofix combined conj conjugate cross decided div dot each else end "
     "equal equations exists exists2 expr factor false fix for forall fst3 fun gauss gbar hold if "
-    "in inv inverted let list map map3 match minor mod mul nat one opp partials point proved "
+    "in inv inverted let list map map3 match minor mod mul nat one opp p partials point proved "
     "reciprocal return snd3 sound sub subst table thd3 then true using v val value vanishes vec "
     "where with zero zip3".split()
 )
 NUMBERED = re.compile(
-    r"(by|d|facts|flip|hold|known|nonzero|numbers?|order|over|plain|root|sound|under|Space)_.*|G\d*"
+    r"(back|by|chain_rule|claim|conjugate_roots|d|facts|field|hold|known|moving_roots|nonzero"
+    r"|numbers?|order|over|plain|printed|real|root|sound|under|Space)_.*|G\d*"
 )
 PLACES = ("fst3", "snd3", "thd3")
 TIGHT, POWER, MINUS, TIMES, PLUS, LOOSE = 0, 30, 35, 40, 50, 100

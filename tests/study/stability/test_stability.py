@@ -5,11 +5,11 @@ from fractions import Fraction
 import pytest
 
 from kowalevski_cas.algebra import load_points
-from kowalevski_cas.claims.points import AtPoint
 from kowalevski_cas.pictures import save
+from kowalevski_cas.search.find import Candidate
 from study import load
+from study.paper import both, paper
 from study.stability import branch, degenerate, precision, primes, swell, theta
-from study.stability.material import bench, claim
 
 SLOW = ("theta", "degenerate", "primes", "precision")
 NAMES = ["branch", *(pytest.param(name, marks=pytest.mark.slow) for name in SLOW)]
@@ -79,11 +79,11 @@ def test_the_exact_rank_drops_at_the_degeneration_only_and_the_computed_one_befo
 
 
 def test_the_points_near_a_degeneration_lie_on_16():
-    stage = bench("flint").stage(claim("eq16.invariance").scene)
+    exact, _ = both(paper().claims["eq16.invariance"].scene)
     for family in degenerate.FAMILIES:
         for distance in (Fraction(1, 7), Fraction(0)):
-            at = AtPoint(stage, degenerate.point_near(family, distance))
-            assert all(at(f).is_zero for f in claim("eq16.invariance").functions(stage))
+            at = Candidate(exact, degenerate.point_near(family, distance))
+            assert at.vanish(degenerate.relations(exact))
 
 
 def test_n4_is_no_manifold_of_dimension_four_for_degenerate_fields():

@@ -1,0 +1,211 @@
+"""Rings and elements of the checker that write down how they are computed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from fractions import Fraction
+from itertools import count
+
+from kowalevski_cas.export.format import identifier
+from kowalevski_cas.export.polynomials.language import Language
+from kowalevski_cas.problem import checker
+
+LENGTH = 80
+"""An expression with more characters has a name of its own."""
+
+
+class Writer:
+    """The lines of a program, and the generators of the one ring in which they are meant."""
+
+    def __init__(self, language: Language) -> None:
+        self.language = language
+        self.plain: list[str] = []
+        self.roots: list[str] = []
+        self._lines: list[str | Callable[[], str]] = []
+        self._names: set[str] = set()
+        self.rings, self._checks = count(), count(1)
+
+    @property
+    def generators(self) -> list[str]:
+        """All generators, roots last: a square may have all the others, and earlier roots."""
+        return [*self.plain, *self.roots]
+
+    @property
+    def text(self) -> str:
+        """The whole file."""
+        lines = (line if isinstance(line, str) else line() for line in self._lines)
+        return self.language.frame(self.generators, lines)
+
+    def fresh(self, wish: str) -> str:
+        """A name that is not taken, as near to the wish as can be."""
+        while wish in self._names:
+            wish += "_"
+        self._names.add(wish)
+        return wish
+
+    def say(self, line: str) -> None:
+        """Write a line."""
+        self._lines.append(line)
+
+    def comment(self, words: str) -> None:
+        """Write words for a reader."""
+        self.say(self.language.comment(words))
+
+    def define(self, text: str, wish: str = "") -> str:
+        """A name for an expression."""
+        name = self.fresh(wish or f"t{len(self._lines)}")
+        self.say(self.language.define(name, text))
+        return name
+
+    def holds(self, words: str, text: str, divisors: str) -> None:
+        """Ask whether an expression vanishes wherever the divisors do not."""
+        self.say(self.language.holds(f"{next(self._checks)} {words}", text, divisors))
+
+    def substitution(self, images: Mapping[str, str]) -> str:
+        """The name of a map of generators to expressions; the other generators stay."""
+        name = self.fresh(f"m{len(self._lines)}")
+        # A language may have to name all generators, and they are not all known yet.
+        self._lines.append(lambda: self.language.substitution(name, images, self.generators))
+        return name
+
+
+class Traced(checker.Ring):
+    """A ring whose elements know how the program writes them."""
+
+    def __init__(self, writer: Writer, work: list[int]) -> None:
+        super().__init__(work)
+        self.writer = writer
+        self.prefix = f"s{next(writer.rings)}"
+        self.texts: dict[str, str] = {}
+        self.over: dict[str, str] = {}  # generators, and what they are the inverses of
+        self.below = self._divisors()
+
+    def another(self) -> Traced:
+        return Traced(self.writer, self.work)
+
+    def adjoin(self, name: str) -> checker.Element:
+        wish = name.replace("1/", "over_") if name.startswith("1/") else identifier(name)
+        self.texts[name] = self.writer.fresh(f"{self.prefix}_{wish}")
+        self.writer.plain.append(self.texts[name])
+        return super().adjoin(name)
+
+    def relate(self, name: str, square: checker.Element) -> None:
+        super().relate(name, square)
+        own = self.texts[name]
+        self.writer.plain.remove(own)
+        self.writer.roots.append(own)
+        self.writer.say(self.writer.language.relation(own, self.named(square, f"{own}_squared")))
+
+    def _divisors(self) -> str:
+        name = self.writer.fresh(f"{self.prefix}_divisors")
+        self.writer.say(self.writer.language.divisors(name, [*self.over.items()]))
+        return name
+
+    def enter_divisors(self) -> None:
+        """Tell the program of divisors that are new."""
+        new = [name for name in self.divisors if self.texts[name] not in self.over]
+        for name in new:
+            own = self.texts[name]
+            self.over[own] = self.named(self.divisors[name], f"{own}_below")
+        if new:
+            self.below = self._divisors()
+
+    def generator(self, name: str) -> Element:
+        return Element(super().generator(name), self.texts[name])
+
+    def number(self, value: int | Fraction) -> Element:
+        text = self.writer.language.number(Fraction(value))
+        return Element(super().number(value), text)
+
+    def total(self, elements: Iterable[checker.Element]) -> checker.Element:
+        found = [*elements]
+        value, texts = super().total(found), [e.text for e in found if isinstance(e, Element)]
+        if not texts:
+            return self.number(0) if not found else value
+        return Element(value, f"({'+'.join(texts)})") if len(texts) == len(found) else plain(value)
+
+    def written(self, element: checker.Element) -> Element:
+        """An element with its text: as it was computed, or as a polynomial."""
+        if isinstance(element, Element):
+            return element
+        summands = []
+        for m, c in sorted(element.terms.items(), reverse=True):
+            powers = [
+                (text, m >> self.at[name] & checker.MASK) for name, text in self.texts.items()
+            ]
+            factors = [f"{text}^{e}" if e > 1 else text for text, e in powers if e]
+            number = self.writer.language.number(Fraction(c, element.below))
+            summands.append("*".join([number, *factors]))
+        text = "+".join(summands) or self.writer.language.number(Fraction(0))
+        return Element(element, f"({text})")
+
+    def named(self, element: checker.Element, wish: str = "") -> str:
+        """A name for an element."""
+        text = self.written(element).text
+        return text if text.isidentifier() and not wish else self.writer.define(text, wish)
+
+    def vanishes(self, words: str, element: checker.Element) -> None:
+        """Ask the program whether an element vanishes wherever the divisors do not."""
+        self.writer.holds(words, self.written(element).text, self.below)
+
+
+def plain(element: checker.Element) -> checker.Element:
+    """The element without a text."""
+    return checker.Element(element.ring, element.terms, element.below)
+
+
+class Element(checker.Element):
+    """An element, and how the program writes it.
+
+    What it is decides which lines are written, never whether they hold.
+    """
+
+    __slots__ = ("text",)
+    ring: Traced
+
+    def __init__(self, element: checker.Element, text: str) -> None:
+        super().__init__(element.ring, element.terms, element.below)
+        self.text = text if len(text) < LENGTH else self.ring.writer.define(text)
+
+    def __neg__(self) -> checker.Element:
+        return Element(super().__neg__(), f"(-{self.text})")
+
+    def __mul__(self, other: checker.Element) -> checker.Element:
+        value = super().__mul__(other)
+        return (
+            Element(value, f"({self.text}*{other.text})") if isinstance(other, Element) else value
+        )
+
+    def __pow__(self, exponent: int) -> checker.Element:
+        return Element(super().__pow__(exponent), f"({self.text}^{exponent})")
+
+    def partial(self, name: str) -> checker.Element:
+        text = self.ring.writer.language.derivative(self.ring.named(self), self.ring.texts[name])
+        return Element(super().partial(name), text)
+
+    def split(self, name: str) -> dict[int, checker.Element]:
+        own = self.ring.generator(name)
+        parts = {e: self.ring.written(part) for e, part in plain(self).split(name).items()}
+        whole = self.ring.total(part * own**e for e, part in parts.items())
+        self.ring.vanishes("coefficients", self - whole)
+        return {**parts}
+
+    def vanishes(self) -> bool:
+        if not plain(self).vanishes():
+            return False
+        self.ring.vanishes("equal", self)
+        return True
+
+    def differs(self) -> bool:
+        other, norm = plain(self).normed()
+        if not (number := norm.value()):
+            return False
+        inverse = self.ring.written(plain(other * self.ring.number(1 / number)))
+        self.ring.vanishes("different", self * inverse - self.ring.number(1))
+        return True
+
+    def value(self) -> Fraction | None:
+        found = super().value()
+        if found is not None and self.text != (number := self.ring.number(found)).text:
+            self.ring.vanishes("a number", self - number)
+        return found
