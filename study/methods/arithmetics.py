@@ -10,7 +10,7 @@ from time import perf_counter
 from kowalevski_cas.algebra import load, load_points
 from kowalevski_cas.algebra.points import Answer, Question
 from kowalevski_cas.problem.goals import Problem
-from study.labelled import Labelled, holds, residuals
+from study.labelled import Labelled, holds, identities, residuals
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
 from study.paper import sampled
 from study.step import Measured
@@ -65,7 +65,7 @@ class PointArithmetic(ExactArithmetic):
 
     def _answers(self, problem: Problem) -> Iterator[Answer]:
         points, of = load_points(self.name, SEED), sampled()
-        for goal in problem.goals:
+        for goal in identities(problem):
             asked = residuals(Problem((goal,)), of)
             at = of(goal.space)
             yield points.answer(Question(at.programs, [at.carry(element) for element in asked]))

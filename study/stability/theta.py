@@ -187,7 +187,7 @@ def point_at(kind: str, root: Fraction) -> dict[str, Gaussian]:
         "z": (alpha[2], beta[2]),
         "w": (omega[0], omega[1]),
     }
-    point: dict[str, Gaussian] = {r"\omega_3": real(omega[2])}
+    point = {r"\omega_3": real(omega[2]), "w_3": real(Fraction(1))}  # w_3 may be anything
     for name, (re, im) in pairs.items():
         point |= {f"{name}_1": (re, im), f"{name}_2": (re, -im)}
     (zr, zi), (xr, x_i), (yr, yi) = point["z_1"], point["x_1"], point["y_2"]
