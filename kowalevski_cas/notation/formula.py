@@ -211,3 +211,8 @@ class Relation(Formula):
 
     members: tuple[Formula, ...]
     signs: tuple[str, ...]
+
+    @property
+    def is_equality(self) -> bool:
+        """Whether all members are said to be equal."""
+        return r"\ne" not in self.signs

@@ -11,39 +11,30 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import cached_property
+from itertools import pairwise
 
 from kowalevski_cas.algebra import load
-from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
-    Application,
-    Conjugate,
     Constant,
-    CrossProduct,
     Derivative,
-    Diagonal,
     Formula,
-    ImaginaryPart,
     Name,
     Negative,
     Number,
-    PoissonBracket,
-    Power,
     Product,
     Quotient,
-    RealPart,
     Relation,
     Root,
-    Sum,
     Vector,
     rank,
-    substitute,
-    to_latex,
 )
-from kowalevski_cas.paper.brackets import Brackets
+from kowalevski_cas.paper.components import component
 from kowalevski_cas.paper.inverse import inverse
+from kowalevski_cas.paper.plain import Plain
+from kowalevski_cas.paper.roots import solved
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
-from kowalevski_cas.paper.scene import Scene, head
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
 from kowalevski_cas.problem.space import (
@@ -56,9 +47,6 @@ from kowalevski_cas.problem.space import (
     Setting,
     Step,
 )
-
-MARK = "dot"
-"""How a derivative along the field of a space is marked, whatever the time is called."""
 
 
 class Elaboration(Setting):
@@ -169,8 +157,8 @@ class Elaboration(Setting):
             return self._let(name, Vector(tuple(Name(c) for c in scene.vectors[name])))
         if (place := scene.component(name)) is not None:
             vector, index = place
-            component = _component(Name(vector), index, self)
-            return self._let(name, component, scene.definitions[vector])
+            formula = component(Name(vector), index, self)
+            return self._let(name, formula, scene.definitions[vector])
         if self.source is not None and name in self.inverse:
             assert isinstance(scene.field, ChangeOfScene)
             return self._let(name, self.inverse[name], *scene.field.formulas)
@@ -188,7 +176,7 @@ class Elaboration(Setting):
             yield row.names[0], row.factor, row.force
             return
         for index, name in enumerate(row.names):
-            yield name, _component(row.factor, index, self), _component(row.force, index, self)
+            yield name, component(row.factor, index, self), component(row.force, index, self)
 
     def is_vector(self, formula: Formula) -> bool:
         """Whether a formula stands for a vector or a matrix."""
@@ -205,12 +193,12 @@ class Elaboration(Setting):
             step = self.source.step("i") if "i" in self.source.roots else None
             self.places["i"] = self.source.places.get("i", ())
             return Adjoined("i", step.square if isinstance(step, Adjoined) else Negative(Number(1)))
-        return self._solved("i", printed)
+        return solved(self, "i", printed)
 
     def _root(self, name: str) -> Step:
         printed = self.scene.roots[name]
         if printed is not None:
-            return self._solved(name, printed)
+            return solved(self, name, printed)
         root = self.texts.expression(name)
         if not isinstance(root, Root):
             raise Meaningless(f"{name} is not printed as a square root", name)
@@ -231,11 +219,11 @@ class Elaboration(Setting):
     def _zero_names(self) -> Iterator[str]:
         for printed in self.scene.zero:
             members = self.texts.relation(printed).members
-            if Number(0) not in members:
-                raise Meaningless(f"the equation at {printed.place} sets nothing to zero")
-            for member in members:
-                if isinstance(member, Name):
-                    yield from self.scene.vectors.get(member.name, (member.name,))
+            names = [member.name for member in members if isinstance(member, Name)]
+            if members.count(Number(0)) != 1 or len(names) != len(members) - 1:
+                raise Meaningless(f"the equation at {printed.place} does not set names to zero")
+            for name in names:
+                yield from self.scene.vectors.get(name, (name,))
 
     def definition(self, name: str) -> Formula:
         """The expression for which a name stands.
@@ -254,50 +242,15 @@ class Elaboration(Setting):
             raise Meaningless(f"no expression stands for {name} in its definition", name)
         return next((m for m in others if not isinstance(m, Name)), others[0])
 
-    def _solved(self, name: str, printed: Printed) -> Adjoined:
-        r"""A root by a printed equation in which its square stands.
-
-        The equation is solved for the square: ``a^2`` in :math:`(\alpha,\alpha)=a^2`,
-        ``z_1^2`` in :math:`z_1^2+x_1y_2=c_1`. Members with names that the scene does
-        not have are passed over.
-        """
-        self.places[name] = (printed,)
-        members = [m for m in self.texts.relation(printed).members if not isinstance(m, Constant)]
-        own = Power(Name(name), Number(2))
-        if len(members) == 2 and own in members:
-            other = members[members[0] == own]
-            if not _mentions(other, name):
-                return Adjoined(name, self.plain(other))
-        sides = [plain for m in members if (plain := self._known(m, name)) is not None]
-        if len(sides) < 2:
-            raise Meaningless(f"the equation at {printed.place} does not give {name}^2", name)
-        left, right = sides[0], sides[-1]
-        at = [self._at(name, k, left) - self._at(name, k, right) for k in (0, 1, -1, 2)]
-        factor = at[1] - at[0]
-        even = (at[2] - at[1]).is_zero
-        quadratic = (at[3] - at[0] - factor * factor.ring.number(4)).is_zero
-        if factor.is_zero or not even or not quadratic:
-            raise Meaningless(f"the equation at {printed.place} does not give {name}^2", name)
-        square = formula_in(-at[0] / factor)
-        return Adjoined(name, square, (left, right))
-
-    def _known(self, member: Formula, root: str) -> Formula | None:
-        """A member written out; ``None`` if the scene does not know what it is."""
-        try:
-            plain = self.plain(member)
-            self._at(root, 0, plain)
-        except Meaningless:
-            return None
-        return plain
-
-    def _at(self, name: str, value: int, formula: Formula) -> Element:
+    def at_root(self, name: str, value: int, formula: Formula) -> Element:
         """The value of a formula where a root has this value."""
         finder = self.finder
-        own = {n: v for (n, bar), v in finder._values.items() if not bar and isinstance(v, Element)}
-        lets = (n for n in own if isinstance(self._steps.get(n), Let))
-        for n in [*lets]:
-            del own[n]
-        values = {**own, name: finder.ring.number(value)}
+        values = {
+            n: known
+            for (n, bar), known in finder._values.items()
+            if not bar and isinstance(known, Element) and not isinstance(self._steps.get(n), Let)
+        }
+        values[name] = finder.ring.number(value)
         at = Evaluation(self, finder.polynomials, finder.ring, values, self._finder_of)
         at.roots = list(finder.roots)
         return at.scalar(formula)
@@ -358,172 +311,21 @@ class Elaboration(Setting):
 
     # -- formulas ----------------------------------------------------------------
 
+    @cached_property
+    def plain(self) -> Plain:
+        """Formulas of the paper, written out in the operations of a space."""
+        return Plain(self)
+
     def formula(self, formula: str | Formula) -> Formula:
         """A formula, or LaTeX in the names of the scene, in the operations of a space."""
         return self.plain(self.texts.expression(formula) if isinstance(formula, str) else formula)
 
     def equations(self, printed: tuple[str, ...]) -> tuple[Equation, ...]:
         """The sides of equations that are given as LaTeX."""
-        relations = (self.texts.expression(tex) for tex in printed)
-        return tuple(
-            (self.plain(r.members[0]), self.plain(r.members[1]))
-            for r in relations
-            if isinstance(r, Relation)
-        )
-
-    def plain(self, formula: Formula) -> Formula:
-        """The formula in the operations of a space."""
-        match formula:
-            case RealPart(argument):
-                inner = self.plain(argument)
-                return Quotient(Sum((inner, Conjugate(inner))), Number(2))
-            case ImaginaryPart(argument):
-                inner = self.plain(argument)
-                below = Product((Number(2), Name("i")))
-                return Quotient(Sum((inner, Negative(Conjugate(inner)))), below)
-            case Derivative(argument, mark):
-                return self._derivative(self.plain(argument), mark)
-            case Application():
-                return self.plain(self._applied(formula))
-            case Root() if (value := self._printed_value(formula)) is not None:
-                return value
-            case Power(Name(base), exponent) if not _is_whole(exponent):
-                return self._symbolic(base, exponent)
-            case PoissonBracket(left, right):
-                return self.brackets(self._components(left), self._components(right))
-        return formula.mapped(self.plain)
-
-    def _derivative(self, argument: Formula, mark: str) -> Formula:
-        """The rate by the time of the scene, or by the other one that its clock declares."""
-        scene = self.scene
-        rate = Derivative(argument, MARK)
-        if mark == ("dot" if scene.time == "t" else "prime") or mark == scene.time:
-            return rate
-        if scene.clock is None:
-            raise Meaningless(f"no derivative is printed as “{mark}” on “{scene.name}”")
-        scale = self.plain(self.texts.time_scale(scene.clock))
-        return Quotient(rate, scale) if scene.time == "t" else Product((scale, rate))
-
-    def _applied(self, formula: Application) -> Formula:
-        """The expression for which a function with these arguments stands."""
-        for name in self.scene.definitions:
-            function, arguments = head(name)
-            if arguments and function == formula.function:
-                if len(arguments) != len(formula.arguments):
-                    raise Meaningless(f"{name} is used with {len(formula.arguments)} arguments")
-                self.places[name] = (self.scene.definitions[name],)
-                self.applied.add(name)
-                values = dict(zip(arguments, formula.arguments, strict=True))
-                body = self.definition(name)
-                if _applies(body, function):
-                    raise Meaningless(f"{name} is defined by itself", function)
-                return substitute(body, values)
-        raise Meaningless(f"the function {formula.function} has no meaning here", formula.function)
-
-    def _printed_value(self, root: Root) -> Formula | None:
-        """What a place prints for a root that is no generator; its square is the radicand."""
-        for name, printed in self.scene.roots.items():
-            if printed is None or not name.startswith(r"\sqrt"):
-                continue
-            own = self.texts.expression(name)
-            assert isinstance(own, Root)
-            radicand = self.finder.scalar(self.plain(own.argument))
-            if (radicand - self.finder.scalar(self.plain(root.argument))).is_zero:
-                self.places[name] = (printed,)
-                value = self.plain(self.definition(name))
-                square = self.finder.scalar(value)
-                if not (square * square - radicand).is_zero:
-                    raise Meaningless(f"the value at {printed.place} is not {name}")
-                return value
-        return None
-
-    def _symbolic(self, base: str, exponent: Formula) -> Formula:
-        """A power with a symbolic exponent, through the declared powers as names."""
-        above: list[Formula] = []
-        below: list[Formula] = []
-        for symbol, multiple in linear_exponent(exponent).items():
-            name = f"{base}^{{{symbol}}}"
-            if symbol and name not in self._powers:
-                raise Meaningless(f"the power {base}^{symbol} is not declared", symbol)
-            factor: Formula = Name(name if symbol else base)
-            (above if multiple > 0 else below).extend([factor] * abs(multiple))
-        top: Formula = Product(tuple(above)) if len(above) > 1 else next(iter(above), Number(1))
-        for factor in below:
-            top = Quotient(top, factor)
-        return top
-
-    @cached_property
-    def brackets(self) -> Brackets:
-        """The Poisson bracket of the scene."""
-        return Brackets(self)
-
-    def _components(self, formula: Formula) -> tuple[bool, tuple[Formula, ...]]:
-        """Whether a formula is a vector, and its components."""
-        if isinstance(formula, Name) and formula.name in self.scene.vectors:
-            names = self.scene.vectors[formula.name]
-            return True, tuple(self.plain(Name(n)) for n in names)
-        return False, (self.plain(formula),)
-
-
-def linear_exponent(formula: Formula) -> dict[str, int]:
-    """A symbolic exponent as integer multiples of names; the key ``""`` is the constant."""
-    match formula:
-        case Number(value):
-            return {"": value}
-        case Name(name):
-            return {name: 1}
-        case Negative(argument):
-            return {k: -v for k, v in linear_exponent(argument).items()}
-        case Sum(terms):
-            total: dict[str, int] = {}
-            for term in terms:
-                for key, value in linear_exponent(term).items():
-                    total[key] = total.get(key, 0) + value
-            return total
-    raise Meaningless(f"{to_latex(formula)} is no exponent that can be used here")
-
-
-def _is_whole(exponent: Formula) -> bool:
-    return isinstance(exponent.argument if isinstance(exponent, Negative) else exponent, Number)
-
-
-def _mentions(formula: Formula, name: str) -> bool:
-    return formula == Name(name) or any(_mentions(child, name) for child in formula.children())
-
-
-def _applies(formula: Formula, function: str) -> bool:
-    """Whether a function is applied somewhere in a formula."""
-    if isinstance(formula, Application) and formula.function == function:
-        return True
-    return any(_applies(child, function) for child in formula.children())
-
-
-def _component(vector: Formula, index: int, setting: Elaboration) -> Formula:
-    """One component of a vector that is printed by its components or as a product."""
-
-    def of(part: Formula, k: int) -> Formula:
-        return _component(part, k, setting)
-
-    match vector:
-        case Vector(components):
-            return components[index]
-        case Name(name) if name in setting.scene.definitions:
-            step = setting.step(name)
-            assert isinstance(step, Let)
-            return of(step.formula, index)
-        case Name(name) if name in setting.scene.vectors:
-            return Name(setting.scene.vectors[name][index])
-        case Negative(argument):
-            return Negative(of(argument, index))
-        case Sum(terms):
-            return Sum(tuple(of(term, index) for term in terms))
-        case Diagonal(entries):
-            return entries[index]
-        case Product(factors):
-            vectors = (f if not setting.is_vector(f) else of(f, index) for f in factors)
-            return Product(tuple(vectors))
-        case CrossProduct(left, right):
-            j, k = (index + 1) % 3, (index + 2) % 3
-            first = Product((of(left, j), of(right, k)))
-            return Sum((first, Negative(Product((of(left, k), of(right, j))))))
-    raise Meaningless(f"{to_latex(vector)} has no components")
+        equations: list[Equation] = []
+        for tex in printed:
+            relation = self.texts.expression(tex)
+            if not isinstance(relation, Relation) or not relation.is_equality:
+                raise Meaningless(f"{tex} is no equation on “{self.scene.name}”")
+            equations += pairwise(map(self.plain, relation.members))
+        return tuple(equations)

@@ -154,7 +154,7 @@ class Texts:
     def relation(self, printed: Printed) -> Relation:
         """The chain of equalities at a place; raises ``NotationError`` if there is none."""
         formula = self.formula(printed)
-        if not isinstance(formula, Relation):
+        if not isinstance(formula, Relation) or not formula.is_equality:
             source = self.source(printed.display)
             raise NotationError(f"an equation is expected at {printed.place}", source, 0)
         return formula

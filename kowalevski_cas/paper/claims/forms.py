@@ -15,7 +15,6 @@ from kowalevski_cas.notation import (
     Product,
     Relation,
     Sum,
-    to_latex,
 )
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -63,8 +62,6 @@ def members(relation: Relation) -> list[Formula]:
 def chain(on: Elaborations, space: Elaboration, printed: Printed) -> list[Equation]:
     """The equations of a printed chain; ``= const`` says that the first member does not move."""
     relation = on.texts.relation(printed)
-    if r"\ne" in relation.signs:
-        raise Meaningless(f"an equality is expected instead of {to_latex(relation)}")
     found = [space.plain(member) for member in members(relation)]
     equations = list(pairwise(found))
     if isinstance(relation.members[-1], Constant):
@@ -75,7 +72,7 @@ def chain(on: Elaborations, space: Elaboration, printed: Printed) -> list[Equati
 def equation(on: Elaborations, space: Elaboration, printed: Printed) -> Equation:
     """Both sides of a printed equation, which has these two only."""
     relation = on.texts.relation(printed)
-    if len(relation.members) != 2 or r"\ne" in relation.signs:
+    if len(relation.members) != 2:
         raise Meaningless(f"an equation with two sides is expected at {printed.place}")
     left, right = map(space.plain, relation.members)
     return left, right

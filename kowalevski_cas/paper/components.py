@@ -1,0 +1,53 @@
+"""The components of vectors that are printed as vectors."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from kowalevski_cas.notation import (
+    CrossProduct,
+    Diagonal,
+    Formula,
+    Name,
+    Negative,
+    Product,
+    Sum,
+    Vector,
+    to_latex,
+)
+from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.space import Let
+
+if TYPE_CHECKING:
+    from kowalevski_cas.paper.elaborate import Elaboration
+
+
+def component(vector: Formula, index: int, setting: Elaboration) -> Formula:
+    """One component of a vector that is printed by its components or as a product."""
+
+    def of(part: Formula, k: int) -> Formula:
+        return component(part, k, setting)
+
+    match vector:
+        case Vector(components):
+            return components[index]
+        case Name(name) if name in setting.scene.definitions:
+            step = setting.step(name)
+            assert isinstance(step, Let)
+            return of(step.formula, index)
+        case Name(name) if name in setting.scene.vectors:
+            return Name(setting.scene.vectors[name][index])
+        case Negative(argument):
+            return Negative(of(argument, index))
+        case Sum(terms):
+            return Sum(tuple(of(term, index) for term in terms))
+        case Diagonal(entries):
+            return entries[index]
+        case Product(factors):
+            vectors = (f if not setting.is_vector(f) else of(f, index) for f in factors)
+            return Product(tuple(vectors))
+        case CrossProduct(left, right):
+            j, k = (index + 1) % 3, (index + 2) % 3
+            first = Product((of(left, j), of(right, k)))
+            return Sum((first, Negative(Product((of(left, k), of(right, j))))))
+    raise Meaningless(f"{to_latex(vector)} has no components")
