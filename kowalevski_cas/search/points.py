@@ -35,7 +35,8 @@ def points(
     equations are linear, or quadratic with a discriminant that is a square.
     """
     rest, eliminated = eliminate([c for c in constraints if not c.is_zero()], variables)
-    if any(c.is_constant() for c in rest):
+    avoided = [_entered(a, eliminated) for a in avoid]
+    if any(c.is_constant() for c in rest) or any(a.is_zero() for a in avoided):
         return
     gone = {v for v, _ in eliminated}
     open_variables = [v for v in variables if v not in gone]
@@ -45,9 +46,9 @@ def points(
             values = {v: next(sequence) for v in free}
             if not _complete(rest, len(solved), values):
                 continue
-            for variable, expression in reversed(eliminated):
-                values[variable] = constant(expression, values)
-            if not any(constant(a, values) == 0 for a in avoid):
+            if not any(constant(a, values) == 0 for a in avoided):
+                for variable, expression in reversed(eliminated):
+                    values[variable] = constant(expression, values)
                 yield values
 
 
@@ -74,6 +75,18 @@ def eliminate(
         eliminated.append((variable, expression))
         substituted = (c.compose(*generators, ctx=context) for c in constraints)
         constraints = [c for c in substituted if not c.is_zero()]
+
+
+def _entered(
+    polynomial: fmpq_mpoly, eliminated: Sequence[tuple[int, fmpq_mpoly]]
+) -> fmpq_mpoly:
+    """A polynomial with what was found for the eliminated variables."""
+    context = polynomial.context()
+    for variable, expression in eliminated:
+        generators = list(context.gens())
+        generators[variable] = expression
+        polynomial = polynomial.compose(*generators, ctx=context)
+    return polynomial
 
 
 def distinct(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
