@@ -13,6 +13,7 @@ from kowalevski_cas.paper.claims import (
     FirstIntegral,
     Identity,
     Implication,
+    Independence,
 )
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evaluate import Meaningless
@@ -58,12 +59,25 @@ def refuted_mutants(session, claim):
 
 
 
-@pytest.mark.parametrize("key", CLAIMS, ids=lambda key: f"{key[1]}-{key[0][-4:]}")
+HARD = {
+    "critical-set", "limit", "N4-independence", "l", "k", "h", "N4.3", "N4.4", "N4.9", "squares.1",
+    "squares.2", "s.1", "s.2", "phi",
+}  # fmt: skip
+"""Claims whose mutants are not refuted within seconds."""
+
+MUTABLE = [
+    pytest.param(key, id="-".join(key), marks=[pytest.mark.slow] if key[1] in HARD else [])
+    for key in CLAIMS
+    if key[1] != "eq9.i"  # it has one neighbour, which is true: the print itself is the mutant
+]
+
+
+@pytest.mark.parametrize("key", MUTABLE)
 def test_a_mutant_is_refuted_at_an_exact_point(key):
     """A sign, an index or a power changed makes each claim false somewhere."""
     session, claim = SESSIONS[key[0]], CLAIMS[key]
     _, found, accepted = next(refuted_mutants(session, claim))
-    assert accepted.places
+    assert accepted.places or isinstance(claim, Independence | FirstIntegral)
     if found is not None:
         assert found.left != found.right
         assert found.point.values
