@@ -120,7 +120,7 @@ def test_the_two_values_are_those_that_plain_python_finds(id):
             rates = [evaluate(m, names).rate for m in members if not is_level(m, names)]
             assert any(close(rate, left) for rate in rates)
             assert right == 0 != left
-        elif isinstance(claim, Identity):
+        elif isinstance(claim, Identity | ChangedEquation):
             values = [evaluate(member, names).value for member in members]
             pairs = [*pairwise(values)]
             if isinstance(formula.members[-1], Constant):
