@@ -15,18 +15,17 @@ ROOT = Path(__file__).parents[1]
 LIBRARY = "kowalevski_cas"
 
 ROOMS = (
-    LIBRARY, "files", "systems", "notation", "texts", "scene", "arithmetic", "stage", "search",
-    "claims", "derivation", "derivations", "library", "proof", "audit", "export", "report",
-    "pictures", "motion", "cli", "__main__", "study", "benchmarks",
+    LIBRARY, "files", "systems", "notation", "algebra", "problem", "search", "paper", "library",
+    "derivations", "verify", "pictures", "audit", "export", "report", "motion", "cli", "__main__", "study",
+    "benchmarks",
 )  # fmt: skip
 """The rooms from the bottom to the top: each imports those before it."""
 
-UPWARD = {"search -> claims", "search -> proof", "claims -> proof"}
-"""Imports that run up; to be empty."""
-
 CYCLES = {
-    "arithmetic: bounds modular points programs residue_points valuation",
-    "stage: change evaluate field poisson stage",
+    "algebra: bounds modular points programs residue_points valuation",
+    "paper: brackets elaborate inverse",
+    "problem: evaluate space",
+    "search: bound count find numbers positive",
     "study: direct growing",
 }
 """Files of a room that import each other; to be empty."""
@@ -35,23 +34,23 @@ LIBRARIES = {"flint", "symengine", "sympy", "numpy", "scipy", "matplotlib"}
 
 NEEDED = {
     "flint": {"flint"},
-    "symengine": {"symengine", "numpy"},  # its wrapper imports NumPy by itself
-    "sympy": {"sympy"},
+    "symengine": {"flint", "symengine", "numpy"},  # its wrapper imports NumPy by itself
+    "sympy": {"flint", "sympy"},
     "modular": {"flint"},
     "ball": {"flint"},
     "floating": {"flint", "numpy"},
 }
-"""Points take what the scene says from FLINT, which derives it."""
+"""What a scene says is derived with FLINT, and so is evidence found."""
 
 ONLY = ["eq6", "eq12", "F2-prime", "eq18", "eq21"]
 
 PROVE = """
 import sys
 from kowalevski_cas.library import find, load
-from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.verify import verify
-kept = load_evidence(find("kharlamov2002"))
-run = verify(load("kharlamov2002"), (sys.argv[1],), sys.argv[2:], evidence=kept)
+from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.run import verify
+kept = load_certificates(find("kharlamov2002"))
+run = verify(load("kharlamov2002"), (sys.argv[1],), sys.argv[2:], certificates=kept)
 assert all(o.verdict.likely or o.correction is not None for o in run.outcomes), run.outcomes
 print(*sys.modules)
 """
@@ -68,7 +67,7 @@ def modules(script, *arguments):
 
 def test_importing_loads_no_library():
     loaded = modules(
-        "import sys, kowalevski_cas.cli, kowalevski_cas.claims, kowalevski_cas.proof.verify,"
+        "import sys, kowalevski_cas.cli, kowalevski_cas.paper.claims,"
         "study, kowalevski_cas.pictures; print(*sys.modules)"
     )
     assert "kowalevski_cas" in loaded and not loaded & LIBRARIES
@@ -145,7 +144,7 @@ def test_every_room_has_its_place(imports):
 
 
 def test_imports_go_down(imports):
-    assert upward(imports) == UPWARD
+    assert upward(imports) == set()
 
 
 def test_no_files_of_a_room_import_each_other(imports):
@@ -156,24 +155,24 @@ def test_no_files_of_a_room_import_each_other(imports):
     "text",
     [
         "import kowalevski_cas.verify.record",
-        "from kowalevski_cas.proof import record",
+        "from kowalevski_cas.verify import record",
         "from kowalevski_cas.verify.record import dump",
-        "from ..proof import record",
-        "from ..proof.record import dump",
-        "if TYPE_CHECKING:\n    from ..proof import record",
-        "def function():\n    from kowalevski_cas.proof import record",
+        "from ..verify import record",
+        "from ..verify.record import dump",
+        "if TYPE_CHECKING:\n    from ..verify import record",
+        "def function():\n    from kowalevski_cas.verify import record",
     ],
 )
 def test_an_import_is_seen_wherever_it_stands(tmp_path, text):
     for place, content in {
-        "notation/__init__.py": "", "notation/reader.py": text, "proof/__init__.py": "",
-        "proof/record.py": "from . import digest", "proof/digest.py": "import kowalevski_cas.verify.record",
+        "notation/__init__.py": "", "notation/reader.py": text, "verify/__init__.py": "",
+        "verify/record.py": "from . import digest", "verify/digest.py": "import kowalevski_cas.verify.record",
     }.items():  # fmt: skip
         path = tmp_path / LIBRARY / place
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(content)
-    assert upward(graph(tmp_path)) == {"notation -> proof"}
-    assert cycles(graph(tmp_path)) == {"proof: digest record"}
+    assert upward(graph(tmp_path)) == {"notation -> verify"}
+    assert cycles(graph(tmp_path)) == {"verify: digest record"}
 
 
 # -- any derivation -----------------------------------------------------------------

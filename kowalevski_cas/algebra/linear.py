@@ -37,6 +37,8 @@ def determinant(matrix: Sequence[Sequence[Element]]) -> Element:
     if not rest:
         return first[0]
     total = first[0].ring.zero
+    if any(all((a - b).is_zero for a, b in zip(first, row, strict=True)) for row in rest):
+        return total
     for column, entry in enumerate(first):
         if not entry.is_zero:
             minor = determinant([[*row[:column], *row[column + 1 :]] for row in rest])

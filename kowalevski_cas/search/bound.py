@@ -14,6 +14,7 @@ from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
 from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
+from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.find import Candidate, Finder
@@ -159,13 +160,15 @@ def _no_numbers(
     collected = collect(Sum((sides[0], Negative(sides[1]))), goal.bound)
     monomials = sorted(collected)
     elements = [at.scalar(collected[monomial]) for monomial in monomials]
+    names = finder.names(one.space)
     rows: list[list[Fraction]] = []
     candidates: list[Candidate] = []
     for point in islice(real_points(at), 40 * WEIGHTED):
         candidate = Candidate(at, point)
         try:
             values = [rational_terms(candidate(element)) for element in elements]
-        except ZeroDivisionError:
+            Place(at, candidate.point(names))
+        except (ZeroDivisionError, Misplaced):
             continue
         if all(value is not None for value in values):
             rows.append([value or Fraction(0) for value in values])
@@ -176,6 +179,5 @@ def _no_numbers(
     weights = linear_combination(rows, target)
     if weights is None or () not in monomials:
         return None
-    names = finder.names(one.space)
     chosen = [(w, c) for w, c in zip(weights, candidates, strict=True) if w]
     return tuple((fraction_formula(weight), c.point(names)) for weight, c in chosen)

@@ -77,9 +77,7 @@ def eliminate(
         constraints = [c for c in substituted if not c.is_zero()]
 
 
-def _entered(
-    polynomial: fmpq_mpoly, eliminated: Sequence[tuple[int, fmpq_mpoly]]
-) -> fmpq_mpoly:
+def _entered(polynomial: fmpq_mpoly, eliminated: Sequence[tuple[int, fmpq_mpoly]]) -> fmpq_mpoly:
     """A polynomial with what was found for the eliminated variables."""
     context = polynomial.context()
     for variable, expression in eliminated:

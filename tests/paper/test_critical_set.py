@@ -6,32 +6,38 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from kowalevski_cas.proof.cases import Case
 
-from derivations.kharlamov2002 import derivation
-from kowalevski_cas.cli.formats.json import counterexample as in_tex
-from kowalevski_cas.notation import edits, to_latex
-from kowalevski_cas.paper.claims import CriticalSet, Finding
-from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.verify.outcome import Counterexample, Verdict
-from kowalevski_cas.verify.run import Bench
+from kowalevski_cas.algebra import EXACT
+from kowalevski_cas.library import load
+from kowalevski_cas.notation import Name, edits, to_latex
+from kowalevski_cas.paper.claims import CriticalSet
+from kowalevski_cas.problem.accept import Judge, Unproved
+from kowalevski_cas.problem.evidence import Denial, Proof, Shown
+from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.run import Session
+from kowalevski_cas.verify.statement import Statement, finder_of
 
-ARITHMETICS = ("flint", "sympy", "symengine")
-TEXTS = derivation.texts()
-[CLAIM] = [claim for claim in derivation.claims if isinstance(claim, CriticalSet)]
+DERIVATION = load("kharlamov2002")
+[CLAIM] = [claim for claim in DERIVATION.claims if isinstance(claim, CriticalSet)]
 ON_ZERO_LEVEL = replace(CLAIM, zero_level=True)
-assert CLAIM.printed is not None
 
 Point = tuple[Fraction, ...]
 
 
-def decide(claim: CriticalSet, arithmetic: str = "flint", texts: Texts = TEXTS) -> Finding:
-    return claim.decide(Bench(arithmetic, texts))
+@pytest.fixture(scope="module")
+def session(certificates, record):
+    return Session(DERIVATION, EXACT, True, certificates, record=record)
 
 
-def point(found: Counterexample) -> Point:
+@pytest.fixture(scope="module")
+def outcome(session):
+    return session.decide(CLAIM)
+
+
+def point(values) -> Point:
+    values = {to_latex(name): _fraction(to_latex(value)) for name, value in values.items()}
     names = (*(rf"\omega_{k}" for k in (1, 2, 3)), *(rf"\alpha_{k}" for k in (1, 2, 3)))
-    return tuple(_fraction(in_tex(found)["point"][name]) for name in names)
+    return tuple(values[name] for name in names)
 
 
 def _fraction(tex: str) -> Fraction:
@@ -79,110 +85,76 @@ def on_the_sphere(x: Point) -> bool:
     return sum(a * a for a in x[3:]) == 1
 
 
-def edited(printed: Printed, tex: str) -> Texts:
-    """The texts with the edit that gives this source."""
-    found = [e for e in edits(TEXTS.statement(printed), TEXTS.vocabulary) if e.words == tex]
-    return TEXTS.edited(printed, found[0])
-
-
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
-def test_not_all_critical_points_lie_on_the_set(arithmetic: str) -> None:
+def test_not_all_critical_points_lie_on_the_set(outcome) -> None:
     """The word “exactly” is refuted: a body that starts at rest, its axis level, is critical."""
-    finding = decide(CLAIM, arithmetic)
-    assert finding.verdict is Verdict.REFUTED
-    assert finding.counterexample is not None
-    x = point(finding.counterexample)
+    assert set(outcome.verdicts.values()) == {Verdict.REFUTED} and set(outcome.verdicts) == set(
+        EXACT
+    )
+    x = point(outcome.counterexample.point.values)
     assert on_the_sphere(x)
     assert x[3] ** 2 + x[4] ** 2 != 0
     assert along_the_sphere(x) == [0] * 6
     assert any(equations(x))
     assert function(x) != 0
-    assert finding.correction is not None
-    assert finding.correction.verdict is Verdict.CONDITIONAL
-    assert "at which the function vanishes" in finding.correction.words
 
 
-@pytest.mark.parametrize("arithmetic", ARITHMETICS)
-def test_on_the_zero_level_the_set_is_exactly_that_off_the_poles(arithmetic: str) -> None:
-    finding = decide(ON_ZERO_LEVEL, arithmetic)
-    assert finding.verdict is Verdict.CONDITIONAL
-    [condition] = finding.conditions
+def test_on_the_zero_level_the_set_is_exactly_that_off_the_poles(outcome) -> None:
+    correction = outcome.correction
+    assert correction.verdict is Verdict.CONDITIONAL
+    assert "where the function vanishes" in correction.words
+    [condition] = correction.conditions
     assert to_latex(condition.expression) == r"\alpha_1^2 + \alpha_2^2"
-    assert condition.witness is not None
-    x = point(condition.witness)
+    x = point(condition.witness.point.values)
     assert on_the_sphere(x)
     assert (x[3], x[4]) == (0, 0)
     assert equations(x) == (0, 0)
     assert any(along_the_sphere(x))
 
 
-def test_the_points_off_the_set_are_a_curve() -> None:
-    """On omega_1 = omega_2 = alpha_3 = 0 with omega_3^2 = 2 alpha_1 the function is -1."""
-    shelf: dict[str, object] = {}
-    CLAIM.decide(Bench("flint", TEXTS, shelf=shelf))
-    [label] = [label for label in shelf if label.startswith("cases") and "any level" in label]
-    open_cases = [one for one in Case.read(shelf[label]).nodes() if one.kind == "open"]
-    assert open_cases
-    for one in open_cases:
-        linear = {next(iter(terms)) for terms in one.known if len(terms) == 1}
-        assert {(1, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0), (0, 0, 0, 0, 0, 1)} <= linear
+def test_the_correction_comes_first(session) -> None:
+    neighbour = next(CLAIM.neighbours(session.texts))
+    assert neighbour.claim.zero_level and not CLAIM.zero_level
 
 
+def statement(session, claim, texts=None):
+    on = session.on(claim)
+    return Statement(claim, on if texts is None else on.under(texts))
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(
-    "words",
-    [
-        "sign of $K$",
-        "sign of $H$",
-        "$2L^2$ without $2$",
-        "$3$ for $2$",
-        r"$2$ before $K$",
-    ],
+    "words", ["sign of $K$", "sign of $H$", "$2L^2$ without $2$", "$3$ for $2$", r"$2$ before $K$"]
 )
 @pytest.mark.parametrize("claim", [CLAIM, ON_ZERO_LEVEL], ids=["any level", "zero level"])
-def test_another_function_moves_on_the_set(claim: CriticalSet, words: str) -> None:
-    assert claim.printed is not None
-    finding = decide(claim, texts=edited(claim.printed, words))
-    assert finding.verdict is Verdict.REFUTED
-    assert finding.counterexample is not None
-    x = point(finding.counterexample)
-    assert on_the_sphere(x)
-    assert equations(x) == (0, 0)
-    assert x[3] ** 2 + x[4] ** 2 != 0
+def test_another_function_moves_on_the_set(session, claim, words) -> None:
+    texts = session.on(claim).texts
+    [edit, *_] = [
+        e for e in edits(texts.statement(claim.printed), texts.vocabulary) if e.words == words
+    ]
+    one = statement(session, claim, texts.edited(claim.printed, edit))
+    denial = one.search()
+    assert isinstance(denial, Denial)
+    Judge(finder_of).denies(one.goals[denial.goal], denial.evidence)
+    if denial.goal == 0:
+        x = point({Name(name): value for name, value in denial.evidence.point.values.items()})
+        assert on_the_sphere(x)
+        assert equations(x) == (0, 0)
+        assert x[3] ** 2 + x[4] ** 2 != 0
 
 
-def test_the_edits_do_not_leak_through_shared_stages() -> None:
-    bench = Bench("flint", TEXTS)
-    assert ON_ZERO_LEVEL.decide(bench).verdict is Verdict.CONDITIONAL
-    assert ON_ZERO_LEVEL.printed is not None
-    texts = edited(ON_ZERO_LEVEL.printed, "sign of $K$")
-    assert ON_ZERO_LEVEL.decide(bench.with_texts(texts)).verdict is Verdict.REFUTED
-    assert ON_ZERO_LEVEL.decide(bench).verdict is Verdict.CONDITIONAL
-
-
-@pytest.mark.parametrize("index", [0, 1])
-def test_another_set_is_not_proved(index: int) -> None:
-    """Changed signs in (18) and (19) give sets that are larger, smaller, or elsewhere."""
-    printed = CLAIM.equations[index]
-    signs = [e for e in edits(TEXTS.statement(printed), TEXTS.vocabulary) if "sign" in e.words]
-    for edit in signs[1:8]:
-        finding = decide(ON_ZERO_LEVEL, texts=TEXTS.edited(printed, edit))
-        assert not finding.verdict.green, edit.words
-
-
-def test_the_correction_comes_first() -> None:
-    neighbour = next(CLAIM.neighbours(TEXTS))
-    assert neighbour.claim.decide(Bench("flint", TEXTS)).verdict is Verdict.CONDITIONAL
-
-
-def test_a_wrong_tree_of_cases_proves_nothing() -> None:
-    shelf: dict[str, object] = {}
-    ON_ZERO_LEVEL.decide(Bench("flint", TEXTS, shelf=shelf))
-    [label] = [label for label in shelf if label.startswith("cases")]
-    case = Case.read(shelf[label])
-    (split,) = case.reductions
-    fewer = split._replace(factors=split.factors[:-1])
-    forgotten = case._replace(reductions=(fewer,), children=case.children[:-1])
-    claimed = Case("set", ())
-    for wrong in (forgotten, claimed, case._replace(kind="empty")):
-        finding = ON_ZERO_LEVEL.decide(Bench("flint", TEXTS, shelf={label: wrong}))
-        assert finding.verdict is Verdict.UNDECIDED
+def test_a_wrong_tree_of_cases_proves_nothing(session) -> None:
+    one = statement(session, ON_ZERO_LEVEL)
+    shown = session._evidence(one, "corrected/critical-set")
+    converse = shown[1]
+    assert isinstance(converse, Shown) and converse.proof.cases
+    Judge(finder_of).holds(one.goals[1], converse)
+    proof = converse.proof
+    for wrong in (
+        replace(proof, product=proof.product[:-1], cases=proof.cases[:-1]),
+        replace(proof, cases=tuple(reversed(proof.cases))),
+        replace(proof, cases=(Proof(),) * len(proof.cases)),
+        Proof(proof.rows),
+        Proof(),
+    ):
+        with pytest.raises(Unproved):
+            Judge(finder_of).holds(one.goals[1], replace(converse, proof=wrong))
