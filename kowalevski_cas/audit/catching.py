@@ -13,7 +13,7 @@ from kowalevski_cas.audit.equivalence import equivalence
 from kowalevski_cas.audit.mutants import Mutant
 from kowalevski_cas.audit.session import AS_BEFORE
 from kowalevski_cas.audit.source import Source
-from kowalevski_cas.verify.outcome import Outcome
+from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,8 @@ class Caught:
     mutant: Mutant
     role: str
     changed: tuple[str, ...]
-    """The claims, and formulas, of which the verdict or the repair is another one."""
+    """The claims, and formulas, of which the verdict or the repair is another one; none of those
+    that were not decided in time."""
     named: bool
     """Whether the changed place is among the causes."""
     repair: str
@@ -81,7 +82,7 @@ class Measure:
         changed = tuple(
             name
             for name in {**self.verdicts, **after}
-            if self.verdicts.get(name) != after.get(name)
+            if self.verdicts.get(name) != after.get(name) and not _late(after.get(name))
         )
         reason = ""
         if not changed:
@@ -137,6 +138,11 @@ def _signature(found: Audit) -> dict[str, object]:
         for formula in found.formulas
     }
     return {**claims, **formulas}
+
+
+def _late(said: object) -> bool:
+    """Whether nothing was said in time, which catches nothing."""
+    return isinstance(said, tuple) and said[0] == Verdict.TIMEOUT
 
 
 def _of(outcome: Outcome) -> object:

@@ -6,14 +6,18 @@ import signal
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from time import monotonic
 from types import FrameType
+
+SOON = 1e-6
+"""Seconds after which a limit that has passed is told."""
 
 
 @contextmanager
 def time_limit(seconds: float | None) -> Iterator[None]:
     """Raise ``TimeoutError`` in the block after so many seconds.
 
-    The limit works where the system has interval timers, in the main thread;
+    Within another limit, none lasts longer than the other one. The limit works where the system has interval timers, in the main thread;
     elsewhere, and with ``None``, there is no limit.
     """
     usable = hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread()
@@ -24,10 +28,13 @@ def time_limit(seconds: float | None) -> Iterator[None]:
     def stop(number: int, frame: FrameType | None) -> None:
         raise TimeoutError
 
+    start, (left, _) = monotonic(), signal.getitimer(signal.ITIMER_REAL)
     before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    signal.setitimer(signal.ITIMER_REAL, min(seconds, left) if left else seconds)
     try:
         yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
+        if left:
+            signal.setitimer(signal.ITIMER_REAL, max(left - (monotonic() - start), SOON))

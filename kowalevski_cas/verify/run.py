@@ -421,9 +421,12 @@ class Session:
     def mended(
         self, claim: Claim, on: Elaborations
     ) -> tuple[Verdict, tuple[Condition, ...]] | None:
-        """The verdict on a corrected claim, and its conditions."""
+        """The verdict on a corrected claim, and its conditions; ``None`` if it is not proved."""
         statement = Statement(claim, on)
-        verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
+        try:
+            verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
+        except TimeoutError:
+            return None
         exact = [a for a in self.arithmetics if a not in POINTS] or ["flint"]
         decided = [self._judged(statement, verdicts, arithmetic) for arithmetic in exact]
         for one in decided:
