@@ -72,8 +72,9 @@ class Writer:
 class Traced(checker.Ring):
     """A ring whose elements know how the program writes them."""
 
-    def __init__(self, writer: Writer, work: list[int]) -> None:
+    def __init__(self, writer: Writer, work: list[int], trusting: bool) -> None:
         super().__init__(work)
+        self.trusting = trusting
         self.writer = writer
         self.prefix = f"s{next(writer.rings)}"
         self.texts: dict[str, str] = {}
@@ -81,7 +82,7 @@ class Traced(checker.Ring):
         self.below = self._divisors()
 
     def another(self) -> Traced:
-        return Traced(self.writer, self.work)
+        return Traced(self.writer, self.work, self.trusting)
 
     def adjoin(self, name: str) -> checker.Element:
         wish = name.replace("1/", "over_") if name.startswith("1/") else identifier(name)
@@ -191,7 +192,7 @@ class Element(checker.Element):
         return {**parts}
 
     def vanishes(self) -> bool:
-        if not plain(self).vanishes():
+        if not (self.ring.trusting or plain(self).vanishes()):
             return False
         self.ring.vanishes("equal", self)
         return True
