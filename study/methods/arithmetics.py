@@ -9,7 +9,7 @@ from time import perf_counter
 
 from kowalevski_cas.algebra import load, load_points
 from kowalevski_cas.algebra.points import Answer, Question
-from kowalevski_cas.problem.goals import Problem
+from kowalevski_cas.problem.goals import Follows, Problem
 from study.labelled import Labelled, holds, residuals
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
 from study.paper import sampled
@@ -67,5 +67,6 @@ class PointArithmetic(ExactArithmetic):
         points, of = load_points(self.name, SEED), sampled()
         for goal in problem.goals:
             asked = residuals(Problem((goal,)), of)
+            assert isinstance(goal, Follows)
             at = of(goal.space)
             yield points.answer(Question(at.programs, [at.carry(element) for element in asked]))

@@ -22,7 +22,7 @@ from kowalevski_cas.algebra.modular import primes, residue_point
 from kowalevski_cas.algebra.points import NoPoint, Question
 from kowalevski_cas.algebra.programs import Programs
 from kowalevski_cas.pictures import FAINT, new_figure
-from kowalevski_cas.problem.goals import Problem
+from kowalevski_cas.problem.goals import Follows, Problem
 from kowalevski_cas.verify.statement import Statement
 from study.charts import curve, legend_below, marked
 from study.labelled import residuals
@@ -66,6 +66,7 @@ def question(id: str) -> Question:
     printed = {claim.printed: paper().printed.texts.formula(claim.printed)}
     statement = Statement(claim, paper().corrected.under(texts.reading(printed)))
     of, goal = sampled(), statement.problem.goals[0]
+    assert isinstance(goal, Follows)
     at = of(goal.space)
     return Question(at.programs, [at.carry(e) for e in residuals(Problem((goal,)), of)])
 

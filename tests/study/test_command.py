@@ -67,7 +67,9 @@ def test_a_disagreement_of_exact_arithmetics_has_its_exit_code(step, tmp_path, m
 
 def test_a_folder_that_cannot_be_written_is_named(step, capsys):
     assert main(["-o", "/dev/null/x"]) == 2
-    assert "/dev/null/x/data/toys.jsonl: cannot be written: Not a directory" in capsys.readouterr().err
+    assert (
+        "/dev/null/x/data/toys.jsonl: cannot be written: Not a directory" in capsys.readouterr().err
+    )
 
 
 def test_a_picture_that_lacks_a_measurement_says_which(step, tmp_path, monkeypatch, capsys):

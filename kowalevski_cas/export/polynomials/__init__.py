@@ -33,9 +33,10 @@ class Polynomials(Language, Format, ABC):
         writer = Writer(self)
         writer.comment(f"{certificate['claim']}, certificate {certificate['digest']}")
         spaces, goals = (deepcopy(certificate[key]) for key in ("spaces", "goals"))
-        work = [5 * checker.WORK]
         try:
-            problem = checker.Problem(spaces, goals, Traced(writer, work, self.trusting), Space)
+            problem = checker.Problem(spaces, goals, Traced(writer, [5 * checker.WORK]), Space)
+            for space in problem.spaces if self.trusting else ():
+                space.ring.trusting = True
             denied = certificate["sign"] == "denied"
             for k, evidence in enumerate(deepcopy(certificate["evidence"])):
                 goal = goals[evidence.pop("goal") if denied else k]

@@ -72,9 +72,9 @@ class Writer:
 class Traced(checker.Ring):
     """A ring whose elements know how the program writes them."""
 
-    def __init__(self, writer: Writer, work: list[int], trusting: bool) -> None:
+    def __init__(self, writer: Writer, work: list[int]) -> None:
         super().__init__(work)
-        self.trusting = trusting
+        self.trusting = False
         self.writer = writer
         self.prefix = f"s{next(writer.rings)}"
         self.texts: dict[str, str] = {}
@@ -82,7 +82,7 @@ class Traced(checker.Ring):
         self.below = self._divisors()
 
     def another(self) -> Traced:
-        return Traced(self.writer, self.work, self.trusting)
+        return Traced(self.writer, self.work)
 
     def adjoin(self, name: str) -> checker.Element:
         wish = name.replace("1/", "over_") if name.startswith("1/") else identifier(name)
