@@ -21,7 +21,7 @@ from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
-from kowalevski_cas.problem.goals import Follows, Problem
+from kowalevski_cas.problem.goals import Fails, Follows, Problem
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.verify.statement import Statement
 from study.near_misses import near_misses
@@ -56,14 +56,22 @@ class Labelled:
         return self.verdicts[EXACT[0]]
 
 
+def identities(problem: Problem) -> Iterator[Follows]:
+    """The goals of a problem that consists of identities; raises ``TypeError`` for any other."""
+    for goal in problem.goals:
+        if not isinstance(goal, Follows) or isinstance(goal, Fails):
+            raise TypeError("it is no identity")
+        if goal.given or len(goal.conclusions) != 1:
+            raise TypeError("it is no identity")
+        yield goal
+
+
 def residuals(problem: Problem, of: Callable[[Setting], Evaluation]) -> Iterator[Element]:
     """What has to vanish identically for a problem that consists of identities.
 
     Raises ``TypeError`` for any other problem.
     """
-    for goal in problem.goals:
-        if type(goal) is not Follows or goal.given or len(goal.conclusions) != 1:
-            raise TypeError("it is no identity")
+    for goal in identities(problem):
         yield from of(goal.space).differences(goal.conclusions[0])
 
 

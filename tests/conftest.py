@@ -1,4 +1,4 @@
-"""What all tests share: the paper's derivation, and how hard Hypothesis looks."""
+"""What all tests share: the derivations with one run of each, and how hard Hypothesis looks."""
 
 from pathlib import Path
 
@@ -8,6 +8,7 @@ from hypothesis import HealthCheck, settings
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import verify
 
 settings.register_profile(
@@ -37,9 +38,19 @@ def derivation():
 
 
 @pytest.fixture(scope="session")
-def run(derivation, folder):
-    """The whole paper in all three arithmetics."""
-    return verify(derivation, EXACT, explain=True, certificates=load_certificates(folder))
+def record(folder):
+    return load_record(folder)
+
+
+@pytest.fixture(scope="session")
+def certificates(folder):
+    return load_certificates(folder)
+
+
+@pytest.fixture(scope="session")
+def run(derivation, certificates, record):
+    """The whole paper in all three arithmetics, with explanations."""
+    return verify(derivation, EXACT, explain=True, certificates=certificates, record=record)
 
 
 @pytest.fixture(scope="session")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.verify.outcome import Condition, Correction, Counterexample, Verdict
 
@@ -47,6 +48,8 @@ class Audited:
     moved: bool = False
     message: str = ""
     place: Printed | None = field(default=None, repr=False)
+    formula: Formula | None = field(default=None, repr=False)
+    """What is read there."""
 
     @property
     def wrong(self) -> bool:

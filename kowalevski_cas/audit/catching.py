@@ -27,8 +27,8 @@ class Caught:
     named: bool
     """Whether the changed place is among the causes."""
     repair: str
-    """For a claim that was true: what a search found is ``restored`` or ``true`` (another true
-    formula), what the derivation has is ``derivation``, nothing is ``none``."""
+    """For a claim that was true: an edit of the mutant has ``restored`` it, the ``derivation`` says
+    what it was, another formula is ``true``, or there is ``none``."""
     equivalent: str
     seconds: float
 

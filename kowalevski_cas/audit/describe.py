@@ -128,6 +128,7 @@ class Describer:
         """The verdict on a statement, with its evidence."""
         role = self.roles.at(printed.place)
         audited.place = printed
+        audited.formula = self.texts.formula(printed)
         audited.role = role.name
         audited.claims = tuple(role.claims)
         outcomes = [self.outcomes[claim] for claim in role.claims]

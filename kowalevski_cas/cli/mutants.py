@@ -123,11 +123,10 @@ def _repairs(found: Measurement) -> list[str]:
     if not total:
         return []
     times = sorted(result.seconds for result in found.results if result.repair)
-    searched = counts["restored"] + counts["true"]
     return [
-        f"repairs of {total} claims: {searched} by search ({counts['restored']} as printed, "
-        f"{counts['true']} another true formula), {counts['derivation']} by what the derivation "
-        f"has, {counts['none']} none",
+        f"repairs of {total} claims: {counts['restored']} by the edit that restores them, "
+        f"{counts['derivation']} by what the derivation has, {counts['true']} by another true "
+        f"formula, {counts['none']} none",
         f"seconds for one: median {times[total // 2]:.2f}, most {times[-1]:.2f}",
     ]
 

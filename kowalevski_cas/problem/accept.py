@@ -19,7 +19,7 @@ from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
-from kowalevski_cas.problem.count import check_roots, check_solutions
+from kowalevski_cas.problem.count import check_roots, check_solutions, square
 from kowalevski_cas.problem.evaluate import Evaluation, Meaningless, rational_terms
 from kowalevski_cas.problem.evidence import (
     At,
@@ -50,6 +50,9 @@ Of = Callable[[Setting], Evaluation]
 
 
 ZERO = Number(0)
+
+LARGEST_POWER = 16
+"""The largest power of a goal that a proof combines."""
 
 
 class Unproved(ValueError):
@@ -107,8 +110,10 @@ class Judge:
     def _decide(self, goal: Goal, evidence: Evidence, sign: bool) -> None:
         try:
             self._rule(goal, evidence, sign)
-        except (Misplaced, Meaningless, ZeroDivisionError) as error:
+        except (Unproved, Misplaced, Meaningless, ZeroDivisionError) as error:
             raise Unproved(str(error)) from None
+        except (ValueError, TypeError, LookupError, AttributeError) as error:
+            raise Unproved(f"the evidence has another shape: {error}") from None
 
     def _rule(self, goal: Goal, evidence: Evidence, sign: bool) -> None:
         match goal, evidence, sign:
@@ -138,7 +143,23 @@ class Judge:
 
     # -- what follows --------------------------------------------------------------
 
+    def _everywhere(self, goal: Follows, evidence: Shown, at: Evaluation, sign: bool) -> None:
+        """What was said to fail somewhere follows, without a condition."""
+        self._follows(goal, evidence, at, sign)
+        self._unconditional(at)
+
+    def _unconditional(self, at: Evaluation) -> None:
+        """Refuse evidence that divides by what may vanish: it would show nothing there."""
+        granted = [at.scalar(formula).inverse() for formula in at.setting.nonzero]
+        away = {id(element) for element in self.accepted.away[-1]}
+        stated = [e for e in self.accepted.divided[-1][1] if id(e) not in away]
+        known = {index for element in (*granted, *stated) for index in element.denominator}
+        if any(element.denominator.keys() - known for element in self.accepted.away[-1]):
+            raise Unproved("it divides by what may be zero")
+
     def _follows(self, goal: Follows, evidence: Shown, at: Evaluation, sign: bool) -> None:
+        if not all(goal.conclusions):
+            raise Unproved("nothing is stated")
         known = at.differences(goal.given)
         pairs = [at.pairs(one) for one in goal.conclusions]
         sides = [e for one in pairs for pair in one for e in pair]
@@ -153,6 +174,8 @@ class Judge:
             self._point(at, evidence.point, known, goal.space)
         elif goal.conclusions and goal.given:
             raise Unproved("nothing is known to satisfy the hypotheses")
+        if not goal.conclusions:
+            self._unconditional(at)
 
     def _settle(
         self, goals: Sequence[Element], known: Sequence[Element], proof: Proof, at: Evaluation
@@ -166,6 +189,8 @@ class Judge:
                 yield from group
                 yield from self._settle(goals, [*known, *group], case, at)
             goals = [reduce(mul, (_group(group) for group in groups))]
+        if not 1 <= proof.power <= LARGEST_POWER:
+            raise Unproved("it is no power that is taken")
         rows = proof.rows or ((),) * len(goals)
         if len(rows) != len(goals):
             raise Unproved("there is not a row for each goal")
@@ -222,6 +247,7 @@ class Judge:
         minors = [determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
         used = list(self._settle(minors, known, Proof(evidence.rows), at))
         self.accepted.uses(used)
+        self._unconditional(at)
 
     # -- signs ---------------------------------------------------------------------
 
@@ -229,10 +255,7 @@ class Judge:
         value, known = at.scalar(goal.formula), at.differences(goal.given)
         rest = value
         for number, base in evidence.squares:
-            factor = at.scalar(number)
-            if (rational_terms(factor) or 0) <= 0:
-                raise Unproved("a square has no positive factor")
-            rest = rest - factor * at.scalar(base) ** 2
+            rest = rest - square(number, base, at)
         row = (evidence.row,) if evidence.row else ()
         used = list(self._settle([rest], known, Proof(row), at))
         if evidence.zero is None:
@@ -253,6 +276,8 @@ class Judge:
     def _count(self, goal: Count, evidence: Roots, at: Evaluation, sign: bool) -> None:
         if (len(evidence.eliminant) == goal.number) != sign:
             raise Unproved("it is another number of solutions")
+        if not is_real(goal.space):
+            raise Unproved("what is counted has to be real")
         away, left = check_roots(goal, evidence, at)
         self.accepted.away[-1].extend(away)
         self.accepted.divides(left)
@@ -283,10 +308,7 @@ class Judge:
         self.accepted.starts(one)
         at = self.of(one.space)
         places = [(w, self._point(at, p, (), one.space)) for w, p in evidence.points]
-        weights = [rational_terms(place.numbers.scalar(weight)) for weight, place in places]
-        weighted = [
-            (w or Fraction(0), place) for w, (_, place) in zip(weights, places, strict=True)
-        ]
+        weighted = [(_rational(place.numbers.scalar(weight)), place) for weight, place in places]
         if not any(self._impossible(goal, sides, at, weighted) for sides in one.conclusions[0]):
             raise Unproved("with other expressions the equation may hold")
 
@@ -309,7 +331,7 @@ class Judge:
 
 
 def _vanish(elements: Sequence[Element], weighted: Sequence[tuple[Fraction, Place]]) -> bool:
-    return all(place.vanish(elements) for _, place in weighted)
+    return all(place(element).is_zero for _, place in weighted for element in elements)
 
 
 def _adds_to_zero(elements: Sequence[Element], weighted: Sequence[tuple[Fraction, Place]]) -> bool:
@@ -317,18 +339,22 @@ def _adds_to_zero(elements: Sequence[Element], weighted: Sequence[tuple[Fraction
     if len(weighted) == 1:
         return _vanish(elements, weighted)
     for element in elements:
-        values = [(weight, rational_terms(place(element))) for weight, place in weighted]
-        if any(value is None for _, value in values):
-            raise Unproved("a value at a point is not rational")
-        if sum((weight * (value or 0) for weight, value in values), Fraction(0)):
+        if sum((weight * _rational(place(element)) for weight, place in weighted), Fraction(0)):
             return False
     return True
+
+
+def _rational(number: Element) -> Fraction:
+    value = rational_terms(number)
+    if value is None:
+        raise Unproved("a value at a point is not rational")
+    return value
 
 
 Rule = Callable[[Judge, Any, Any, Evaluation, bool], None]
 _RULES: dict[tuple[type, type, bool], Rule] = {
     (Fails, At, True): Judge._fails,
-    (Fails, Shown, False): Judge._follows,
+    (Fails, Shown, False): Judge._everywhere,
     (Follows, Shown, True): Judge._follows,
     (Follows, At, False): Judge._fails,
     (Rank, At, True): Judge._rank,

@@ -1187,7 +1187,8 @@ class Problem:
         )
         fixed = any(fails_regardless(weighted, e, [*bound.values()]) for e in differences)
         need(fixed, "the two sides may be equal")
-        return theorem(sentence(goal, holds=False), space, evidence)
+        points = [point for _, point in evidence["points"]]
+        return theorem(sentence(goal, holds=False), space, {"points": points})
 
 
 def fails_regardless(

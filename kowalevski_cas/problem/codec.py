@@ -167,7 +167,7 @@ def read_problem(data: Data) -> Problem:
         for space in data["spaces"]:
             spaces.append(_read_space(space, spaces))
         return Problem(tuple(_read_goal(goal, spaces) for goal in data["goals"]))
-    except (KeyError, TypeError, ValueError, IndexError) as error:
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         raise FormatError(f"it states nothing that can be read: {error}") from None
 
 
@@ -266,7 +266,7 @@ def read_evidence(data: Data, goal: Goal, holds: bool = True) -> Evidence:
     """
     try:
         return _read_evidence(data, goal, holds)
-    except (KeyError, TypeError, ValueError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise FormatError(f"it is no evidence: {error}") from None
 
 
@@ -278,7 +278,7 @@ def _read_evidence(data: Data, goal: Goal, holds: bool) -> Evidence:
             return Found(values, tuple(read_evidence(entry, one) for entry, one in pairs))
         case Exists():
             weighted = ((decode(number), _read_point(point)) for number, point in data["points"])
-            return Regardless(data["inner"], tuple(weighted))
+            return Regardless(_index(data["inner"]), tuple(weighted))
         case Follows() if isinstance(goal, Fails) != holds:
             point = _read_point(data["point"]) if "point" in data else None
             return Shown(_read_proof(data), point)
@@ -401,4 +401,10 @@ def _read_granted(data: Tree) -> tuple[int, Row] | None:
     if data is None:
         return None
     place, row = data
-    return place, tuple(map(decode, row))
+    return _index(place), tuple(map(decode, row))
+
+
+def _index(data: Tree) -> int:
+    if type(data) is not int or data < 0:
+        raise FormatError("the place of something in a list is expected")
+    return data

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 from itertools import combinations
 
@@ -10,7 +11,7 @@ from kowalevski_cas.algebra.present import divided
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
-from kowalevski_cas.problem.evidence import Factor, Roots, Solutions
+from kowalevski_cas.problem.evidence import Factor, Roots, Row, Solutions
 from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Space
@@ -34,19 +35,43 @@ def check_roots(goal: Count, found: Roots, at: Evaluation) -> tuple[list[Element
     if {name for name, _, _ in found.solved} != set(goal.names):
         raise Misplaced("a variable is not solved for")
     known = at.differences(goal.equations)
-    _roots_of_solutions(found, at, known)
     inner = Evaluation(Space((), (*at.setting.constants, found.root)), at.polynomials)
-    _solutions_of_roots(goal, found, inner, at, known)
-    factors = [_factor(entry, at, known) for entry in found.factors]
+    used = [
+        *_roots_of_solutions(found, at, known),
+        *_solutions_of_roots(goal, found, inner, at, known),
+    ]
+    factors = []
+    for entry in found.factors:
+        factor, row = _factor(entry, at, known)
+        factors.append(factor)
+        used += row
     _minors(found, inner, [inner.scalar(entry.factor) for entry in found.factors])
     below = [at.scalar(denominator) for _, _, denominator in found.solved]
-    implied = [factors[k] for k, e in enumerate(found.factors) if _is_granted(e, at, known)]
+    implied = []
+    for factor, entry in zip(factors, found.factors, strict=True):
+        if entry.granted is not None:
+            used += _granted(entry, *entry.granted, at, known)
+            implied.append(factor)
+    _free(goal, at, [*known, *used])
     left = [_without(element, implied) for element in (*factors, *below)]
-    return _inverses([*factors, *below]), _inverses(left)
+    return [*used, *_inverses([*factors, *below])], [*used, *_inverses(left)]
 
 
 def _inverses(elements: list[Element]) -> list[Element]:
-    return [element.inverse() for element in elements if rational_terms(element) is None]
+    return [element.inverse() for element in elements]
+
+
+def _free(goal: Count, at: Evaluation, elements: list[Element]) -> None:
+    """Refuse divisors in which something stands that is counted."""
+    names = at.ring.polynomials.generators
+    divisors = {index for element in elements for index in element.denominator}
+    for terms in (at.ring.polynomials.terms(at.ring.divisors[index]) for index in divisors):
+        if any(
+            e and n in goal.names
+            for exponents in terms
+            for e, n in zip(exponents, names, strict=True)
+        ):
+            raise Misplaced("it divides by something in which an unknown stands")
 
 
 def _without(element: Element, factors: list[Element]) -> Element:
@@ -60,18 +85,18 @@ def _without(element: Element, factors: list[Element]) -> Element:
     return element
 
 
-def _is_granted(entry: Factor, at: Evaluation, known: list[Element]) -> bool:
-    """Whether a factor does not vanish, for something granted would vanish with it."""
-    if entry.granted is None:
-        return False
-    place, row = entry.granted
+def _granted(
+    entry: Factor, place: int, row: Row, at: Evaluation, known: list[Element]
+) -> list[Element]:
+    """Check that a factor does not vanish, for something granted would vanish with it."""
     rest = at.scalar(at.setting.nonzero[place])
     bases = [at.scalar(base) for _, base in entry.squares]
-    for cofactor, element in zip(row, [*bases, *known], strict=True):
-        rest = rest - at.scalar(cofactor) * element
+    cofactors = [at.scalar(cofactor) for cofactor in row]
+    for cofactor, element in zip(cofactors, [*bases, *known], strict=True):
+        rest = rest - cofactor * element
     if not rest.is_zero:
         raise Misplaced("what is granted is not shown to vanish with a factor")
-    return True
+    return cofactors
 
 
 def eliminant_value(found: Roots, at: Evaluation) -> Element:
@@ -83,21 +108,27 @@ def eliminant_value(found: Roots, at: Evaluation) -> Element:
     return total
 
 
-def _roots_of_solutions(found: Roots, at: Evaluation, known: list[Element]) -> None:
+def _roots_of_solutions(found: Roots, at: Evaluation, known: list[Element]) -> list[Element]:
+    """Check that solutions are roots; what stands in the evidence is returned."""
     bound = at.binding({found.root: at.scalar(found.form)})
+    used = [at.scalar(found.form), *map(at.scalar, found.eliminant)]
     goals = [eliminant_value(found, bound)]
     for name, above, below in found.solved:
         goals.append(bound.scalar(below) * bound.scalar(Name(name)) - bound.scalar(above))
     for goal, row in zip(goals, found.rows, strict=True):
-        for entry, element in zip(row, known, strict=True):
-            goal = goal - bound.scalar(entry) * element
+        entries = [bound.scalar(entry) for entry in row]
+        for entry, element in zip(entries, known, strict=True):
+            goal = goal - entry * element
         if not goal.is_zero:
             raise Misplaced("a solution is not shown to be a root")
+        used += entries
+    return used
 
 
 def _solutions_of_roots(
     goal: Count, found: Roots, inner: Evaluation, at: Evaluation, known: list[Element]
-) -> None:
+) -> Iterator[Element]:
+    """Check that roots are solutions; one over what the evidence divides by is yielded."""
     solved = {n: inner.scalar(a) / inner.scalar(b) for n, a, b in found.solved}
 
     def value(name: str) -> Element:
@@ -107,25 +138,37 @@ def _solutions_of_roots(
     form = inner.image(at.scalar(found.form), value)
     rests.append(form - inner.scalar(Name(found.root)))
     equation = eliminant_value(found, inner)
-    for rest, quotient in zip(rests, found.quotients, strict=True):
-        if not (rest - inner.scalar(quotient) * equation).is_zero:
+    quotients = [inner.scalar(quotient) for quotient in found.quotients]
+    for rest, quotient in zip(rests, quotients, strict=True):
+        if not (rest - quotient * equation).is_zero:
             raise Misplaced("a root is not shown to give a solution")
+    indices = {k for e in (*solved.values(), *quotients, equation) for k in e.denominator}
+    for index in indices:
+        yield at.image(Element(inner.ring, {0: inner.ring.divisors[index]}, {})).inverse()
 
 
-def _factor(entry: Factor, at: Evaluation, known: list[Element]) -> Element:
-    """A factor, which has to be a sum of squares modulo the equations."""
+def _factor(entry: Factor, at: Evaluation, known: list[Element]) -> tuple[Element, list[Element]]:
+    """A factor, which has to be a sum of squares modulo the equations, and the cofactors."""
     factor = at.scalar(entry.factor)
     rest = factor
     for number, base in entry.squares:
-        value = at.scalar(number)
-        if (rational_terms(value) or Fraction(0)) <= 0:
-            raise Misplaced("a square has no positive factor")
-        rest = rest - value * at.scalar(base) ** 2
-    for cofactor, element in zip(entry.row, known, strict=bool(entry.row)):
-        rest = rest - at.scalar(cofactor) * element
+        rest = rest - square(number, base, at)
+    row = [at.scalar(cofactor) for cofactor in entry.row]
+    for cofactor, element in zip(row, known, strict=bool(row)):
+        rest = rest - cofactor * element
     if not rest.is_zero:
         raise Misplaced("a factor is not shown to be a sum of squares")
-    return factor
+    return factor, row
+
+
+def square(number: Formula, base: Formula, at: Evaluation) -> Element:
+    """A square with a positive rational factor; raises :class:`Misplaced` if it may be negative."""
+    factor, value = at.scalar(number), at.scalar(base)
+    if (rational_terms(factor) or Fraction(0)) <= 0:
+        raise Misplaced("a square has no positive factor")
+    if not (at.scalar(base, True) - value).is_zero:
+        raise Misplaced("a square is one of what is not real")
+    return factor * value**2
 
 
 def _minors(found: Roots, inner: Evaluation, factors: list[Element]) -> None:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from itertools import combinations
+from math import prod
 
-from kowalevski_cas.algebra.numbers import Substitution
+from kowalevski_cas.algebra.numbers import Substitution, square_root
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Quotient, Root, Sum
@@ -21,8 +23,9 @@ class Misplaced(ValueError):
 class Place:
     """A point in a space: calling it gives the value of an element there.
 
-    Names that the point does not mention do not stand in the statement, and are zero. Raises
-    :class:`Misplaced` if the point does not obey the relations of the space, or is not real.
+    Names that the point does not mention do not stand in the statement. Raises
+    :class:`Misplaced` if the point does not obey the relations of the space, or is not real;
+    so does calling it with an element in which another name stands.
     """
 
     def __init__(self, at: Evaluation, point: Point) -> None:
@@ -32,14 +35,24 @@ class Place:
         zero = self.numbers.ring.zero
         generators = {name: given.get(name, zero) for name in at.ring.polynomials.generators}
         self._value = Substitution(at.ring, generators, self.numbers.ring, roots={})
+        self._unknown = [name not in given for name in generators]
+        self._unknown_roots = sum(1 << k for k, n in enumerate(at.ring.roots) if n not in given)
         for bit, name in enumerate(at.ring.roots):
             below = at.ring.below[bit]
-            value = given.get(name, zero)
-            self._value.roots[bit] = value if below is None else value * self._value(below)
+            if name in given:
+                self._value.roots[bit] = given[name] if below is None else given[name] * self(below)
         self._check(given)
 
     def __call__(self, element: Element) -> Element:
         """The value there; raises ``ZeroDivisionError`` on a zero of the denominator."""
+        ring = element.ring
+        divisors = (ring.divisors[index] for index in element.denominator)
+        for polynomial in (*element.parts.values(), *divisors):
+            for exponents in ring.polynomials.terms(polynomial):
+                if any(e and missing for e, missing in zip(exponents, self._unknown, strict=True)):
+                    raise Misplaced("the point leaves a value out")
+        if any(mask & self._unknown_roots for mask in element.parts):
+            raise Misplaced("the point leaves the value of a root out")
         return self._value(element)
 
     def vanish(self, elements: Sequence[Element]) -> bool:
@@ -74,7 +87,7 @@ class Place:
             if not (conjugated(value, self.numbers) - bar).is_zero:
                 raise Misplaced(f"{name} is not real there")
         for formula in setting.nonzero:
-            if self(at.scalar(formula)).is_zero and self._reached(formula, given):
+            if self._reached(formula, given) and self(at.scalar(formula)).is_zero:
                 raise Misplaced("what is taken for granted not to vanish does")
 
     def _reached(self, formula: Formula, given: Mapping[str, Element]) -> bool:
@@ -88,6 +101,10 @@ class Place:
 def _numbers(at: Evaluation, point: Point) -> Evaluation:
     """The numbers in which a point has its values: rationals, i, and roots of whole numbers."""
     squares = sorted({number for value in point.values.values() for number in _squares(value)})
+    for size in range(1, len(squares) + 1):
+        for chosen in combinations(squares, size):
+            if square_root(Fraction(prod(chosen))) is not None:
+                raise Misplaced("roots at a point depend on each other")
     steps = [Adjoined("i", Negative(Number(1)))]
     steps += [Adjoined(rf"\sqrt{{{number}}}", Number(number)) for number in squares]
     space = Space(variables=(), constants=("",), steps=tuple(steps))

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Root
-from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.goals import Count, Exists, Goal, Problem, Rank, Simple, simple
 from kowalevski_cas.problem.space import (
     Adjoined,
@@ -154,7 +153,8 @@ def pruned(goals: Iterable[Goal]) -> Problem:
         _reach_source(setting, reaches)
     for found in reaches.values():
         found.close()
-    for setting in _sources_first(reaches):
+    stated = {one.space for goal in goals for one in simple(goal)}
+    for setting in _sources_first(reaches, stated):
         made[setting] = _space(reaches[setting], made)
     return Problem(tuple(_over(goal, made) for goal in goals))
 
@@ -195,7 +195,7 @@ def _reach_source(setting: Setting, reaches: dict[Setting, Reach]) -> None:
     _reach_source(change.old, reaches)
 
 
-def _sources_first(reaches: dict[Setting, Reach]) -> list[Setting]:
+def _sources_first(reaches: dict[Setting, Reach], stated: set[Setting]) -> list[Setting]:
     order: list[Setting] = []
 
     def place(setting: Setting) -> None:
@@ -206,7 +206,7 @@ def _sources_first(reaches: dict[Setting, Reach]) -> list[Setting]:
         order.append(setting)
 
     for setting in reaches:
-        if reaches[setting].names:
+        if reaches[setting].names or setting in stated:
             place(setting)
     return order
 
@@ -229,6 +229,4 @@ def _over(goal: Goal, made: dict[Setting, Space]) -> Goal:
     if isinstance(goal, Exists):
         inner: list[Simple] = [replace(one, space=made[one.space]) for one in goal.goals]
         return replace(goal, goals=tuple(inner))
-    if goal.space not in made:
-        raise Meaningless("a goal without a name says nothing")
     return replace(goal, space=made[goal.space])

@@ -113,7 +113,8 @@ class Finder:
 
                 return never(goal, self)
             case Fails():
-                return self.shown(goal, self.of(goal.space))
+                shown = self.shown(goal, self.of(goal.space))
+                return None if shown is None or self._divides(shown, goal) else shown
             case Follows():
                 return self.failure(goal, self.of(goal.space))
             case Rank():
@@ -140,12 +141,19 @@ class Finder:
             rows = []
         else:
             proof = Proof(tuple(tuple(map(formula_in, row)) for row in rows), power=power)
+        if not goal.conclusions and self._divides(Shown(proof), goal):
+            return None
         if not (goal.conclusions and goal.given):
             return Shown(proof)
         divided = [e for row in rows for e in row]
         divided += [e for one in goal.conclusions for p in at.pairs(one) for e in p]
         point = self.point(at, known, [*divided, *known])
         return None if point is None else Shown(proof, point)
+
+    def _divides(self, shown: Shown, goal: Follows) -> bool:
+        """Whether a proof divides by something, and so shows nothing where that vanishes."""
+        at = self.of(goal.space)
+        return any(at.scalar(entry).denominator for row in shown.proof.rows for entry in row)
 
     def _everywhere(
         self, goal: Follows, at: Evaluation, rows: Sequence[Sequence[Element]]

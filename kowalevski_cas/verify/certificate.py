@@ -39,15 +39,21 @@ class Stored:
         """
         if self.data.get("digest") != statement.digest:
             return None
+        try:
+            return self._verdicts(statement)
+        except (FormatError, TypeError, ValueError, RecursionError) as error:
+            raise FormatError(f"{self.path}: {error}") from None
+
+    def _verdicts(self, statement: Statement) -> Verdicts:
         evidence = self.data.get("evidence")
         if self.data.get("sign") == "denied" and isinstance(evidence, list) and evidence:
             entry = dict(evidence[0])
             place = entry.pop("goal", None)
             if not isinstance(place, int) or not 0 <= place < len(statement.goals):
-                raise FormatError(f"{self.path}: it denies no goal")
+                raise FormatError("it denies no goal")
             return Denial(place, read_evidence(entry, statement.goals[place], False))
         if not isinstance(evidence, list) or len(evidence) != len(statement.goals):
-            raise FormatError(f"{self.path}: there is not evidence for each goal")
+            raise FormatError("there is not evidence for each goal")
         pairs = zip(evidence, statement.goals, strict=True)
         return tuple(read_evidence(entry, goal) for entry, goal in pairs)
 
@@ -61,7 +67,7 @@ def load_certificates(folder: Path) -> dict[str, Stored]:
     for path in sorted((folder / FOLDER).glob("**/*.json")):
         try:
             data = json.loads(path.read_text(encoding="utf-8"))
-        except (OSError, ValueError):
+        except (OSError, ValueError, RecursionError):
             continue
         if isinstance(data, dict) and data.get("version") == VERSION:
             found[path.relative_to(folder / FOLDER).with_suffix("").as_posix()] = Stored(path, data)
@@ -74,6 +80,8 @@ def certificate(statement: Statement, verdicts: Verdicts, accepted: Accepted) ->
     Raises :class:`FormatError` if something has no place in it, ``checker.Rejected`` if the
     checker does not accept it.
     """
+    from kowalevski_cas.problem import checker  # only those who write certificates need it
+
     away = iter(accepted.away)
     if isinstance(verdicts, Denial):
         goal = statement.goals[verdicts.goal]

@@ -22,11 +22,13 @@ from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
+    At,
     Denial,
     Evidence,
     Minors,
     Regardless,
     Roots,
+    Shown,
     Solutions,
 )
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
@@ -180,6 +182,18 @@ def _failing(goal: Follows, place: Place) -> tuple[Formula, Formula]:
     return next(
         sides for sides in goal.conclusions[-1] if not place.vanish(place.at.differences((sides,)))
     )
+
+
+def why(goal: Goal, evidence: Evidence) -> str:
+    """Why a goal is denied, where no two values say so."""
+    match goal, evidence:
+        case Fails(), Shown():
+            return "what is said to fail somewhere holds everywhere"
+        case Follows(conclusions=()), At():
+            return "there is a real point where none is said to be"
+        case Rank(), Minors():
+            return "the differentials depend on each other everywhere"
+    return ""
 
 
 def _size(goal: Rank, at: Evaluation) -> int:

@@ -21,7 +21,7 @@ from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
 from kowalevski_cas.verify.corrections import correction, printed_of, recorded_correction
-from kowalevski_cas.verify.explain import conditions, counterexample
+from kowalevski_cas.verify.explain import conditions, counterexample, why
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import (
     Condition,
@@ -183,7 +183,10 @@ class Session:
         mended = None
         if outcome.verdict is Verdict.REFUTED:
             start = perf_counter()
-            mended = self._correct(claim, on)
+            try:
+                mended = self._correct(claim, on)
+            except (FormatError, Unproved) as error:
+                outcome = replace(outcome, verdict=Verdict.ERROR, message=str(error))
             seconds[self.arithmetics[0]] += perf_counter() - start
         outcome = replace(outcome, correction=mended, products=products, seconds=seconds)
         return self._with_acceptance(claim, outcome)
@@ -223,11 +226,18 @@ class Session:
             for goal, evidence in zip(statement.goals, verdicts, strict=True):
                 judge.holds(goal, evidence)
         except Unproved as error:
-            stored = self.stored.get(statement.claim.id)
-            where = f"{stored.path}: " if stored is not None else ""
+            where = self._file(statement)
             message = f"{where}the evidence does not prove it ({arithmetic}: {error})"
             return Decided(statement, verdicts, judge.accepted, Verdict.ERROR, message)
         return Decided(statement, verdicts, judge.accepted, Verdict.PROVED)
+
+    def _file(self, statement: Statement) -> str:
+        """The file that has evidence for a statement, to begin a message with."""
+        for name in (statement.claim.id, f"{CORRECTED}/{statement.claim.id}"):
+            stored = self.stored.get(name)
+            if stored is not None and stored.data.get("digest") == statement.digest:
+                return f"{stored.path}: "
+        return ""
 
     def evaluations_in(self, arithmetic: str) -> Callable[[Setting], Evaluation]:
         """The evaluations of settings in an arithmetic, each made once."""
@@ -328,6 +338,9 @@ class Session:
                 against = counterexample(statement, decided.verdicts, decided.accepted)
             except OverflowError as error:
                 return replace(outcome, verdict=Verdict.ERROR, message=str(error))
+            if against is None:
+                denied = statement.goals[decided.verdicts.goal]
+                outcome = replace(outcome, message=why(denied, decided.verdicts.evidence))
         told: tuple[Step, ...] = ()
         if self.explain and decided.verdicts is not None:
             told = steps(statement, decided.verdicts)
@@ -413,6 +426,9 @@ class Session:
         verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
         exact = [a for a in self.arithmetics if a not in POINTS] or ["flint"]
         decided = [self._judged(statement, verdicts, arithmetic) for arithmetic in exact]
+        for one in decided:
+            if one.verdict is Verdict.ERROR:
+                raise Unproved(one.message)
         if any(one.verdict is not Verdict.PROVED for one in decided):
             return None
         accepted = self._judged(statement, verdicts, "flint").accepted

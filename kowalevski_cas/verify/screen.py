@@ -20,7 +20,6 @@ from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.verify.outcome import Counterexample, Point, Screened, Value, Verdict
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
-
 Stages = dict[Setting, Sampled]
 """Settings in programs, each made once for a run."""
 
@@ -67,6 +66,7 @@ def questions(
     statement: Statement, verdicts: Verdicts | None, unseen: list[str], stages: Stages
 ) -> Iterator[Question]:
     """What can be asked at points; what cannot is entered as ``unseen``."""
+
     def at(setting: Setting) -> Sampled:
         if setting not in stages:
             assert isinstance(setting, Elaboration)

@@ -22,10 +22,10 @@ from kowalevski_cas.algebra.modular import primes, residue_point
 from kowalevski_cas.algebra.points import NoPoint, Question
 from kowalevski_cas.algebra.programs import Programs
 from kowalevski_cas.pictures import FAINT, new_figure
-from kowalevski_cas.problem.goals import Follows, Problem
+from kowalevski_cas.problem.goals import Problem
 from kowalevski_cas.verify.statement import Statement
 from study.charts import curve, legend_below, marked
-from study.labelled import residuals
+from study.labelled import identities, residuals
 from study.paper import paper, sampled
 from study.step import Measured, Row, Task
 
@@ -65,8 +65,7 @@ def question(id: str) -> Question:
     assert claim.printed is not None
     printed = {claim.printed: paper().printed.texts.formula(claim.printed)}
     statement = Statement(claim, paper().corrected.under(texts.reading(printed)))
-    of, goal = sampled(), statement.problem.goals[0]
-    assert isinstance(goal, Follows)
+    of, goal = sampled(), next(identities(statement.problem))
     at = of(goal.space)
     return Question(at.programs, [at.carry(e) for e in residuals(Problem((goal,)), of)])
 

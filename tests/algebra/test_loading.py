@@ -2,7 +2,7 @@ import signal
 
 import pytest
 
-from kowalevski_cas import arithmetic
+from kowalevski_cas import algebra
 
 
 def test_an_interruption_waits_until_a_library_is_loaded(monkeypatch):
@@ -12,7 +12,7 @@ def test_an_interruption_waits_until_a_library_is_loaded(monkeypatch):
         signal.raise_signal(signal.SIGINT)
         loaded.append(name)
 
-    monkeypatch.setattr(arithmetic, "import_module", interrupted)
+    monkeypatch.setattr(algebra, "import_module", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        arithmetic.load("flint")
+        algebra.load("flint")
     assert loaded == ["kowalevski_cas.algebra.flint"]

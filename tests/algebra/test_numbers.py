@@ -16,7 +16,7 @@ from kowalevski_cas.algebra.numbers import (
     rational,
     square_root,
 )
-from tests.arithmetic.strategies import build, fractions, neutrals, tower
+from tests.algebra.strategies import build, fractions, neutrals, tower
 
 RINGS = {name: number_ring(load(name)) for name in EXACT}
 every_ring = pytest.mark.parametrize("ring", RINGS.values(), ids=RINGS)

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import EXACT, load
-from tests.arithmetic.strategies import NAMES, fractions, terms
+from tests.algebra.strategies import NAMES, fractions, terms
 
 RINGS = {name: load(name)(NAMES) for name in EXACT}
 every_ring = pytest.mark.parametrize("ring", RINGS.values(), ids=RINGS)

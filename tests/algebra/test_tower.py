@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from kowalevski_cas.algebra import EXACT, load
 from kowalevski_cas.algebra.derivation import along, gradient
 from kowalevski_cas.algebra.tower import Ring
-from tests.arithmetic.strategies import build, fractions, neutrals, simple, terms, tower
+from tests.algebra.strategies import build, fractions, neutrals, simple, terms, tower
 
 TOWERS = {name: tower(name) for name in EXACT}
 every_tower = pytest.mark.parametrize("ring", TOWERS.values(), ids=TOWERS)

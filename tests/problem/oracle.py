@@ -13,6 +13,7 @@ from fractions import Fraction
 from functools import partial, reduce
 from itertools import combinations, product
 from math import prod
+from operator import mul
 
 from flint import nmod, nmod_mat
 from flint.utils.flint_exceptions import DomainError
@@ -350,7 +351,9 @@ def scalar(names, tree, values):
 
 def settled(names, values, targets, known, proof):
     """Whether the identities of a proof hold at a point in general position."""
-    require(proof.keys() <= {"product", "cofactors", "cases", "point", "away"}, "proof")
+    require(proof.keys() <= {"product", "cofactors", "cases", "power", "point", "away"}, "proof")
+    power = proof.get("power", 1)
+    require(type(power) is int and power > 0, "power")
     if groups := proof.get("product"):
         require(not names.units and not names.swap, "cases are for real numbers")
         require(len(groups) == len(proof["cases"]), "a case is missing")
@@ -363,7 +366,7 @@ def settled(names, values, targets, known, proof):
     rows = proof["cofactors"] if "cofactors" in proof else [[]] * len(targets)
     require(len(rows) == len(targets), "rows")
     for target, row in zip(targets, rows, strict=True):
-        combined(names, values, target, row, known)
+        combined(names, values, target**power, row, known)
 
 
 def rational(tree):
@@ -424,9 +427,9 @@ class Judge:
         require(not {n for n, _ in bound} & {*names.plain, *names.radicands}, "not fresh")
         self.generator = random.Random(7)
 
-    def at(self, *, given=True):
+    def at(self, *, given=True, point=None, more=()):
         """The values at the point of the evidence, or None if the prime cannot tell."""
-        point = point_values(self.names, self.evidence["point"])
+        point = point_values(self.names, point or self.evidence["point"], more)
         if point is not None:
             for tree in self.evidence.get("away", []):
                 require(scalar(self.names, tree, point) != 0, "a condition fails")
@@ -441,7 +444,8 @@ class Judge:
     def follows(self):
         require(all(self.goal["conclusions"]), "nothing")
         if self.goal["conclusions"]:
-            require(self.at() or True, "")
+            require("point" in self.evidence or not self.goal["given"], "no point")
+            require("point" not in self.evidence or self.at() or True, "")
         else:
             require(not {"point", "away"} & self.evidence.keys(), "a point of nothing")
         for values in self.general():
@@ -625,13 +629,20 @@ def exists_not(goal, evidence, spaces):
     judge = Judge(spaces[one["space"]], one, evidence)
     bound = {name: {} for name in goal["numbers"] + goal["expressions"]}
     judge.names.rates = judge.names.rates | {name: f"{name}'" for name in goal["expressions"]}
-    if (point := judge.at(given=False)) is None:
+    weights = [rational(weight) for weight, _ in evidence["points"]]
+    points = [point for _, point in evidence["points"]]
+    require(len(points) == 1 or (points and not goal["expressions"]), "points")
+    values = [judge.at(given=False, point=point, more=points) for point in points]
+    if None in values:
         return
+    factors = [number(w.numerator) / number(w.denominator) for w in weights]
+    factors = factors if len(points) > 1 else [number(1)]
     gaps = []
     for _ in range(3):
         free = {n: number(judge.generator.randrange(PRIME)) for n in bound}
         free |= {f"{n}'": number(judge.generator.randrange(PRIME)) for n in bound}
-        gaps.append(judge.names.differences(one["conclusions"][0], point | free))
+        there = [judge.names.differences(one["conclusions"][0], v | free) for v in values]
+        gaps.append([sum(map(mul, factors, gap), number(0)) for gap in zip(*there, strict=True)])
     fixed = any(len({int(g) for g in gap}) == 1 and gap[0] != 0 for gap in zip(*gaps, strict=True))
     require(fixed, "it may hold")
 

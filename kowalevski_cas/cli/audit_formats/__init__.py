@@ -20,17 +20,28 @@ def load_format(name: str) -> Callable[[Audit], str]:
 def explained(audit: Audit, index: int) -> str:
     """What is wrong with a formula, in one sentence, with mathematics between dollars."""
     formula = audit.formulas[index]
+    parts = said(audit, index)
+    if formula.correction is not None:
+        parts.append(f"correct: ${in_latex(formula.correction.formulas)}$")
+    return "; ".join(parts)
+
+
+def said(audit: Audit, index: int) -> list[str]:
+    """The same in parts, without the correction."""
+    formula = audit.formulas[index]
     causes = [cause for cause in formula.causes if cause != _place(audit, index)]
     parts = [formula.message.splitlines()[0]] if formula.message else []
     if formula.breaks and not formula.claims:
         parts.append(f"because of it these do not hold: {', '.join(formula.breaks)}")
     if causes:
         parts.append(f"because of {', '.join(located(audit, cause) for cause in causes)}")
-    if formula.correction is not None:
-        parts.append(f"correct: ${in_latex(formula.correction.formulas)}$")
-    elif formula.verdict == "suspect" and formula.place is not None:
+    if (
+        formula.verdict == "suspect"
+        and formula.correction is None
+        and formula.place in audit.session.changed
+    ):
         parts.append("it is not what the derivation has here")
-    return "; ".join(parts)
+    return parts
 
 
 def located(audit: Audit, place: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from typing import Any
 
 from kowalevski_cas.audit.audit import Audit
@@ -21,6 +22,7 @@ def render(audit: Audit) -> str:
             "derivation": audit.session.derivation.name,
             "formulas": len(audit.formulas),
             **audit.counts,
+            "claims": Counter(str(outcome.verdict) for outcome in audit.outcomes.values()),
             "wrong": sum(formula.wrong for formula in audit.formulas),
             "moved": [formula.id for formula in audit.formulas if formula.moved],
             "notes": [{"line": line, "words": words} for line, words in audit.notes],
@@ -58,6 +60,7 @@ def _statement(audit: Audit, outcome: Outcome) -> dict[str, Any]:
         "verdict": str(outcome.verdict),
         "conditions": conditions(outcome.conditions),
         "counterexample": counterexample(outcome.counterexample),
+        "correction": correction(outcome.correction),
         "causes": [cause.place for cause in causes],
         "message": outcome.message,
     }

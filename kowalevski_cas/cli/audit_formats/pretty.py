@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import sys
+from collections import Counter
+from collections.abc import Mapping
 
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import Audited
 from kowalevski_cas.cli import plain
-from kowalevski_cas.cli.audit_formats import explained
+from kowalevski_cas.cli.audit_formats import located, said
 from kowalevski_cas.notation import Vocabulary
-from kowalevski_cas.verify.outcome import Outcome
+from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
 
 MARKS = {
     "proved": ("✓", "32"),
@@ -47,10 +49,16 @@ def _head(verdict: str, colour: bool) -> str:
 
 def _line(formula: Audited, vocabulary: Vocabulary, colour: bool) -> str:
     line = f"{formula.line:>5}" if formula.line else "    -"
-    text = _short(plain.display(formula.tex, vocabulary))
     notes = " (moved)" if formula.moved else ""
     head = _head(formula.verdict, colour)
+    text = _short(_printed(formula, vocabulary))
     return f"{line}  {formula.id:<20} {head} {formula.role:<12} {text}{notes}"
+
+
+def _printed(formula: Audited, vocabulary: Vocabulary) -> str:
+    if formula.formula is None:
+        return plain.display(formula.tex, vocabulary)
+    return plain.formulas((formula.formula,))
 
 
 def _short(text: str) -> str:
@@ -58,19 +66,39 @@ def _short(text: str) -> str:
 
 
 def _wrong(audit: Audit) -> list[str]:
+    """Formulas to look at, and statements in words that are refuted."""
     lines = []
     vocabulary = audit.session.texts.vocabulary
     for index, formula in enumerate(audit.formulas):
-        if not formula.wrong:
-            continue
-        lines.append(f"  {audit.source.path}:{formula.line}: {formula.id} is {formula.verdict}")
-        lines.append(f"    printed   {plain.display(formula.tex, vocabulary)}")
-        why = explained(audit, index)
-        if why:
-            lines.append(f"    why       {plain.words(why, vocabulary)}")
-        if formula.counterexample is not None:
-            lines += plain.evidence(formula.counterexample, vocabulary)
+        if formula.wrong:
+            place = f"{audit.source.path}:{formula.line}"
+            lines.append(f"  {place}: {formula.id} is {formula.verdict}")
+            lines.append(f"    printed   {_printed(formula, vocabulary)}")
+            if why := "; ".join(said(audit, index)):
+                lines.append(f"    why       {plain.words(why, vocabulary)}")
+            lines += _evidence(formula.correction, formula.counterexample, vocabulary)
+    for outcome in audit.statements:
+        if outcome.verdict is Verdict.REFUTED:
+            lines.append(f"  {outcome.claim} is refuted: {plain.words(outcome.words, vocabulary)}")
+            lines.append(f"    printed   {plain.formulas(outcome.formulas, outcome.source)}")
+            causes = audit.session.causes.get(outcome.claim, ())
+            if causes:
+                named = ", ".join(located(audit, cause.place) for cause in causes)
+                lines.append(f"    why       because of {named}")
+            lines += _evidence(outcome.correction, outcome.counterexample, vocabulary)
     return ["", "What is wrong", *lines] if lines else []
+
+
+def _evidence(
+    correction: Correction | None, against: Counterexample | None, vocabulary: Vocabulary
+) -> list[str]:
+    lines = []
+    if correction is not None:
+        where = "".join(f", where {plain.nonzero(c)}" for c in correction.conditions)
+        shown = plain.formulas(correction.formulas)
+        lines.append(f"    correct   {shown}   ({correction.verdict}{where})")
+        lines.append(f"    that is   {plain.words(correction.words, vocabulary)}")
+    return lines + ([] if against is None else plain.evidence(against, vocabulary))
 
 
 def _restrictions(audit: Audit) -> list[str]:
@@ -99,5 +127,12 @@ def _statement(outcome: Outcome, vocabulary: Vocabulary, colour: bool) -> str:
 
 
 def _summary(audit: Audit) -> str:
-    counts = ", ".join(f"{count} {verdict}" for verdict, count in audit.counts.items())
-    return f"{len(audit.formulas)} formulas: {counts}; {audit.seconds:.2f} s"
+    claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
+    return (
+        f"{len(audit.formulas)} formulas: {_counted(audit.counts)}\n"
+        f"{len(audit.outcomes)} claims: {_counted(claims)}; {audit.seconds:.2f} s"
+    )
+
+
+def _counted(counts: Mapping[str, int]) -> str:
+    return ", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items()))

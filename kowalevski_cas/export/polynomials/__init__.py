@@ -3,9 +3,11 @@
 The checker reads the certificate with a ring that writes down each operation: sums, products,
 partial derivatives, substitutions, and each test whether something vanishes. So the program
 differentiates and reduces by itself, and nothing counts as confirmed but what it found to
-vanish. Divisors are generators v with v n = 1; a root is a generator with a square. What follows
-over the real numbers (that a sum of squares vanishes only with each of them, Hermite's theorem)
-is the checker's to say: the program confirms the identities from which it follows.
+vanish. Divisors are generators v with v n = 1; a root is a generator with a square.
+
+What has to be tested is the checker's to say, and so is what follows over the real numbers (that
+a sum of squares vanishes only with each of them, Hermite's theorem), which names occur in a
+formula, and which rational numbers are positive.
 """
 
 from __future__ import annotations

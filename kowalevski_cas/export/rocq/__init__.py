@@ -22,7 +22,10 @@ from kowalevski_cas.systems import SYSTEMS
 HEAD = """\
 (** {title}: the formulas as they are printed, and what holds of them.
 
-    Generated from a certificate. Before it, coqc has to read {shared}. *)
+    Generated from a certificate. Before it, coqc has to read {shared}.
+
+    Where something is claimed to exist, theorems are about the values found for it. Where one
+    of several conclusions holds, products of their differences vanish. *)
 
 From Coq Require Import ZArith QArith Field_theory List.
 Require Import {modules}.

@@ -1,4 +1,4 @@
-"""The hypotheses about a space, and what proofs have to know of its roots and divisors."""
+"""The hypotheses about a space or a goal, and what proofs know of its roots and divisors."""
 
 from __future__ import annotations
 

@@ -3,14 +3,14 @@
 from itertools import islice
 
 import pytest
+from kowalevski_cas.proof.evidence import load_evidence
+from kowalevski_cas.stage import StageError
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import NotationError, to_latex
-from kowalevski_cas.proof.evidence import load_evidence
 from kowalevski_cas.verify.record import differences, load_record
-from kowalevski_cas.proof.verify import Session, verify
-from kowalevski_cas.stage import StageError
+from kowalevski_cas.verify.run import Session, verify
 
 NAME = "kharlamov_savushkin2004"
 DERIVATION = load(NAME)

@@ -4,13 +4,14 @@ import json
 
 import pytest
 
-from kowalevski_cas.claims import Claim
 from kowalevski_cas.cli.formats.json import counterexample as in_tex
-from kowalevski_cas.derivation import Derivation
 from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import to_latex
-from kowalevski_cas.verify.record import differences, in_latex, load_record
-from kowalevski_cas.proof.verify import verify
+from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.verify.outcome import in_latex
+from kowalevski_cas.verify.record import differences, load_record
+from kowalevski_cas.verify.run import verify
 
 IDS = """
 eq4.1 eq4.2 eq4.3 energy eq5.1 eq5.2 eq5.3 time-unit eq6 eq7 J3 M4-dimension M4-independence

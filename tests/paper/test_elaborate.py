@@ -6,6 +6,8 @@ from fractions import Fraction
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from kowalevski_cas.stage import Stage, StageError, evaluate, scalar
+from kowalevski_cas.stage.programs import ProgramStage
 
 from kowalevski_cas.algebra import EXACT, load
 from kowalevski_cas.library import load as load_derivation
@@ -21,9 +23,7 @@ from kowalevski_cas.notation import (
     read,
     to_latex,
 )
-from kowalevski_cas.stage import Stage, StageError, evaluate, scalar
-from kowalevski_cas.stage.programs import ProgramStage
-from tests.stage.formulas import COMPLEX, REAL, formulas
+from tests.paper.formulas import COMPLEX, REAL, formulas
 
 DERIVATION = load_derivation("kharlamov2002")
 SOURCES = {"eq9.i": "i^2=-1"}  # as corrected

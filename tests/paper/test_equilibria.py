@@ -6,16 +6,16 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
+from kowalevski_cas.proof.cases import Terms
+from kowalevski_cas.proof.roots import Roots
 
 from derivations.kharlamov2002 import derivation
-from kowalevski_cas.claims import Equilibria, Finding
-from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.cli.formats.json import counterexample as in_tex
 from kowalevski_cas.notation import Number, to_latex
-from kowalevski_cas.proof.cases import Terms
-from kowalevski_cas.verify.outcome import Counterexample, Verdict
-from kowalevski_cas.proof.roots import Roots
+from kowalevski_cas.paper.claims import Equilibria, Finding
 from kowalevski_cas.search.squares import sum_of_squares
+from kowalevski_cas.verify.outcome import Counterexample, Verdict
+from kowalevski_cas.verify.run import Bench
 
 ARITHMETICS = ("flint", "sympy", "symengine")
 TEXTS = derivation.texts()

@@ -6,15 +6,15 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
+from kowalevski_cas.proof.cases import Case
 
 from derivations.kharlamov2002 import derivation
-from kowalevski_cas.claims import CriticalSet, Finding
-from kowalevski_cas.claims.bench import Bench
 from kowalevski_cas.cli.formats.json import counterexample as in_tex
 from kowalevski_cas.notation import edits, to_latex
-from kowalevski_cas.proof.cases import Case
-from kowalevski_cas.verify.outcome import Counterexample, Verdict
+from kowalevski_cas.paper.claims import CriticalSet, Finding
 from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.verify.outcome import Counterexample, Verdict
+from kowalevski_cas.verify.run import Bench
 
 ARITHMETICS = ("flint", "sympy", "symengine")
 TEXTS = derivation.texts()

@@ -1,7 +1,7 @@
 """Small scenes: a harmonic oscillator and Euler's top, and derivations of a few claims on them."""
 
 from kowalevski_cas.paper.derivation import Change, Derivation, Scene, Section
-from kowalevski_cas.proof.verify import verify
+from kowalevski_cas.verify.run import verify
 
 
 def derivation(section):

@@ -2,9 +2,9 @@
 
 import pytest
 
-from kowalevski_cas.claims import Identity
+from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Scene, Section
-from tests.claims.small import decide
+from tests.paper.small import decide
 
 AXES = ("M_1", "M_2", "M_3")
 

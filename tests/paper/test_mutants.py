@@ -3,8 +3,13 @@
 from itertools import islice, pairwise
 
 import pytest
+from kowalevski_cas.proof.evidence import load_evidence
+from kowalevski_cas.stage import StageError
 
-from kowalevski_cas.claims import (
+from kowalevski_cas.cli.formats.json import counterexample as in_tex
+from kowalevski_cas.library import load
+from kowalevski_cas.notation import Constant, Name, NotationError, Power, Relation
+from kowalevski_cas.paper.claims import (
     ChangedEquation,
     Coefficient,
     Equivalence,
@@ -12,13 +17,8 @@ from kowalevski_cas.claims import (
     Identity,
     Implication,
 )
-from kowalevski_cas.cli.formats.json import counterexample as in_tex
-from kowalevski_cas.library import load
-from kowalevski_cas.notation import Constant, Name, NotationError, Power, Relation
-from kowalevski_cas.proof.evidence import load_evidence
-from kowalevski_cas.proof.verify import Session
-from kowalevski_cas.stage import StageError
-from tests.claims.plain import close, complex_motion, evaluate, motion, value
+from kowalevski_cas.verify.run import Session
+from tests.paper.plain import close, complex_motion, evaluate, motion, value
 
 DERIVATION = load("kharlamov2002")
 CLAIMS = {claim.id: claim for claim in DERIVATION.claims}

@@ -8,15 +8,15 @@ from flint import Ordering, fmpq, fmpq_mpoly_ctx
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from kowalevski_cas.claims import Identity
-from kowalevski_cas.verify.record import in_latex
+from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.search.cofactors import cofactors, pseudo_divide
 from kowalevski_cas.search.exact_solutions import value
 from kowalevski_cas.search.points import constant, points
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.search.weights import weights
-from tests.arithmetic.strategies import nonzero, simple, terms, tower
-from tests.claims.small import Oscillator, decide
+from kowalevski_cas.verify.outcome import in_latex
+from tests.algebra.strategies import nonzero, simple, terms, tower
+from tests.paper.small import Oscillator, decide
 
 RING = tower("flint")
 CONTEXT = fmpq_mpoly_ctx.get(("x", "y", "z"), Ordering.lex)

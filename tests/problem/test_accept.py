@@ -1,0 +1,566 @@
+"""Evidence that somebody made to deceive: the one function that believes it may believe none."""
+
+from dataclasses import replace
+
+import pytest
+
+from kowalevski_cas.algebra import load
+from kowalevski_cas.problem.accept import Judge, Unproved
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence import (
+    At,
+    Factor,
+    Found,
+    Minors,
+    Point,
+    Proof,
+    Regardless,
+    Roots,
+    Shown,
+    Solutions,
+    Squares,
+)
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Positive, Rank, identity
+from kowalevski_cas.problem.space import Adjoined, Let, Motion, Raised, Space
+from kowalevski_cas.problem.trees import decode
+
+
+def judge(arithmetic="flint"):
+    made = {}
+
+    def of(space):
+        if space not in made:
+            made[space] = Evaluation(space, load(arithmetic), others=of).adjoin_roots()
+        return made[space]
+
+    return Judge(of)
+
+
+def rejected(goal, evidence, message=".", sign=True):
+    for arithmetic in ("flint", "symengine", "sympy"):
+        one = judge(arithmetic)
+        with pytest.raises(Unproved, match=message):
+            (one.holds if sign else one.denies)(goal, evidence)
+
+
+def denial_rejected(goal, evidence, message="."):
+    rejected(goal, evidence, message, sign=False)
+
+
+def accepted(goal, evidence, sign=True):
+    """What is divided by, beyond the statement, in any arithmetic."""
+    for arithmetic in ("symengine", "sympy", "flint"):
+        one = judge(arithmetic)
+        (one.holds if sign else one.denies)(goal, evidence)
+    return [element for elements in one.accepted.away for element in elements]
+
+
+def equations(*pairs):
+    return tuple((decode(left), decode(right)) for left, right in pairs)
+
+
+def follows(*conclusion, given=(), space=None):
+    return Follows(space or XY, (equations(*conclusion),), equations(*given))
+
+
+def row(*trees):
+    return tuple(map(decode, trees))
+
+
+def at(**values):
+    return Point({name: decode(tree) for name, tree in values.items()})
+
+
+def plus(*trees):
+    return ["+", *trees]
+
+
+def minus(tree):
+    return ["-", tree]
+
+
+XY = Space(("x", "y"))
+I = Adjoined("i", decode(minus(1)))  # noqa: E741
+COMPLEX = Space(("x", "y"), steps=(I,))
+SQUARE, SUM = ["^", "x", 2], plus(["^", "x", 2], ["^", "y", 2])
+ORIGIN = at(x=0, y=0)
+
+
+class TestHypotheses:
+    def test_one_equals_zero(self):
+        goal = follows(["x", 0], given=[[1, 0]])
+        rejected(goal, Shown(Proof((row("x"),)), ORIGIN), "not where it should be")
+
+    def test_no_point(self):
+        rejected(follows(["x", 0], given=[["x", 0]]), Shown(Proof((row(1),))), "satisfy")
+
+    def test_a_condition_that_vanishes_wherever_the_hypotheses_hold(self):
+        goal, proof = follows(["y", 0], given=[["x", 0]]), Proof((row(["/", "y", "x"]),))
+        for x in (0, 1):
+            rejected(goal, Shown(proof, at(x=x, y=0)), "not where|divided by")
+
+    def test_hypotheses_that_hold_at_no_real_point(self):
+        goal = follows(["y", 0], given=[[plus(SQUARE, 1), 0], ["y", 0]], space=COMPLEX)
+        rejected(goal, Shown(Proof((row(0, 1),)), at(x="i", y=0, i="i")), "not real")
+        goal = replace(goal, space=XY)
+        rejected(goal, Shown(Proof((row(0, 1),)), at(x="i", y=0)), "not real")
+
+    def test_emptiness_by_what_vanishes_on_the_set(self):
+        empty = Follows(XY, (), equations(["x", 0]))
+        rejected(empty, Shown(Proof((row(["/", 1, "x"]),))), "may be zero")
+        granted = replace(empty, space=Space(("x", "y"), nonzero=row("x")))
+        accepted(granted, Shown(Proof((row(["/", 1, "x"]),))))
+
+    def test_emptiness_with_a_point_of_the_set(self):
+        empty = Follows(XY, (), equations(["x", 0]))
+        rejected(empty, Shown(Proof((row(1),)), ORIGIN), "not equal")
+        denied = At(at(x=0, y=5))
+        accepted(empty, denied, sign=False)
+        denial_rejected(empty, At(at(x=1, y=5)), "not where")
+
+    def test_nothing_stated(self):
+        for goal in (Follows(XY, ((),)), Follows(XY, ((), equations(["x", 0])))):
+            rejected(goal, Shown(), "nothing is stated")
+        accepted(follows(["x", "x"]), Shown())
+
+
+class TestProofs:
+    GOAL = follows(["x", 0], ["y", 0], given=[["x", "y"], ["y", 0]])
+    ROWS = (row(1, 1), row(0, 1))
+
+    def test_honest_rows(self):
+        assert accepted(self.GOAL, Shown(Proof(self.ROWS), ORIGIN)) == []
+
+    @pytest.mark.parametrize("k", range(2))
+    @pytest.mark.parametrize("j", range(2))
+    @pytest.mark.parametrize("entry", [2, -1, "x", ["/", 1, 3]])
+    def test_a_number_changed(self, k, j, entry):
+        rows = [list(one) for one in self.ROWS]
+        rows[k][j] = decode(entry)
+        rejected(self.GOAL, Shown(Proof(tuple(map(tuple, rows))), ORIGIN), "not equal")
+
+    @pytest.mark.parametrize(
+        "rows",
+        [(row(1), row(0, 1)), (row(1, 1, 0), row(0, 1)), (row(1, 1),), (*ROWS, row(0, 0)),
+         (row(1, 1), ()), (ROWS[1], ROWS[0])],
+    )  # fmt: skip
+    def test_rows_of_another_shape(self, rows):
+        rejected(self.GOAL, Shown(Proof(rows), ORIGIN), "row|not equal")
+
+    @pytest.mark.parametrize("rows", [None, 5, "xy", (5,), ((5, 6), (7, 8)), ((None, None),) * 2])
+    def test_rows_that_are_none(self, rows):
+        rejected(self.GOAL, Shown(Proof(rows), ORIGIN))
+
+    @pytest.mark.parametrize("power", [0, -1, 17, 10**9, None, "x"])
+    def test_a_power_of_the_goal_that_is_none(self, power):
+        rejected(self.GOAL, Shown(Proof(self.ROWS, power=power), ORIGIN))
+
+    def test_a_power_of_the_goal_vanishes_with_it(self):
+        goal = follows(["x", 0], given=[[SQUARE, 0]])
+        accepted(goal, Shown(Proof((row(1),), power=2), ORIGIN))
+        rejected(goal, Shown(Proof((row(1),), power=3), ORIGIN), "not equal")
+
+    def test_a_name_that_is_not_there(self):
+        for tree in ("z", ["D", "x"], ["conj", "z"], ["sqrt", "x"], ["/", 1, 0], ["^", "x", "y"]):
+            entry = decode(tree) if tree != ["^", "x", "y"] else None
+            rejected(self.GOAL, Shown(Proof(((entry, entry), row(0, 1))), ORIGIN))
+
+    @pytest.mark.parametrize(
+        "evidence",
+        [At(ORIGIN), Minors(()), Found({}, ()), Solutions(()), Regardless(0, ()), None, 5],
+    )
+    def test_evidence_for_something_else(self, evidence):
+        rejected(self.GOAL, evidence, "no evidence")
+
+    def test_what_shows_is_no_denial_and_the_reverse(self):
+        denial_rejected(self.GOAL, Shown(Proof(self.ROWS), ORIGIN), "no evidence")
+        denial_rejected(self.GOAL, At(ORIGIN), "hold at the point")
+
+
+class TestCases:
+    GOAL = follows(["x", 0], ["y", 0], given=[[SUM, 0]])
+    CASE = Proof((row(0, 1, 0), row(0, 0, 1)))
+    PROOF = Proof((row(1),), (row("x", "y"),), (CASE,))
+
+    def test_a_sum_of_squares_vanishes_with_each(self):
+        accepted(self.GOAL, Shown(self.PROOF, ORIGIN))
+
+    def test_but_not_for_complex_names(self):
+        goal = replace(self.GOAL, space=Space(("x", "y"), conjugates=(("x", "y"),)))
+        rejected(goal, Shown(self.PROOF, ORIGIN), "real names")
+        goal = replace(self.GOAL, space=COMPLEX)
+        rejected(goal, Shown(self.PROOF, at(x=0, y=0, i="i")), "real names")
+        space = Space(("x", "y"), steps=(Adjoined("j", decode(-4)),))
+        point = at(x=0, y=0, j=["*", 2, "i"])
+        rejected(replace(self.GOAL, space=space), Shown(self.PROOF, point), "not real|real names")
+
+    def test_a_difference_of_squares_is_none(self):
+        goal = replace(self.GOAL, given=equations([SQUARE, ["^", "y", 2]]))
+        rejected(goal, Shown(self.PROOF, ORIGIN), "not equal")
+
+    def test_a_case_left_out(self):
+        goal = follows(["x", 0], given=[[["*", "x", "y"], 0]])
+        one = Proof((row(0, 1),))
+        for groups, cases in (
+            ((row("x"), row("y")), (one,)),
+            ((row("x"),), (one,)),
+            ((row("x"), row("y")), (one, one)),
+            ((row("x"), row("y")), ()),
+            ((row("x"), ()), (one, one)),
+        ):
+            rejected(goal, Shown(Proof((row(1),), groups, cases), ORIGIN))
+
+    def test_a_case_that_is_not_proved(self):
+        wrong = Proof((row(0, 1, 0), row(0, 1, 0)))
+        rejected(self.GOAL, Shown(replace(self.PROOF, cases=(wrong,)), ORIGIN), "not equal")
+
+    def test_a_case_by_what_vanishes_in_it(self):
+        goal = follows(["y", 0], given=[[["*", "x", "y"], 0]])
+        by_x = Proof((row(0, ["/", "y", "x"]),))
+        proof = Proof((row(1),), (row("x"), row("y")), (by_x, Proof((row(0, 1),))))
+        assert accepted(goal, Shown(proof, at(x=1, y=0)))  # for x other than zero
+        rejected(goal, Shown(proof, ORIGIN), "divided by")
+
+
+class TestPoints:
+    @pytest.mark.parametrize("point", [at(x=1), at(y=0), at()])
+    def test_values_left_out(self, point):
+        denial_rejected(follows(["y", "x"], given=[["x", 1]]), At(point), "leaves a value out")
+
+    def test_the_value_of_a_root_left_out(self):
+        space = Space(("x",), steps=(Adjoined("r", decode("x")),))
+        goal = Follows(space, (equations(["r", 1]), equations(["r", -1])), equations(["x", 1]))
+        denial_rejected(goal, At(at(x=1)), "root out")
+        denial_rejected(goal, At(at(x=1, r=2)), "not a root there")
+        denial_rejected(goal, At(at(x=1, r=-1)), "hold at the point")
+
+    @pytest.mark.parametrize("tree", ["i", plus(1, "i"), ["sqrt", minus(2)], ["sqrt", 1], ["sqrt", 0],
+        ["sqrt", ["sqrt", 2]], "x", "z", ["/", 1, 0], ["vector", 1, 2], ["^", 0, 0]])  # fmt: skip
+    def test_values_that_are_none_or_not_real(self, tree):
+        denial_rejected(follows(["y", 2], given=[["x", 0]]), At(at(x=tree, y=1)))
+
+    @pytest.mark.parametrize("values", [None, 5, {"x": 1, "y": 2}, {"x": None, "y": None}])
+    def test_points_that_are_none(self, values):
+        denial_rejected(follows(["y", "x"]), At(Point(values)))
+        denial_rejected(follows(["y", "x"]), At(None))
+
+    def test_an_unknown_name(self):
+        denial_rejected(follows(["y", "x"]), At(at(x=0, y=1, z=2)), "no meaning")
+
+    def test_roots_take_no_side(self):
+        goal = Follows(XY, (equations(["x", 2]), equations(["x", -2])), equations([SQUARE, 4]))
+        denial_rejected(goal, At(at(x=["sqrt", 4], y=0)), "depend on each other")
+        double = ["*", 2, "y"]
+        goal = Follows(XY, (equations(["x", double]), equations(["x", minus(double)])),
+                       equations([SQUARE, 8], [["^", "y", 2], 2]))  # fmt: skip
+        denial_rejected(goal, At(at(x=["sqrt", 8], y=["sqrt", 2])), "depend on each other")
+        point = at(x=["*", ["sqrt", 2], ["sqrt", 3]], y=["sqrt", 6])
+        denial_rejected(follows([SQUARE, ["*", "x", "y"]]), At(point), "depend on each other")
+
+    def test_the_unit_and_conjugates(self):
+        goal = follows([["*", "x", "i"], "y"], space=COMPLEX)
+        denial_rejected(goal, At(at(x=1, y=0, i=1)), "not a root")
+        denial_rejected(goal, At(at(x=1, y=0)), "root out")
+        pair = Space(("x", "y"), conjugates=(("x", "y"),))
+        goal = follows(["x", "y"], space=pair)
+        denial_rejected(goal, At(at(x=1, y=2)), "not real")
+        denial_rejected(goal, At(at(x="i", y="i")), "not real")
+        accepted(goal, At(at(x="i", y=minus("i"))), sign=False)
+
+    def test_off_the_set_and_on_it(self):
+        goal = follows(["y", 1], given=[["x", 1]])
+        denial_rejected(goal, At(at(x=2, y=2)), "not where it should be")
+        denial_rejected(goal, At(at(x=1, y=1)), "hold at the point")
+        accepted(goal, At(at(x=1, y=2)), sign=False)
+
+    def test_at_a_pole(self):
+        goal = follows([["/", "y", "x"], 1])
+        denial_rejected(goal, At(at(x=0, y=1)), ".")
+        goal = follows(["y", 1], given=[[["/", "y", "x"], 0]])
+        denial_rejected(goal, At(ORIGIN), "not where")
+        granted = Space(("x", "y"), nonzero=row("x"))
+        denial_rejected(follows(["y", 1], space=granted), At(ORIGIN), "granted not to vanish")
+
+    def test_a_power_that_is_not_known(self):
+        space = Space(("x",), ("m",), steps=(Raised("P", decode("x"), "m"),))
+        goal = follows(["P", "x"], space=space)
+        for x, p in ((2, 4), (1, 2), (2, 1)):
+            denial_rejected(goal, At(at(x=x, m=2, P=p)), "not known there")
+
+    def test_each_conclusion_has_to_fail(self):
+        goal = Follows(XY, (equations(["x", 0]), equations(["x", 1])))
+        denial_rejected(goal, At(at(x=1, y=0)), "hold at the point")
+        accepted(goal, At(at(x=2, y=0)), sign=False)
+
+
+class TestFails:
+    def test_what_follows_for_most_points_may_fail_at_others(self):
+        goal = Fails(XY, (equations(["y", 0]),), equations([["*", "x", "y"], 0]))
+        by_x = Shown(Proof((row(["/", 1, "x"]),)), at(x=1, y=0))
+        denial_rejected(goal, by_x, "may be zero")
+        accepted(goal, At(at(x=0, y=1)))
+        rejected(goal, At(at(x=1, y=0)), "hold at the point")
+        rejected(goal, by_x, "no evidence")
+
+    def test_printed_divisors_do_not_count(self):
+        goal = Fails(XY, (equations([["/", "y", "x"], 0]),), equations(["y", 0]))
+        accepted(goal, Shown(Proof((row(["/", 1, "x"]),)), at(x=1, y=0)), sign=False)
+
+
+class TestRank:
+    GOAL = Rank(XY, row(SUM), equations(["x", 1]), 2)
+
+    def test_independent_differentials(self):
+        accepted(self.GOAL, At(at(x=1, y=1)))
+        rejected(self.GOAL, At(at(x=1, y=0)), "dependent at the point")
+        rejected(self.GOAL, At(at(x=2, y=1)), "not where")
+        rejected(replace(self.GOAL, rank=1), At(at(x=1, y=1)), "2 independent")
+        denial_rejected(self.GOAL, At(at(x=1, y=1)), "2 independent")
+        denial_rejected(self.GOAL, At(at(x=1, y=0)), "dependent")
+
+    def test_dependence_everywhere(self):
+        goal = Rank(XY, row(SQUARE, "x"), (), 2)
+        accepted(goal, Minors(()), sign=False)
+        denial_rejected(replace(goal, functions=row(SUM, "x")), Minors(()), "not equal")
+
+    def test_dependence_but_where_something_vanishes(self):
+        """On x y = 0 the minor is x: it vanishes where y does not."""
+        goal = Rank(XY, row(["/", SQUARE, 2]), equations([["*", "x", "y"], 0]), 2)
+        rows = (row(["/", "x", "y"]),)
+        denial_rejected(goal, Minors(rows), "may be zero|not equal")
+
+
+class TestPositive:
+    POINT = at(x=0, y=0, i="i")
+
+    def squares(self, *squares, zero=((1,),), point=ORIGIN, rest=()):
+        proof = Proof(tuple(row(*one) for one in zero))
+        return Squares(tuple((decode(a), decode(b)) for a, b in squares), row(*rest), point, proof)
+
+    def test_a_square_of_what_is_not_real(self):
+        goal = Positive(COMPLEX, decode(-1))
+        rejected(goal, self.squares((1, "i"), zero=((-1,),), point=self.POINT), "not real")
+
+    def test_a_square_that_is_taken_away(self):
+        for number in (-1, 0, "x", ["sqrt", 2]):
+            goal = Positive(XY, decode(["*", -1, SQUARE]))
+            rejected(goal, self.squares((number, "x")))
+
+    def test_what_may_be_zero(self):
+        goal = Positive(XY, decode(SQUARE))
+        rejected(goal, replace(self.squares((1, "x")), zero=None), "nowhere")
+        rejected(goal, self.squares((1, "x"), zero=((0,),)), "not equal")
+        rejected(goal, self.squares((1, "x"), zero=((["/", 1, SQUARE],),)), "divided by")
+
+    def test_another_formula(self):
+        goal = Positive(XY, decode(plus(SQUARE, 1)))
+        circle = Positive(XY, decode(plus("x", 2)), equations([SUM, 1]))
+        rejected(goal, self.squares((1, "x"), (2, 1)), "not equal")
+        rejected(circle, self.squares((1, "x")), "not equal")
+
+    def test_a_denial_needs_a_number_that_is_not_positive(self):
+        goal = Positive(XY, decode("x"))
+        for tree in (1, ["sqrt", 2], minus(["sqrt", 2])):
+            denial_rejected(goal, At(at(x=tree, y=0)), "positive at the point, or not rational")
+        accepted(goal, At(ORIGIN), sign=False)
+
+
+class TestExists:
+    SPACE = Space(("x", "y"), field=(Motion(("x", "y"), decode(["vector", 1, 1]), decode(["vector", "y", minus("x")])),))  # fmt: skip
+
+    def exists(self, *sides, expressions=("M",), numbers=(), space=None):
+        return Exists((identity(space or self.SPACE, *equations(*sides)),), expressions, numbers)
+
+    def test_names_without_values_and_values_without_names(self):
+        goal = self.exists([["D", "x"], ["*", "M", "y"]])
+        accepted(goal, Found({"M": decode(1)}, (Shown(),)))
+        for values in ({}, {"N": decode(1)}, {"M": decode(1), "N": decode(1)}):
+            rejected(goal, Found(values, (Shown(),)), "no value")
+        for inner in ((), (Shown(), Shown()), (At(ORIGIN),), (None,), None):
+            rejected(goal, Found({"M": decode(1)}, inner))
+        rejected(goal, Shown(), "no expressions")
+
+    def test_another_value(self):
+        goal = self.exists([["D", "x"], ["*", "M", "y"]])
+        for tree in (2, "x", "M", "N", ["/", 1, 0]):
+            rejected(goal, Found({"M": decode(tree)}, (Shown(),)))
+
+    def test_a_number_that_is_none(self):
+        goal = self.exists(["x", "k"], expressions=(), numbers=("k",))
+        rejected(goal, Found({"k": decode("x")}, (Shown(),)), "k is no number")
+
+    def test_one_value_for_all_goals(self):
+        first, second = (identity(self.SPACE, *equations(["M", tree])) for tree in ("x", "y"))
+        goal = Exists((first, second), ("M",))
+        for tree in ("x", "y"):
+            rejected(goal, Found({"M": decode(tree)}, (Shown(), Shown())), "not equal")
+
+    def test_a_value_that_is_not_defined_on_the_set(self):
+        goal = Exists(
+            (
+                identity(self.SPACE, *equations(["y", ["*", "M", "x"]])),
+                replace(identity(self.SPACE, *equations(["y", ["*", "M", "x"]])), given=equations(["x", 0])),
+            ),
+            ("M",),
+        )  # fmt: skip
+        values = {"M": decode(["/", "y", "x"])}
+        inner = (Shown(), Shown(Proof(), at(x=0, y=1)))
+        rejected(goal, Found(values, inner), "not where|divided by")
+
+    def test_a_denial_at_a_pole(self):
+        goal = self.exists([["*", "x", "M"], ["/", 1, "x"]])  # M = 1/x^2
+        denial_rejected(goal, Regardless(0, ((decode(1), ORIGIN),)))
+
+    def test_a_denial_where_the_name_counts(self):
+        point = at(x=0, y=1)
+        for sides in (["M", 1], [["*", "M", "y"], 1], [["*", "M", plus("M", "x")], 1], [["D", "M"], "y"],
+                      [["conj", "M"], 1], [["/", "x", "M"], 1], [["d", "x", "M"], 1]):  # fmt: skip
+            denial_rejected(self.exists(sides), Regardless(0, ((decode(1), point),)))
+        goal = self.exists([["D", "x"], ["*", "M", "x"]])
+        accepted(goal, Regardless(0, ((decode(1), point),)), sign=False)
+        denial_rejected(goal, Regardless(0, ((decode(1), at(x=1, y=1)),)), "may hold")
+
+    @pytest.mark.parametrize("goal", [1, 5, "x", None])
+    def test_a_denial_of_no_goal(self, goal):
+        evidence = Regardless(goal, ((decode(1), at(x=0, y=1)),))
+        denial_rejected(self.exists([["D", "x"], ["*", "M", "x"]]), evidence)
+
+    def test_weights(self):
+        """k is x at each point, so that 2 points deny it; but no weights make x of a number."""
+        goal = self.exists(["x", "k"], expressions=(), numbers=("k",))
+        one, two = at(x=1, y=0), at(x=2, y=0)
+        accepted(goal, Regardless(0, ((decode(1), one), (decode(-1), two))), sign=False)
+        for weights in ((1, 1), (1, -2), (0, 0), ("x", -1), (["sqrt", 2], minus(["sqrt", 2]))):
+            points = tuple(zip(map(decode, weights), (one, two), strict=True))
+            denial_rejected(goal, Regardless(0, points))
+        denial_rejected(goal, Regardless(0, ()))
+        free = replace(goal, expressions=("k",), numbers=())
+        denial_rejected(free, Regardless(0, ((decode(1), one), (decode(-1), two))), "may hold")
+
+    def test_a_denial_of_an_implication(self):
+        one = follows(["M", 1], given=[["x", 0]])
+        denial_rejected(Exists((one,), ("M",)), Regardless(0, ((decode(1), ORIGIN),)), "identity")
+
+
+class TestCount:
+    SPACE = Space(("x",), ("a",), nonzero=row("a"))
+    GOAL = Count(SPACE, equations([SQUARE, ["^", "a", 2]]), ("x",), 2)
+    ROOTS = Roots(
+        root="s", form=decode("x"), eliminant=row(minus(["^", "a", 2]), 0),
+        solved=((decode("x").name, decode("s"), decode(1)),), rows=(row(1), row(0)), quotients=row(1, 0),
+        factors=(Factor(decode(["^", "a", 2]), ((decode(1), decode("a")),), (), (0, row(1, 0))),),
+        minors=((decode(2), (0,)), (decode(4), (1,))), point=at(x=1, a=1),
+    )  # fmt: skip
+
+    def test_honest_evidence(self):
+        accepted(self.GOAL, self.ROOTS)
+        accepted(replace(self.GOAL, number=3), self.ROOTS, sign=False)
+        rejected(replace(self.GOAL, number=3), self.ROOTS, "another number")
+        denial_rejected(self.GOAL, self.ROOTS, "another number")
+
+    @pytest.mark.parametrize(
+        "change",
+        [
+            {"root": "x"}, {"root": "a"}, {"form": decode("a")}, {"form": decode("z")},
+            {"eliminant": row(["^", "a", 2], 0)}, {"eliminant": row(minus(["^", "a", 2]))}, {"eliminant": ()},
+            {"eliminant": row(minus(["^", "x", 2]), 0)}, {"solved": ()}, {"solved": (("x", decode("s"), decode(0)),)},
+            {"solved": (("x", decode("a"), decode(1)),)}, {"solved": (("y", decode("s"), decode(1)),)},
+            {"rows": (row(1),)}, {"rows": (row(2), row(0))}, {"rows": (row(1), row(0), row(0))}, {"rows": ((), ())},
+            {"quotients": row(1)}, {"quotients": row(2, 0)}, {"quotients": ()}, {"factors": ()},
+            {"minors": ((decode(2), (0,)),)}, {"minors": ((decode(-2), (0,)), (decode(4), (1,)))},
+            {"minors": ((decode(2), (0,)), (decode(4), (2,)))}, {"minors": ((decode(2), ()), (decode(4), ()))},
+            {"point": at(x=1, a=2)}, {"point": at(x=0, a=0)}, {"point": at(a=1)}, {"point": None}, {"minors": None},
+        ],
+    )  # fmt: skip
+    def test_a_part_changed(self, change):
+        rejected(self.GOAL, replace(self.ROOTS, **change))
+
+    @pytest.mark.parametrize(
+        "change",
+        [
+            {"squares": ()}, {"squares": ((decode(-1), decode("a")),)}, {"squares": ((decode(1), decode("x")),)},
+            {"row": row(1)}, {"row": row(0, 0)}, {"factor": decode("a")}, {"granted": (1, row(1, 0))},
+            {"granted": (0, row(2, 0))}, {"granted": (0, row(1))}, {"granted": ("x", row(1, 0))},
+        ],
+    )  # fmt: skip
+    def test_a_factor_changed(self, change):
+        (factor,) = self.ROOTS.factors
+        rejected(self.GOAL, replace(self.ROOTS, factors=(replace(factor, **change),)))
+
+    def test_a_double_root_is_not_two(self):
+        goal = replace(self.GOAL, equations=equations([SQUARE, 0]))
+        zero = Factor(decode(0))
+        roots = replace(self.ROOTS, eliminant=row(0, 0), factors=(zero,), point=at(x=0, a=1))
+        roots = replace(roots, minors=((decode(2), (0,)), (decode(1), (1,))))
+        rejected(goal, roots)
+
+    def test_rows_that_divide_by_what_may_vanish(self):
+        """a x = 0 has the one solution 0, but for a = 0, where all numbers are."""
+        goal = Count(Space(("x",), ("a",)), equations([["*", "a", "x"], 0]), ("x",), 1)
+        roots = Roots(
+            root="s", form=decode("x"), eliminant=row(0), solved=(("x", decode("s"), decode(1)),),
+            rows=(row(["/", 1, "a"]), row(0)), quotients=row("a", 0), factors=(),
+            minors=((decode(1), ()),), point=at(x=0, a=1),
+        )  # fmt: skip
+        assert accepted(goal, roots)  # for a other than zero
+        one = judge()
+        one.holds(goal, roots)
+        assert [e for _, elements in one.accepted.divided for e in elements]
+        rejected(goal, replace(roots, point=at(x=0, a=0)), "divided by")
+
+    def test_rows_that_divide_by_what_is_counted(self):
+        """x (x - 1) = 0 has two solutions; divided by x - 1 it has one."""
+        goal = Count(Space(("x",), ("a",)), equations([["*", "x", plus("x", -1)], 0]), ("x",), 1)
+        roots = Roots(
+            root="s", form=decode("x"), eliminant=row(0), solved=(("x", decode("s"), decode(1)),),
+            rows=(row(["/", 1, plus("x", -1)]), row(0)), quotients=row(plus("s", -1), 0), factors=(),
+            minors=((decode(1), ()),), point=at(x=0, a=1),
+        )  # fmt: skip
+        rejected(goal, roots, "unknown stands")
+
+    def test_what_is_granted_does_not_follow_by_division(self):
+        (factor,) = self.ROOTS.factors
+        granted = replace(factor, granted=(0, row(["/", "a", "a"], 0)))
+        accepted(self.GOAL, replace(self.ROOTS, factors=(granted,)))
+        space = Space(("x",), ("a", "b"), nonzero=row("b"))
+        goal = Count(space, self.GOAL.equations, ("x",), 2)
+        forged = replace(factor, granted=(0, row(["/", "b", "a"], 0)))
+        one = judge()
+        one.holds(goal, replace(self.ROOTS, factors=(forged,), point=at(x=1, a=1, b=1)))
+        assert [e for _, elements in one.accepted.divided for e in elements]  # a is a condition
+
+    def test_complex_names(self):
+        space = Space(("x",), ("a",), nonzero=row("a"), steps=(I,))
+        rejected(
+            replace(self.GOAL, space=space), replace(self.ROOTS, point=at(x=1, a=1, i="i")), "real"
+        )
+
+    def test_lists_of_solutions(self):
+        goal = replace(self.GOAL, number=1)
+        one, two = at(x=1, a=1), at(x=-1, a=1)
+        accepted(goal, Solutions((one, two)), sign=False)
+        for points in (
+            (one,), (), (one, one), (one, at(x=2, a=1)), (one, at(x=-2, a=2)), (at(x=0, a=0), one),
+            (at(x=["/", 2, 2], a=1), one), (at(a=1), one), (at(x=["sqrt", 4], a=2), at(x=-2, a=2)), (None, one),
+        ):  # fmt: skip
+            denial_rejected(goal, Solutions(points))
+        denial_rejected(self.GOAL, Solutions((one, two)), "more solutions")
+        rejected(goal, Solutions((one, two)), "no evidence")
+
+
+class TestMotion:
+    def test_a_gap_in_the_field(self):
+        space = Space(("x", "y"), field=(Motion(("x",), decode(1), decode("y")),))
+        rejected(follows([["D", "y"], 0], space=space), Shown(), "no equation of motion")
+        rejected(follows([["D", "y"], 0]), Shown(), ".")
+
+    def test_a_definition_that_moves_otherwise(self):
+        rows = (Motion(("x", "z"), decode(["vector", 1, 1]), decode(["vector", 1, 1])),)
+        space = Space(("x",), steps=(Let("z", decode(0)),), field=rows)
+        rejected(follows([["D", "x"], 1], space=space), Shown(), "does not move")
+
+    def test_a_zero_divisor_among_the_roots(self):
+        steps = (Adjoined("r", decode(2)), Adjoined("s", decode(8)))
+        space = Space(("x",), steps=steps)
+        goal = follows([["/", 1, plus("s", ["*", -2, "r"])], "x"], space=space)
+        rejected(goal, Shown(), ".")

@@ -1,0 +1,232 @@
+"""Certificates are written from the print, byte for byte, and are not trusted when they are read."""
+
+import json
+import random
+from copy import deepcopy
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from kowalevski_cas.algebra import EXACT
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.library import find, load
+from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.evidence import Proof, Shown
+from kowalevski_cas.verify.certificate import VERSION, Stored, load_certificates
+from kowalevski_cas.verify.committed import certificate_files
+from kowalevski_cas.verify.record import load_record
+from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.statement import Statement
+from tests.problem.tampering import at, changed, names_in, others, places
+
+PAPERS = ("kharlamov2002", "kharlamov_savushkin2004")
+
+
+@pytest.fixture(scope="module", params=PAPERS)
+def written(request):
+    """The folder of a paper, and its certificates as they are written now, by name."""
+    folder, derivation = find(request.param), load(request.param)
+    record = load_record(folder)
+    session = Session(derivation, ["flint"], certificates=load_certificates(folder), record=record)
+    return folder, dict(pair for claim in derivation.claims for pair in session.certificates(claim))
+
+
+def test_every_claim_and_every_correction_has_one(written):
+    folder, texts = written
+    record = load_record(folder)
+    corrected = {f"corrected/{claim}" for claim, entry in record.items() if entry["correction"]}
+    assert set(texts) == set(record) | corrected
+
+
+def test_the_committed_ones_are_written_from_the_print(written):
+    folder, texts = written
+    committed = {p.relative_to(folder / "certificates").with_suffix("").as_posix(): p for p in certificate_files(folder)}  # fmt: skip
+    assert set(committed) == set(texts)
+    for name, text in texts.items():
+        assert committed[name].read_text(encoding="utf-8") == text, name
+
+
+def test_the_record_has_the_digests_of_the_statements(written):
+    folder, texts = written
+    for claim, entry in load_record(folder).items():
+        assert entry["statement"] == json.loads(texts[claim])["digest"]
+
+
+def test_those_of_corrections_hold(written):
+    _, texts = written
+    signs = {json.loads(t)["sign"] for name, t in texts.items() if name.startswith("corrected/")}
+    assert signs <= {"holds"}
+
+
+# -- forged evidence ---------------------------------------------------------------
+
+
+def only(derivation, id, stored, arithmetics=("flint",)):
+    (outcome,) = verify(derivation, arithmetics, only=[id], certificates=stored).outcomes
+    return outcome
+
+
+def forged(certificates, id, evidence, **more):
+    """The certificates, with other evidence for one claim."""
+    stored = certificates[id]
+    return {**certificates, id: Stored(stored.path, {**stored.data, "evidence": evidence, **more})}
+
+
+def is_an_error(outcome, certificates, name):
+    assert outcome.verdict == "error"
+    assert outcome.message.startswith(f"{certificates[name].path}: ")
+    assert not outcome.verdict.green and outcome.counterexample is None
+
+
+CLAIMS = ["eq7", "J3", "eq20.2", "eq10.1", "eq14", "eq15", "eq16.invariance", "M4-dimension", "N4-independence",
+    "equilibria", "critical-set", "limit", "kowalevski-variable", "ansatz-exponents", "last-multiplier", "eq21"]  # fmt: skip
+
+
+@pytest.mark.parametrize("id", CLAIMS)
+@pytest.mark.parametrize(
+    "evidence",
+    [None, [], {}, "x", 5, [None], [[]], [{}], [5], [{"goal": 9}], [{"goal": -1}], [{"goal": "x"}],
+     [{"point": None}], [{"point": {"roots": [], "values": [["x_1", "?"]]}}], [{"cofactors": [[1]]}],
+     [{"goal": 0, "point": {"roots": [], "values": []}}], [{"values": [], "evidence": []}]],
+    ids=str,
+)  # fmt: skip
+def test_evidence_of_another_shape_is_an_error_that_names_the_file(
+    derivation, certificates, id, evidence
+):
+    outcome = only(derivation, id, forged(certificates, id, evidence))
+    is_an_error(outcome, certificates, id)
+
+
+@pytest.mark.parametrize("id", CLAIMS)
+def test_the_other_sign_is_an_error_that_names_the_file(derivation, certificates, id):
+    data = certificates[id].data
+    sign = {"holds": "denied", "denied": "holds"}[data["sign"]]
+    is_an_error(
+        only(derivation, id, forged(certificates, id, data["evidence"], sign=sign)),
+        certificates,
+        id,
+    )
+
+
+def numbers(data, choose):
+    """The same evidence with one of its numbers changed."""
+    paths = [p for p in places(data) if type(at(data, p)) is int and p[-1] not in ("goal", "inner")]
+    paths = [p for p in paths if "roots" not in p and "away" not in p]
+    path = choose(paths)
+    value = at(data, path)
+    return changed(data, path, choose([value + 1, -value - 1, 2 * value + 3]))
+
+
+TRUE_ALL_THE_SAME = 2
+"""How often in a hundred a changed number leaves a proof: another point, a cofactor times zero."""
+
+
+@pytest.mark.parametrize("id", CLAIMS)
+@pytest.mark.parametrize("seed", range(4))
+def test_a_number_that_is_changed_proves_nothing_else(derivation, certificates, record, id, seed):
+    choose = random.Random(f"{id} {seed}").choice
+    evidence = numbers(certificates[id].data["evidence"], choose)
+    outcome = only(derivation, id, forged(certificates, id, evidence))
+    if outcome.verdict == "error":
+        is_an_error(outcome, certificates, id)
+    else:  # another point that is as good, or another combination
+        assert outcome.verdict == record[id]["verdict"]
+        accepted = {**certificates[id].data, "evidence": evidence}
+        checker.check(json.dumps(accepted))
+
+
+def test_no_tampered_evidence_makes_the_run_crash_or_the_verdict_another(
+    derivation, certificates, record
+):
+    """Whatever stands at whatever place: the recorded verdict, or an error."""
+    choose = random.Random(2002)
+    session = Session(derivation, ["flint"])
+    claims = {claim.id: claim for claim in derivation.claims}
+    for _ in range(150):
+        id = choose.choice(CLAIMS)
+        data = certificates[id].data
+        evidence = data["evidence"]
+        path = choose.choice([*places(evidence)])
+        names = sorted(names_in(data["spaces"]))
+        value = choose.choice(others(evidence, path, [choose.choice(names), "i"]))
+        session.stored = forged(certificates, id, changed(evidence, path, value))
+        outcome = session.decide(claims[id])
+        assert outcome.verdict in (record[id]["verdict"], "error"), (id, path, value)
+
+
+@pytest.mark.parametrize("arithmetic", EXACT)
+def test_in_every_arithmetic(derivation, certificates, arithmetic):
+    evidence = deepcopy(certificates["eq20.2"].data["evidence"])
+    evidence[0]["cofactors"] = [
+        [["*", 2, entry] for entry in row] for row in evidence[0]["cofactors"]
+    ]
+    outcome = only(derivation, "eq20.2", forged(certificates, "eq20.2", evidence), (arithmetic,))
+    is_an_error(outcome, certificates, "eq20.2")
+    assert f"({arithmetic}: the two sides are not equal)" in outcome.message
+
+
+def test_evidence_for_another_statement_is_not_looked_at(derivation, certificates, record):
+    stored = forged(certificates, "eq15", [{"trust": "me"}], digest="0123456789abcdef")
+    assert only(derivation, "eq15", stored).verdict == record["eq15"]["verdict"]
+
+
+def test_forged_evidence_for_a_correction(derivation, certificates):
+    name = "corrected/eq10.1"
+    stored = forged(certificates, name, [{"cofactors": [[1]]}])
+    outcome = only(derivation, "eq10.1", stored)
+    assert outcome.verdict == "error" and outcome.correction is None
+    assert outcome.message.startswith(f"{certificates[name].path}: ")
+    stored = forged(certificates, name, 5)
+    assert only(derivation, "eq10.1", stored).message.startswith(f"{certificates[name].path}: ")
+
+
+def test_the_correction_of_the_record_is_only_looked_at_first(derivation, certificates):
+    for tex in ("x_1 = (", "x_1' = x_1'", "x_1 = x_1", r"x_1' = -x_1\omega_3 + z_2w_1"):
+        record = {"eq10.1": {"verdict": "refuted", "correction": tex}}
+        (outcome,) = verify(
+            derivation, ["flint"], only=["eq10.1"], certificates=certificates, record=record
+        ).outcomes
+        assert outcome.verdict == "refuted" and outcome.correction.verdict == "proved"
+
+
+def test_cofactors_may_not_be_divided_by_what_vanishes_on_the_set(derivation, certificates):
+    """A goal over a hypothesis, times this hypothesis, is the goal."""
+    claim = next(c for c in derivation.claims if c.id == "eq20.2")
+    session = Session(derivation, ["flint"])
+    statement = Statement(claim, session.on(claim))
+    (shown,) = statement.search()
+    assert isinstance(shown, Shown)
+    space = statement.goals[0].space
+    known = space.finder.differences(statement.goals[0].given)
+    (target, *_) = space.finder.differences(statement.goals[0].conclusions[0])
+    first = next(k for k, element in enumerate(known) if not element.is_zero)
+    entries = [space.finder.ring.zero] * len(known)
+    entries[first] = target / known[first]
+    rows = list(shown.proof.rows)
+    rows[0] = tuple(map(formula_in, entries))
+    decided = session._judged(statement, (replace(shown, proof=Proof(tuple(rows))),), "flint")
+    assert decided.verdict == "error"
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{", "[]", '"x"', '{"version": 0}', '{"version": "2"}', "\x00", "[" * 9999]
+)
+def test_files_that_are_none_are_passed_over(tmp_path, text):
+    (tmp_path / "certificates" / "corrected").mkdir(parents=True)
+    for name in ("eq1.json", "corrected/eq1.json"):
+        (tmp_path / "certificates" / name).write_text(text)
+    assert load_certificates(tmp_path) == {}
+    assert load_certificates(Path("nowhere")) == {}
+
+
+def test_what_is_passed_over_is_proved_anew(derivation, certificates, record):
+    ids = ["eq9.i", "eq10.7", "eq12", "eq22", "critical-set", "limit"]
+    found = verify(derivation, ["flint"], only=ids).outcomes
+    assert {o.claim: str(o.verdict) for o in found} == {id: record[id]["verdict"] for id in ids}
+    for outcome in found:
+        assert (outcome.correction is None) == (record[outcome.claim]["correction"] is None)
+
+
+def test_the_version_is_that_of_the_checker(certificates):
+    assert all(stored.data["version"] == VERSION for stored in certificates.values())

@@ -1,0 +1,80 @@
+"""Corrections are proposals: nothing rests on one that the derivation does not accept."""
+
+import pytest
+
+from kowalevski_cas.paper.claims import Definition, Identity
+from kowalevski_cas.paper.derivation import Scene, Section
+from kowalevski_cas.verify.outcome import in_latex
+from tests.paper.small import Oscillator, decide
+
+
+@pytest.fixture
+def small():
+    return Oscillator()
+
+
+def claims(small):
+    wrong, right = small(r"v=-\dot x"), small(r"\dot v=-x")
+    return Identity("wrong", small.scene, wrong, ""), Identity("right", small.scene, right, "")
+
+
+def test_a_correction_is_proposed_and_proved(small):
+    found = decide(small.section, *claims(small))
+    assert [str(o.verdict) for o in found] == ["refuted", "proved"]
+    assert found[0].correction.verdict == "proved"
+    assert in_latex(found[0].correction.formulas) == r"v = \dot{x}"
+
+
+def scene_with(tex):
+    """A scene on which D is defined by a printed formula, the claim of it, and one that uses it."""
+    section = Section("1", "")
+    motion = section.display("motion", r"\dot x = v,\quad \dot v = -x")
+    printed, rate = section.inline("D", tex), section.inline("rate", r"\dot D = 2xv")
+    use = section.inline("use", "D - x^2 = 0")
+    scene = Scene(
+        "D", "", variables=("x", "v"), field=(motion[1], motion[2]), definitions={"D": printed[1]}
+    )
+    own = Definition("own", scene, printed[1], "", equation=rate[1])
+    return section, printed, (own, Identity("use", scene, use[1], ""))
+
+
+def test_without_acceptance_the_print_stands():
+    section, _, both = scene_with("D = x^3")
+    own, use = decide(section, *both)
+    assert (own.verdict, use.verdict) == ("refuted", "refuted")
+    assert in_latex(own.correction.formulas) == "D = x^2"
+    assert use.corrected == ()
+
+
+def test_with_acceptance_what_follows_rests_on_it_and_says_so():
+    section, printed, both = scene_with("D = x^3")
+    section.accept(printed[1], "D = x^2")
+    own, use = decide(section, *both)
+    assert (own.verdict, use.verdict) == ("refuted", "proved")
+    assert own.corrected == () and use.corrected == ("own",)
+
+
+@pytest.mark.parametrize("tex", ["D = x^2 + 1", "D = x^4", "D = D", "D = v"])
+def test_what_is_accepted_has_to_be_proved(tex):
+    section, printed, both = scene_with("D = x^3")
+    section.accept(printed[1], tex)
+    own, _ = decide(section, *both)
+    assert own.verdict == "error"
+    assert own.message == "what the derivation accepts at D.1 has not been proved"
+
+
+def test_what_is_accepted_in_place_of_what_is_right():
+    section, printed, both = scene_with("D = x^2")
+    section.accept(printed[1], "D = x^2")
+    own, _ = decide(section, *both)
+    assert own.verdict == "proved"
+    section, printed, both = scene_with("D = x^2")
+    section.accept(printed[1], "D = x^3")
+    own, use = decide(section, *both)
+    assert own.verdict == "error" and use.verdict == "refuted"
+
+
+def test_a_hopeless_formula_has_none(small):
+    claim = Identity("t", small.scene, small("x^5+7=v^3-x+2"), "")
+    (outcome,) = decide(small.section, claim)
+    assert outcome.verdict == "refuted" and outcome.correction is None
