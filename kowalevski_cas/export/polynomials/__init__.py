@@ -37,8 +37,9 @@ class Polynomials(Language, Format, ABC):
         spaces, goals = (deepcopy(certificate[key]) for key in ("spaces", "goals"))
         try:
             problem = checker.Problem(spaces, goals, Traced(writer, [5 * checker.WORK]), Space)
-            for space in problem.spaces if self.trusting else ():
-                space.ring.trusting = True
+            for space in problem.spaces:
+                assert isinstance(space.ring, Traced)
+                space.ring.trusting = self.trusting
             denied = certificate["sign"] == "denied"
             for k, evidence in enumerate(deepcopy(certificate["evidence"])):
                 goal = goals[evidence.pop("goal") if denied else k]

@@ -33,6 +33,10 @@ class Space(checker.Space):
         finally:
             self.ring.trusting = trusting
 
+    def derivative(self, element: checker.Element) -> checker.Element:
+        """The derivative with a text: what stands in a goal is for the program to compare."""
+        return self.ring.written(super().derivative(element))
+
     def inverse(self, element: checker.Element, words: str = "") -> checker.Element:
         found = plain(super().inverse(plain(element), words))
         self.ring.enter_divisors()
