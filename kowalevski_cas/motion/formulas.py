@@ -72,7 +72,8 @@ def across() -> tuple[Function, Function, Function]:
 @cache
 def _compiled(values: Values) -> Function:
     """The values, read on their scene, as a function of numbers."""
-    texts = Texts(vocabulary((*source().scenes(), values.scene)))
+    words = vocabulary((*source().scenes(), values.scene))
+    texts = Texts(words, source().corrected())
     on = Elaborations(texts)(values.scene)
     named = [(texts.expression(tex), Name(tex)) for tex in values.supplied]
     elements = []
