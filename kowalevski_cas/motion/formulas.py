@@ -13,8 +13,6 @@ from kowalevski_cas.notation import Formula, Name, replace
 from kowalevski_cas.paper.closed_form import ClosedForm, Member, Values
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.scene import vocabulary
-from kowalevski_cas.paper.texts import Texts
 
 INTEGRALS = ("H", "K", "a^2", "b^2", "c", "F_1", "F_2")
 """Names of the values of :func:`integrals`."""
@@ -72,7 +70,7 @@ def across() -> tuple[Function, Function, Function]:
 @cache
 def _compiled(values: Values) -> Function:
     """The values, read on their scene, as a function of numbers."""
-    texts = Texts(vocabulary((*source().scenes(), values.scene)))
+    texts = source().texts(source().corrected(), values.scene)
     on = Elaborations(texts)(values.scene)
     named = [(texts.expression(tex), Name(tex)) for tex in values.supplied]
     elements = []

@@ -26,6 +26,17 @@ class Space(checker.Space):
             wish = f"{self.ring.prefix}_{identifier(name)}"
             self.env[name] = tuple(Element(e, self.ring.named(e, wish)) for e in self.env[name])
 
+    def unary(self, op: str, element: checker.Element) -> checker.Element:
+        trusting, self.ring.trusting = self.ring.trusting, False  # which root it is is a question
+        try:
+            return super().unary(op, element)
+        finally:
+            self.ring.trusting = trusting
+
+    def derivative(self, element: checker.Element) -> checker.Element:
+        """The derivative with a text: what stands in a goal is for the program to compare."""
+        return self.ring.written(super().derivative(element))
+
     def inverse(self, element: checker.Element, words: str = "") -> checker.Element:
         found = plain(super().inverse(plain(element), words))
         self.ring.enter_divisors()

@@ -74,6 +74,7 @@ class Traced(checker.Ring):
 
     def __init__(self, writer: Writer, work: list[int]) -> None:
         super().__init__(work)
+        self.trusting = False
         self.writer = writer
         self.prefix = f"s{next(writer.rings)}"
         self.texts: dict[str, str] = {}
@@ -191,7 +192,7 @@ class Element(checker.Element):
         return {**parts}
 
     def vanishes(self) -> bool:
-        if not plain(self).vanishes():
+        if not (self.ring.trusting or plain(self).vanishes()):
             return False
         self.ring.vanishes("equal", self)
         return True
