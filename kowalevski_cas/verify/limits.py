@@ -9,16 +9,17 @@ from contextlib import contextmanager
 from time import monotonic
 from types import FrameType
 
-SOON = 1e-6
-"""Seconds after which a limit that has passed is told."""
+AGAIN = 0.1
+"""Seconds after which a limit that has passed is told once more, if nobody listened."""
 
 
 @contextmanager
 def time_limit(seconds: float | None) -> Iterator[None]:
     """Raise ``TimeoutError`` in the block after so many seconds.
 
-    Within another limit, none lasts longer than the other one. The limit works where the system has interval timers, in the main thread;
-    elsewhere, and with ``None``, there is no limit.
+    Within another limit, none lasts longer than the other one. The limit works where the
+    system has interval timers, in the main thread; elsewhere, and with ``None``, there is no
+    limit.
     """
     usable = hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread()
     if seconds is None or not usable:
@@ -30,11 +31,11 @@ def time_limit(seconds: float | None) -> Iterator[None]:
 
     start, (left, _) = monotonic(), signal.getitimer(signal.ITIMER_REAL)
     before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, min(seconds, left) if left else seconds)
+    signal.setitimer(signal.ITIMER_REAL, min(seconds, left) if left else seconds, AGAIN)
     try:
         yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
         if left:
-            signal.setitimer(signal.ITIMER_REAL, max(left - (monotonic() - start), SOON))
+            signal.setitimer(signal.ITIMER_REAL, max(left - (monotonic() - start), AGAIN), AGAIN)
