@@ -20,9 +20,9 @@ from kowalevski_cas.library import available
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Texts
-from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Fails, Follows, Problem
-from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.verify.statement import Statement
 from study.near_misses import near_misses
 from study.paper import Paper, exact, paper

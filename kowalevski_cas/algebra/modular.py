@@ -14,14 +14,14 @@ which a point was found.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from random import Random
 
 from flint import fmpz, nmod
 
 from kowalevski_cas.algebra.bounds import Sizes
 from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
-from kowalevski_cas.algebra.programs import Program
+from kowalevski_cas.algebra.programs import Program, Programs
 from kowalevski_cas.algebra.residue_points import NoRoot, solved, valuation
 from kowalevski_cas.algebra.valuation import Valuation
 
@@ -65,20 +65,27 @@ class Arithmetic(Points):
         return Answer(True, words, bound=bound)
 
 
-def vanishes(program: Program) -> bool:
-    """Whether a program vanishes at random points, the same in every run.
+class SampledPrograms(Programs):
+    """Programs of which points tell whether they vanish; they are the same in every run.
 
-    The points belong to the ring and remember what was evaluated there, so that
-    programs that share steps with earlier ones cost little.
+    The answer "no" is certain; the answer "yes" is wrong with the probability that
+    :func:`bound_of` bounds. The points remember what was evaluated there, so that programs
+    that share steps with earlier ones cost little.
     """
-    samples = program.ring.samples
-    if not samples:
-        random = Random(0)
-        for prime in primes(random, PRIMES):
-            # Programs that are asked later may need any of the roots.
-            roots = [program.ring.generator(name) for name in program.ring.roots]
-            samples.append(residue_point(Question(program.ring, roots), prime, random))
-    return all(point(program) == 0 for point in samples)
+
+    def __init__(self, generators: Iterable[str]) -> None:
+        super().__init__(generators)
+        self._samples: list[Valuation] = []
+
+    def vanishes(self, program: Program) -> bool:
+        """Whether a program vanishes at random points modulo random primes."""
+        if not self._samples:
+            random = Random(0)
+            for prime in primes(random, PRIMES):
+                # Programs that are asked later may need any of the roots.
+                roots = [self.generator(name) for name in self.roots]
+                self._samples.append(residue_point(Question(self, roots), prime, random))
+        return all(point(program) == 0 for point in self._samples)
 
 
 def primes(random: Random, number: int) -> Iterator[int]:

@@ -9,10 +9,9 @@ written once; a stage of programs evaluates it like any other stage.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from enum import Enum, auto
 from fractions import Fraction
-from typing import Any
 
 from kowalevski_cas.algebra.derivation import Field, along
 from kowalevski_cas.algebra.tower import Element
@@ -56,16 +55,10 @@ class Program(Element):
 
     @property
     def is_zero(self) -> bool:
-        """Whether the program vanishes at random points modulo random primes.
-
-        The answer "no" is certain; the answer "yes" is wrong with the probability
-        that :mod:`kowalevski_cas.algebra.modular` bounds.
-        """
+        """Whether the program vanishes, as far as its ring can tell."""
         if self.number is not None:
             return self.number == 0
-        from kowalevski_cas.algebra.modular import vanishes
-
-        return vanishes(self)
+        return self.ring.vanishes(self)
 
     def __add__(self, other: Element) -> Program:
         ring, right = self.ring, _program(other)
@@ -136,8 +129,6 @@ class Programs:
         self.products = 0
         self.depths: dict[int, dict[Program, int]] = {}
         """How deep derivatives are nested, by the identity of the field."""
-        self.samples: list[Callable[[Program], Any]] = []
-        """Points at which it is asked whether a program vanishes."""
         self.roots: list[str] = []
         self.radicands: list[Program] = []
         self._numbers: dict[Fraction, Program] = {}
@@ -145,6 +136,10 @@ class Programs:
         self.generators = tuple(self._named)
         self.zero = self.number(0)
         self.one = self.number(1)
+
+    def vanishes(self, program: Program) -> bool:
+        """Whether a program vanishes; raises ``TypeError`` in a ring that only writes them."""
+        raise TypeError("programs are only written here")
 
     def step(self, op: Op, args: tuple[Program, ...], data: object = None) -> Program:
         """A program whose last step is this one."""

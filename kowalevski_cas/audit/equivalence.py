@@ -9,7 +9,7 @@ from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.notation import Constant, Formula, NotationError, Relation
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.space import Meaningless
 
 
 def equivalence(session: AuditSession, printed: Printed, old: Formula, new: Formula) -> str:

@@ -19,7 +19,7 @@ from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
-from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.corrections import printed_of, true_ones
 from kowalevski_cas.verify.limits import time_limit

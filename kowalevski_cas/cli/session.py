@@ -13,7 +13,7 @@ from kowalevski_cas.library import LibraryError, available, find, load
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.problem.accept import Unproved
-from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import FOLDER, Stored, load_certificates
 from kowalevski_cas.verify.outcome import Run

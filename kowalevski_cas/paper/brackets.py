@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import product
-from typing import TYPE_CHECKING
 
 from kowalevski_cas.notation import (
     Formula,
@@ -22,11 +21,9 @@ from kowalevski_cas.notation import (
     Vector,
     substitute,
 )
+from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.scene import BRACKET, EPSILON, head
-from kowalevski_cas.problem.evaluate import Meaningless
-
-if TYPE_CHECKING:
-    from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.problem.space import Meaningless
 
 DIGITS = "123"
 Parts = tuple[bool, tuple[Formula, ...]]
@@ -40,7 +37,7 @@ class Brackets:
     :class:`Meaningless` if the printed brackets are not antisymmetric, or if there is none.
     """
 
-    def __init__(self, setting: Elaboration) -> None:
+    def __init__(self, setting: Meaning) -> None:
         self.setting = setting
         finder = setting.finder
         self.structure: dict[tuple[str, str], Formula] = {}

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from kowalevski_cas.notation import (
     CrossProduct,
     Diagonal,
@@ -13,21 +11,20 @@ from kowalevski_cas.notation import (
     Product,
     Sum,
     Vector,
+    rank,
     to_latex,
 )
-from kowalevski_cas.problem.evaluate import Meaningless
-from kowalevski_cas.problem.space import Let
-
-if TYPE_CHECKING:
-    from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.problem.space import Let, Meaningless
 
 
-def component(vector: Formula, index: int, setting: Elaboration) -> Formula:
+def component(vector: Formula, index: int, setting: Meaning) -> Formula:
     """One component of a vector that is printed by its components or as a product."""
 
     def of(part: Formula, k: int) -> Formula:
         return component(part, k, setting)
 
+    vocabulary = setting.texts.vocabulary
     match vector:
         case Vector(components):
             return components[index]
@@ -44,7 +41,7 @@ def component(vector: Formula, index: int, setting: Elaboration) -> Formula:
         case Diagonal(entries):
             return entries[index]
         case Product(factors):
-            vectors = (f if not setting.is_vector(f) else of(f, index) for f in factors)
+            vectors = (f if not rank(f, vocabulary) else of(f, index) for f in factors)
             return Product(tuple(vectors))
         case CrossProduct(left, right):
             j, k = (index + 1) % 3, (index + 2) % 3

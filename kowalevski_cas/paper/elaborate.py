@@ -27,21 +27,22 @@ from kowalevski_cas.notation import (
     Relation,
     Root,
     Vector,
-    rank,
 )
 from kowalevski_cas.paper.components import component
 from kowalevski_cas.paper.inverse import inverse
+from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.plain import Plain
 from kowalevski_cas.paper.roots import solved
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import (
     Adjoined,
     Change,
     Equation,
     Let,
+    Meaningless,
     Motion,
     Raised,
     Setting,
@@ -49,7 +50,7 @@ from kowalevski_cas.problem.space import (
 )
 
 
-class Elaboration(Setting):
+class Elaboration(Meaning):
     """The setting that a scene means.
 
     ``of`` gives the elaboration of another scene under the same texts. ``places`` tells, for
@@ -177,10 +178,6 @@ class Elaboration(Setting):
             return
         for index, name in enumerate(row.names):
             yield name, component(row.factor, index, self), component(row.force, index, self)
-
-    def is_vector(self, formula: Formula) -> bool:
-        """Whether a formula stands for a vector or a matrix."""
-        return rank(formula, self.texts.vocabulary) > 0
 
     def _let(self, name: str, formula: Formula, *places: Printed) -> Let:
         self.places[name] = places

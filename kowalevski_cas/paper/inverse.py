@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from kowalevski_cas.algebra.linear import Singular, solve
 from kowalevski_cas.algebra.present import polynomial_formula
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Number, Sum
-from kowalevski_cas.problem.evaluate import Meaningless
-
-if TYPE_CHECKING:
-    from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.problem.space import Meaningless
 
 
-def inverse(old: Elaboration, formulas: Sequence[tuple[str, Formula]]) -> dict[str, Formula]:
+def inverse(old: Meaning, formulas: Sequence[tuple[str, Formula]]) -> dict[str, Formula]:
     """The variables of ``old`` through new ones, which these formulas give.
 
     Raises :class:`Meaningless` if the formulas are not linear, or cannot be inverted.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from kowalevski_cas.notation import (
     Application,
@@ -25,12 +24,10 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.paper.brackets import Brackets
+from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.scene import head
-from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import MARK
-
-if TYPE_CHECKING:
-    from kowalevski_cas.paper.elaborate import Elaboration
 
 
 class Plain:
@@ -39,7 +36,7 @@ class Plain:
     Raises :class:`Meaningless` for what the scene does not know.
     """
 
-    def __init__(self, setting: Elaboration) -> None:
+    def __init__(self, setting: Meaning) -> None:
         self.setting = setting
 
     @cached_property

@@ -2,19 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.notation import Constant, Formula, Name, Number, Power
+from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.evaluate import Meaningless
-from kowalevski_cas.problem.space import Adjoined
-
-if TYPE_CHECKING:
-    from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.problem.space import Adjoined, Meaningless
 
 
-def solved(setting: Elaboration, name: str, printed: Printed) -> Adjoined:
+def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
     r"""A root by a printed equation in which its square stands.
 
     The equation is solved for the square: ``a^2`` in :math:`(\alpha,\alpha)=a^2`,
@@ -42,7 +37,7 @@ def solved(setting: Elaboration, name: str, printed: Printed) -> Adjoined:
     return Adjoined(name, square, (left, right))
 
 
-def _known(setting: Elaboration, member: Formula, root: str) -> Formula | None:
+def _known(setting: Meaning, member: Formula, root: str) -> Formula | None:
     """A member written out; ``None`` if the scene does not know what it is."""
     try:
         plain = setting.plain(member)

@@ -20,7 +20,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.count import check_roots, check_solutions, square
-from kowalevski_cas.problem.evaluate import Evaluation, Meaningless, rational_terms
+from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
 from kowalevski_cas.problem.evidence import (
     At,
     Evidence,
@@ -44,7 +44,7 @@ from kowalevski_cas.problem.goals import (
     Simple,
 )
 from kowalevski_cas.problem.place import Misplaced, Place
-from kowalevski_cas.problem.space import Adjoined, Equation, Setting
+from kowalevski_cas.problem.space import Adjoined, Equation, Meaningless, Setting
 
 Of = Callable[[Setting], Evaluation]
 

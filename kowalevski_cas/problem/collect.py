@@ -6,7 +6,7 @@ from collections.abc import Container
 from itertools import product
 
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Power, Product, Quotient, Sum
-from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.space import Meaningless
 
 Monomial = tuple[str, ...]
 Collected = dict[Monomial, Formula]

@@ -30,15 +30,15 @@ from kowalevski_cas.notation import (
     Vector,
     to_latex,
 )
-from kowalevski_cas.problem.space import Adjoined, Equation, Let, Raised, Setting, generators
-
-
-class Meaningless(ValueError):
-    """A formula without meaning where it stands; ``name`` is the name to blame, if there is one."""
-
-    def __init__(self, message: str, name: str | None = None) -> None:
-        super().__init__(message)
-        self.name = name
+from kowalevski_cas.problem.space import (
+    Adjoined,
+    Equation,
+    Let,
+    Meaningless,
+    Raised,
+    Setting,
+    generators,
+)
 
 
 class Triple(tuple[Element, ...]):

@@ -6,7 +6,8 @@ What has to be derived (squares of roots, the vector field) is taken from an exa
 from __future__ import annotations
 
 from kowalevski_cas.algebra.derivation import Field
-from kowalevski_cas.algebra.programs import Program, Programs
+from kowalevski_cas.algebra.modular import SampledPrograms
+from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Sum
 from kowalevski_cas.problem.evaluate import Evaluation, Value
@@ -22,7 +23,7 @@ class Sampled(Evaluation):
 
     def __init__(self, exact: Evaluation) -> None:
         self.exact = exact
-        self.programs = Programs(exact.ring.polynomials.generators)
+        self.programs = SampledPrograms(exact.ring.polynomials.generators)
         super().__init__(exact.setting, exact.polynomials, self.programs, {})  # type: ignore[arg-type]
         self._memory: dict[tuple[int, bool], tuple[Formula, Value]] = {}
         ring = exact.ring

@@ -20,6 +20,14 @@ Equation = tuple[Formula, Formula]
 """The two sides."""
 
 
+class Meaningless(ValueError):
+    """A formula without meaning where it stands; ``name`` is the name to blame, if there is one."""
+
+    def __init__(self, message: str, name: str | None = None) -> None:
+        super().__init__(message)
+        self.name = name
+
+
 @dataclass(frozen=True)
 class Let:
     """A name that stands for a formula."""
@@ -150,8 +158,6 @@ class Space(Setting):
         return tuple(step.name for step in self.steps if isinstance(step, Raised))
 
     def step(self, name: str) -> Step | None:
-        from kowalevski_cas.problem.evaluate import Meaningless
-
         if name in self.variables or name in self.constants:
             return None
         if name not in self._by_name:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from itertools import islice
 
@@ -17,19 +17,22 @@ from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.cofactors import cofactors
-from kowalevski_cas.search.find import Candidate, Finder
 from kowalevski_cas.search.numbers import linear_combination, solved_numbers
+from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real import real_points
 
 Linear = tuple[Formula, dict[str, Formula]]
 """An equation as what is free of bound names, and the coefficients of those, with sum zero."""
 
+Prove = Callable[[Simple, Evaluation], Evidence | None]
+"""What finds a proof of a goal in an evaluation of its space."""
+
 WEIGHTED = 24
 """At how many points an equation is looked at, to see that no numbers fit."""
 
 
-def found(goal: Exists, finder: Finder) -> Found | None:
-    """Values for the bound names, and the evidence for each goal with them."""
+def found(goal: Exists, finder: PointFinder, prove: Prove) -> Found | None:
+    """Values for the bound names, and the evidence that ``prove`` finds for each goal with them."""
     if goal.numbers:
         values = solved_numbers(goal, finder)
         if values is None:
@@ -47,7 +50,7 @@ def found(goal: Exists, finder: Finder) -> Found | None:
     evidence: list[Evidence] = []
     for one in goal.goals:
         at = finder.of(one.space)
-        inner = finder.proof(one, at.binding(_used(one, values, at)))
+        inner = prove(one, at.binding(_used(one, values, at)))
         if inner is None:
             return None
         evidence.append(inner)
@@ -122,7 +125,7 @@ def _solved(group: list[Linear], at: Evaluation, goal: Follows) -> dict[str, Ele
         return None
 
 
-def never(goal: Exists, finder: Finder) -> Regardless | None:
+def never(goal: Exists, finder: PointFinder) -> Regardless | None:
     """Points at which an identity fails whatever the bound names are."""
     for index, one in enumerate(goal.goals):
         if isinstance(one, Fails) or not isinstance(one, Follows) or one.given:
@@ -139,7 +142,7 @@ def never(goal: Exists, finder: Finder) -> Regardless | None:
 
 
 def _no_expressions(
-    sides: Equation, goal: Exists, finder: Finder, one: Follows
+    sides: Equation, goal: Exists, finder: PointFinder, one: Follows
 ) -> tuple[tuple[Formula, Point], ...] | None:
     """A point where all that multiplies bound names vanishes, and the rest does not."""
     at = finder.of(one.space)
@@ -153,7 +156,7 @@ def _no_expressions(
 
 
 def _no_numbers(
-    sides: Equation, goal: Exists, finder: Finder, one: Follows
+    sides: Equation, goal: Exists, finder: PointFinder, one: Follows
 ) -> tuple[tuple[Formula, Point], ...] | None:
     """Points with weights at which an equation adds up to a number."""
     at = finder.of(one.space)

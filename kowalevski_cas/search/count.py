@@ -26,7 +26,7 @@ from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.eliminants import Eliminant, eliminant
 from kowalevski_cas.search.exact_solutions import many, small_points, value
-from kowalevski_cas.search.find import Finder
+from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.search.points import eliminate
 from kowalevski_cas.search.squares import sum_of_squares
 
@@ -93,7 +93,7 @@ def _through(solved: list[tuple[str, fmpq_mpoly]], at: Evaluation) -> list[tuple
 class Builder:
     """The evidence for one system and its eliminant, in formulas."""
 
-    def __init__(self, goal: Count, system: System, found: Eliminant, finder: Finder) -> None:
+    def __init__(self, goal: Count, system: System, found: Eliminant, finder: PointFinder) -> None:
         self.goal, self.system, self.found, self.finder = goal, system, found, finder
         self.at = system.at
         taken = {*self.at.names, *self.at.setting.roots}
@@ -343,13 +343,13 @@ def _written_point(values: dict[str, Fraction]) -> Point:
     return Point({name: fraction_formula(number) for name, number in values.items()})
 
 
-def roots(goal: Count, finder: Finder) -> Evidence | None:
+def roots(goal: Count, finder: PointFinder) -> Evidence | None:
     """The solutions by the roots of an eliminant, if they are as many as claimed."""
     found = _by_roots(goal, finder)
     return found if found is not None and len(found.eliminant) == goal.number else None
 
 
-def others(goal: Count, finder: Finder) -> Evidence | None:
+def others(goal: Count, finder: PointFinder) -> Evidence | None:
     """Another number of roots, or more solutions than there should be."""
     found = _by_roots(goal, finder)
     if found is not None and len(found.eliminant) != goal.number:
@@ -357,7 +357,7 @@ def others(goal: Count, finder: Finder) -> Evidence | None:
     return more_solutions(goal, finder)
 
 
-def _by_roots(goal: Count, finder: Finder) -> Roots | None:
+def _by_roots(goal: Count, finder: PointFinder) -> Roots | None:
     at = finder.of(goal.space)
     system = system_of(goal, at)
     if system is None or not system.levels:
@@ -367,7 +367,9 @@ def _by_roots(goal: Count, finder: Finder) -> Roots | None:
     return None if found is None else Builder(goal, system, found, finder).roots()
 
 
-def more_solutions(goal: Count, finder: Finder, zero: Sequence[Element] = ()) -> Solutions | None:
+def more_solutions(
+    goal: Count, finder: PointFinder, zero: Sequence[Element] = ()
+) -> Solutions | None:
     """One solution too many, all in small whole numbers, for constants where ``zero`` vanish."""
     at = finder.of(goal.space)
     system = system_of(goal, at)

@@ -30,7 +30,7 @@ from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.cases import Case, Splitter
 from kowalevski_cas.search.cofactors import cofactors
-from kowalevski_cas.search.find import Candidate
+from kowalevski_cas.search.place import Candidate
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.search.splits import Prover, Row, System, Unsplit
 from kowalevski_cas.search.weights import weights

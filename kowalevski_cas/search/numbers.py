@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import islice, product
-from typing import TYPE_CHECKING
 
 from flint import fmpq, fmpq_mat
 
@@ -15,9 +14,8 @@ from kowalevski_cas.notation import Formula, Negative, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import rational_terms
 from kowalevski_cas.problem.goals import Exists, Follows
-
-if TYPE_CHECKING:
-    from kowalevski_cas.search.find import Finder
+from kowalevski_cas.search.place import Candidate, PointFinder
+from kowalevski_cas.search.real import real_points
 
 SPARE = 3
 """At how many further points numbers have to fit before they are tried as an identity."""
@@ -25,7 +23,7 @@ SPARE = 3
 Row = list[Fraction]
 
 
-def solved_numbers(goal: Exists, finder: Finder) -> dict[str, Formula] | None:
+def solved_numbers(goal: Exists, finder: PointFinder) -> dict[str, Formula] | None:
     r"""Numbers for which the one equation of the goal, quadratic in a combination, holds.
 
     In each point the equation is a quadratic one for the combination :math:`\sum_k q_kb_k` of
@@ -48,11 +46,8 @@ def solved_numbers(goal: Exists, finder: Finder) -> dict[str, Formula] | None:
     return None
 
 
-def _samples(goal: Exists, finder: Finder) -> Iterator[tuple[list[Fraction], Row]]:
+def _samples(goal: Exists, finder: PointFinder) -> Iterator[tuple[list[Fraction], Row]]:
     """The roots of the equation at points where they are rational, and the basis there."""
-    from kowalevski_cas.search.find import Candidate
-    from kowalevski_cas.search.real import real_points
-
     (one,) = goal.goals
     assert isinstance(one, Follows)
     ((sides,),) = one.conclusions

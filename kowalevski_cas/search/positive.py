@@ -6,11 +6,11 @@ from kowalevski_cas.algebra.present import formula_in, fraction_formula
 from kowalevski_cas.problem.evidence import Proof, Squares
 from kowalevski_cas.problem.goals import Positive
 from kowalevski_cas.search.cofactors import cofactors
-from kowalevski_cas.search.find import Finder
+from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.search.squares import sum_of_squares
 
 
-def positive(goal: Positive, finder: Finder) -> Squares | None:
+def positive(goal: Positive, finder: PointFinder) -> Squares | None:
     """The formula as a sum of squares, where division shows that it is not zero."""
     at = finder.of(goal.space)
     value, known = at.scalar(goal.formula), at.differences(goal.given)

@@ -9,8 +9,8 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Product
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.accept import Accepted
-from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.goals import Follows, Simple
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.factors import irreducible_factors
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.shown import shown

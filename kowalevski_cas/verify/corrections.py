@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.goals import Fails, Follows
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.statement import Statement, finder_of
 
 if TYPE_CHECKING:

@@ -14,7 +14,8 @@ from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Ra
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.count import more_solutions
-from kowalevski_cas.search.find import Candidate, Finder
+from kowalevski_cas.search.find import Finder
+from kowalevski_cas.search.place import Candidate
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.statement import Statement, finder_of
 

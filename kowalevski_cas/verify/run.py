@@ -14,10 +14,10 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
-from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.sampled import Sampled
-from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
 from kowalevski_cas.verify.corrections import correction, printed_of, recorded_correction

@@ -12,11 +12,11 @@ from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.paper.elaborate import Elaboration
-from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Positive, Rank, Simple
 from kowalevski_cas.problem.sampled import Sampled
-from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.verify.outcome import Counterexample, Point, Screened, Value, Verdict
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 

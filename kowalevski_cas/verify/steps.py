@@ -20,10 +20,10 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.paper.claims.forms import ONE, ZERO, total
-from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, Roots, Shown
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
-from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.verify.outcome import Step
 from kowalevski_cas.verify.shown import point, shown, size, written
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of

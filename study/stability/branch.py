@@ -21,7 +21,7 @@ from kowalevski_cas.algebra import load_points
 from kowalevski_cas.algebra.points import Question
 from kowalevski_cas.notation import Name
 from kowalevski_cas.pictures import INK, new_figure
-from kowalevski_cas.problem.evaluate import Meaningless
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.screen import questions
 from study.charts import by_place, marked
 from study.paper import both, paper

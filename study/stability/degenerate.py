@@ -25,10 +25,11 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.paper.claims import InvariantRelations
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.pictures import new_figure
-from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Rank
 from kowalevski_cas.problem.sampled import Sampled
-from kowalevski_cas.search.find import Candidate
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.search.place import Candidate
 from kowalevski_cas.verify.screen import questions
 from study.charts import by_place, marked, split
 from study.paper import both, paper

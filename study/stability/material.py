@@ -10,7 +10,7 @@ from typing import Any
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.search.find import Candidate
+from kowalevski_cas.search.place import Candidate
 from study.paper import paper
 
 Gaussian = tuple[Fraction, Fraction]

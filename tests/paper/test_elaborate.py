@@ -22,8 +22,9 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.problem.evaluate import Evaluation, Meaningless
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.sampled import Sampled
+from kowalevski_cas.problem.space import Meaningless
 from tests.paper.formulas import COMPLEX, REAL, formulas
 
 DERIVATION = load_derivation("kharlamov2002")

@@ -16,8 +16,8 @@ from kowalevski_cas.paper.claims import (
     Independence,
 )
 from kowalevski_cas.problem.accept import Judge
-from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.evidence import Denial
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.explain import counterexample
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement, finder_of

@@ -11,8 +11,8 @@ from kowalevski_cas.paper.claims.forms import chain
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Change, Scene
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.goals import Goal, identity
+from kowalevski_cas.problem.space import Meaningless
 
 
 @dataclass(frozen=True, eq=False)

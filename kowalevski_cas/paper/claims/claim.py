@@ -11,10 +11,9 @@ from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.evidence import Evidence
 from kowalevski_cas.problem.goals import Goal
-from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.problem.space import Meaningless, Setting
 
 Names = Callable[[Setting], Sequence[str]]
 

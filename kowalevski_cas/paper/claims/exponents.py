@@ -22,9 +22,9 @@ from kowalevski_cas.paper.claims.forms import (
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.evaluate import Meaningless, rational_terms
+from kowalevski_cas.problem.evaluate import rational_terms
 from kowalevski_cas.problem.goals import Fails, Follows, Goal
-from kowalevski_cas.problem.space import Equation
+from kowalevski_cas.problem.space import Equation, Meaningless
 
 
 @dataclass(frozen=True, eq=False)

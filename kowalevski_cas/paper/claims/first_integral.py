@@ -11,8 +11,8 @@ from kowalevski_cas.paper.claims.forms import equations, members, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.evaluate import Meaningless
 from kowalevski_cas.problem.goals import Fails, Follows, Goal, identity
+from kowalevski_cas.problem.space import Meaningless
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,8 +19,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.evaluate import Meaningless
-from kowalevski_cas.problem.space import Equation
+from kowalevski_cas.problem.space import Equation, Meaningless
 from kowalevski_cas.problem.trees import MARK
 
 ZERO, ONE = Number(0), Number(1)

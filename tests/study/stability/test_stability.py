@@ -6,7 +6,7 @@ import pytest
 
 from kowalevski_cas.algebra import load_points
 from kowalevski_cas.pictures import save
-from kowalevski_cas.search.find import Candidate
+from kowalevski_cas.search.place import Candidate
 from study import load
 from study.paper import both, paper
 from study.stability import branch, degenerate, precision, primes, swell, theta

@@ -1,0 +1,40 @@
+"""What the parts of an elaboration need of it."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Callable
+
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.space import Setting
+
+
+class Meaning(Setting):
+    """A setting that a scene means; what a name rests on is noted in ``places``."""
+
+    scene: Scene
+    texts: Texts
+    places: dict[str, tuple[Printed, ...]]
+    applied: set[str]
+
+    @property
+    @abstractmethod
+    def finder(self) -> Evaluation:
+        """The setting in FLINT."""
+
+    @property
+    @abstractmethod
+    def plain(self) -> Callable[[Formula], Formula]:
+        """What writes a formula out in the operations of a space."""
+
+    @abstractmethod
+    def definition(self, name: str) -> Formula:
+        """The expression for which a name stands."""
+
+    @abstractmethod
+    def at_root(self, name: str, value: int, formula: Formula) -> Element:
+        """The value of a formula where a root has this value."""

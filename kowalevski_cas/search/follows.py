@@ -1,0 +1,140 @@
+"""What follows from what is given, by cofactors, and where it does not."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import reduce
+from itertools import product
+from operator import add, mul
+
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.problem.accept import is_real
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence import At, Proof, Shown
+from kowalevski_cas.problem.goals import (
+    Follows,
+)
+from kowalevski_cas.search.cofactors import cofactors
+from kowalevski_cas.search.place import Candidate, PointFinder
+
+LARGEST_POWER = 3
+"""The largest power of a goal that is combined."""
+
+
+class FollowsFinder(PointFinder):
+    """Evidence that equations follow from others, or fail where these hold."""
+
+    def shown(self, goal: Follows, at: Evaluation) -> Shown | None:
+        """A proof by cofactors, and a point of the hypotheses."""
+        known = at.differences(goal.given)
+        goals = alternatives(goal, at)
+        found = self.rows(goals, known, goal.main)
+        if found is None:
+            return None
+        rows, power = found
+        proof = self._everywhere(goal, at, rows) if power == 1 else None
+        if proof is not None:
+            rows = []
+        else:
+            proof = Proof(tuple(tuple(map(formula_in, row)) for row in rows), power=power)
+        if not goal.conclusions and self._divides(Shown(proof), goal):
+            return None
+        if not (goal.conclusions and goal.given):
+            return Shown(proof)
+        divided = [e for row in rows for e in row]
+        divided += [e for one in goal.conclusions for p in at.pairs(one) for e in p]
+        point = self.point(at, known, [*divided, *known])
+        return None if point is None else Shown(proof, point)
+
+    def _divides(self, shown: Shown, goal: Follows) -> bool:
+        """Whether a proof divides by something, and so shows nothing where that vanishes."""
+        at = self.of(goal.space)
+        return any(at.scalar(entry).denominator for row in shown.proof.rows for entry in row)
+
+    def _everywhere(
+        self, goal: Follows, at: Evaluation, rows: Sequence[Sequence[Element]]
+    ) -> Proof | None:
+        """A proof by cases that needs no condition, where the rows divide by one declared locus.
+
+        Either the locus is met, where the goal follows by another division, or it is not.
+        """
+        goals, known = alternatives(goal, at), at.differences(goal.given)
+        if len(goals) != 1 or len(rows) != 1 or not is_real(at.setting):
+            return None
+        below: dict[int, int] = {}
+        for entry in rows[0]:
+            for index, exponent in entry.denominator.items():
+                below[index] = max(exponent, below.get(index, 0))
+        own = {index for element in [*goals, *known] for index in element.denominator}
+        if set(below) - own != set(below) or len(below) != 1:
+            return None
+        ((index, exponent),) = below.items()
+        for equations, condition in at.setting.loci:
+            if not (
+                at.scalar(condition) - Element(at.ring, {0: at.ring.divisors[index]}, {})
+            ).is_zero:
+                continue
+            group = at.differences(equations)
+            total = reduce(add, (e * e for e in group))
+            there = cofactors(goals[0], [*known, *group], ())
+            if there is None or any(entry.denominator for entry in there):
+                continue
+            if (total - at.scalar(condition)).is_zero:
+                factor = total**exponent * goals[0] ** (exponent - 1)
+                row = [entry * factor for entry in rows[0]]
+                last = [*(at.ring.zero for _ in known), at.ring.one]
+                return Proof(
+                    (tuple(map(formula_in, row)),),
+                    (tuple(map(formula_in, group)), (formula_in(goals[0]),)),
+                    (
+                        Proof((tuple(map(formula_in, there)),)),
+                        Proof((tuple(map(formula_in, last)),)),
+                    ),
+                    exponent,
+                )
+        return None
+
+    @staticmethod
+    def rows(
+        goals: Sequence[Element], known: Sequence[Element], main: Sequence[tuple[str, ...]] = ()
+    ) -> tuple[list[list[Element]], int] | None:
+        """Rows of cofactors for the goals, or for a power of them; none if they vanish."""
+        if all(goal.is_zero for goal in goals):
+            return [], 1
+        for power in range(1, LARGEST_POWER + 1 if len(known) > 1 else 2):
+            rows = [combined(goal**power, known, main) for goal in goals]
+            if None not in rows:
+                return [row for row in rows if row is not None], power
+        return None
+
+    def failure(self, goal: Follows, at: Evaluation) -> At | None:
+        """A point where the given equations hold and in each conclusion one fails."""
+        known = at.differences(goal.given)
+        failing = [[e for e in at.differences(one) if not e.is_zero] for one in goal.conclusions]
+        if not all(failing):
+            return None
+
+        def good(candidate: Candidate) -> bool:
+            return all(not candidate.vanish(one) for one in failing)
+
+        divided = [*known, *(e for one in failing for e in one)]
+        point = self.point(at, known, divided, good)
+        return None if point is None else At(point)
+
+
+def alternatives(goal: Follows, at: Evaluation) -> list[Element]:
+    """What has to vanish: the products of one difference from each conclusion."""
+    conclusions = [at.differences(one) for one in goal.conclusions]
+    return [reduce(mul, choice, at.ring.one) for choice in product(*conclusions)]
+
+
+def combined(
+    target: Element, known: Sequence[Element], main: Sequence[tuple[str, ...]]
+) -> list[Element] | None:
+    """Cofactors of the target; one over a cofactor where the one known element is a multiple."""
+    row = cofactors(target, known, main) if known else None
+    if row is None and len(known) == 1 and not target.is_zero:
+        inverse = cofactors(known[0], [target], main)
+        row = [inverse[0].inverse()] if inverse and not inverse[0].is_zero else None
+    return row

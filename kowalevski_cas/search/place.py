@@ -1,0 +1,114 @@
+"""Real points at which a problem is looked at."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from itertools import combinations, islice
+
+from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring
+from kowalevski_cas.algebra.points import ExactPoint
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence import Point
+from kowalevski_cas.problem.place import Misplaced, number_formula
+from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.search.real import real_points
+
+Of = Callable[[Setting], Evaluation]
+Good = Callable[["Candidate"], bool]
+
+TRIES = 12
+"""How many points of one kind are looked at."""
+
+
+class Candidate:
+    """An exact point, before anybody has checked it: the values of elements there."""
+
+    def __init__(self, at: Evaluation, point: ExactPoint) -> None:
+        self.at = at
+        self.numbers = number_ring(at.polynomials)
+        values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
+        self._value = Substitution(at.ring, values, self.numbers, roots={})
+        for bit, name in enumerate(at.ring.roots):
+            below = at.ring.below[bit]
+            if name not in values:
+                root = self._value.root(self(at.ring.radicands[bit]))
+            else:
+                root = values[name] if below is None else values[name] * self(below)
+            self._value.roots[bit] = root
+
+    def __call__(self, element: Element) -> Element:
+        """The value there; raises ``ZeroDivisionError`` on a zero of the denominator."""
+        return self._value(element)
+
+    def vanish(self, elements: Sequence[Element]) -> bool:
+        """Whether all elements vanish there."""
+        return all(self(element).is_zero for element in elements)
+
+    def point(self, names: Sequence[str]) -> Point:
+        """The point as evidence; raises :class:`Misplaced` where a value cannot be written."""
+        from kowalevski_cas.notation import Name
+
+        values = {name: number_formula(self(self.at.scalar(Name(name)))) for name in names}
+        return Point(values)
+
+
+class PointFinder:
+    """Points of the spaces of one problem.
+
+    ``of`` evaluates spaces with FLINT, ``names`` are those to which a point of a space gives
+    values.
+    """
+
+    def __init__(self, of: Of, names: Callable[[Setting], Sequence[str]]) -> None:
+        self.of = of
+        self.names = names
+
+    def point(
+        self,
+        at: Evaluation,
+        zero: Sequence[Element] = (),
+        divided: Sequence[Element] = (),
+        good: Good = lambda candidate: True,
+    ) -> Point | None:
+        """A real point where elements vanish, nothing is divided by zero, and all is good.
+
+        It is sought among points in general position, and then where one or two variables vanish.
+        """
+        avoid = [at.scalar(formula) for formula in at.setting.nonzero]
+        avoid += at.ring.divided_by(divided)
+        names = self.names(at.setting)
+        norms = [self._norm(at, element) for element in zero]
+        for further in self._sections(at):
+            for point in islice(real_points(at, [*norms, *further], avoid), TRIES):
+                try:
+                    candidate = Candidate(at, point)
+                    if candidate.vanish(zero) and good(candidate):
+                        return candidate.point(names)
+                except (ZeroDivisionError, Misplaced):
+                    continue
+        return None
+
+    def _sections(self, at: Evaluation) -> Iterator[Sequence[Element]]:
+        """Nothing more, then one or two variables that vanish; powers are 1 where known."""
+        setting = at.setting
+        one = at.ring.one
+        fixed: list[Element] = []
+        for name in setting.powers:
+            step = setting.step(name)
+            base = getattr(step, "base", None)
+            assert base is not None
+            fixed += [at.ring.generator(name) - one, at.scalar(base) - one]
+        variables = [at.ring.generator(name) for name in setting.variables]
+        for size in range(3):
+            for chosen in combinations(variables, size):
+                yield [*fixed, *chosen]
+
+    @staticmethod
+    def _norm(at: Evaluation, element: Element) -> Element:
+        """The element times its conjugates by the roots that are no variables."""
+        for bit, name in enumerate(element.ring.roots):
+            inside = any(mask >> bit & 1 for mask in element.parts)
+            if inside and name != "i" and name not in at.setting.coordinates:
+                element = element * element.conjugate_root(bit)
+        return element
