@@ -807,6 +807,7 @@ def minors(ring: Ring, matrix: list[list[Element]]) -> list[Element]:
 # Each function takes a space with the conditions of the goal in it, and the data of the goal
 # and of the evidence. It returns if the evidence shows the goal, or denies it.
 
+
 def part_of(data: Json, keys: str) -> Json:
     """The part of an object under some keys."""
     return {key: data[key] for key in keys.split() if key in data}
@@ -1171,7 +1172,10 @@ class Problem:
             (rational(space, weight), locate(space, point, []))
             for weight, point in pairs(evidence["points"])
         ]
-        need(len(weighted) == 1 or not goal["expressions"], "expressions may differ from point to point")
+        need(
+            len(weighted) == 1 or not goal["expressions"],
+            "expressions may differ from point to point",
+        )
         fixed = any(fails_regardless(weighted, e, [*bound.values()]) for e in differences)
         need(fixed, "the two sides may be equal")
         points = [point for _, point in evidence["points"]]

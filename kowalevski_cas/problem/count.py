@@ -17,9 +17,7 @@ from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Space
 
 
-def check_roots(
-    goal: Count, found: Roots, at: Evaluation
-) -> tuple[list[Element], list[Element]]:
+def check_roots(goal: Count, found: Roots, at: Evaluation) -> tuple[list[Element], list[Element]]:
     r"""Check that the solutions are the roots of the eliminant, all real and distinct.
 
     * With the form s of the unknowns, e(s) = 0 and d x = n(s) follow from the equations: every
@@ -68,7 +66,11 @@ def _free(goal: Count, at: Evaluation, elements: list[Element]) -> None:
     names = at.ring.polynomials.generators
     divisors = {index for element in elements for index in element.denominator}
     for terms in (at.ring.polynomials.terms(at.ring.divisors[index]) for index in divisors):
-        if any(e and n in goal.names for exponents in terms for e, n in zip(exponents, names, strict=True)):
+        if any(
+            e and n in goal.names
+            for exponents in terms
+            for e, n in zip(exponents, names, strict=True)
+        ):
             raise Misplaced("it divides by something in which an unknown stands")
 
 
@@ -106,9 +108,7 @@ def eliminant_value(found: Roots, at: Evaluation) -> Element:
     return total
 
 
-def _roots_of_solutions(
-    found: Roots, at: Evaluation, known: list[Element]
-) -> list[Element]:
+def _roots_of_solutions(found: Roots, at: Evaluation, known: list[Element]) -> list[Element]:
     """Check that solutions are roots; what stands in the evidence is returned."""
     bound = at.binding({found.root: at.scalar(found.form)})
     used = [at.scalar(found.form), *map(at.scalar, found.eliminant)]
@@ -147,9 +147,7 @@ def _solutions_of_roots(
         yield at.image(Element(inner.ring, {0: inner.ring.divisors[index]}, {})).inverse()
 
 
-def _factor(
-    entry: Factor, at: Evaluation, known: list[Element]
-) -> tuple[Element, list[Element]]:
+def _factor(entry: Factor, at: Evaluation, known: list[Element]) -> tuple[Element, list[Element]]:
     """A factor, which has to be a sum of squares modulo the equations, and the cofactors."""
     factor = at.scalar(entry.factor)
     rest = factor

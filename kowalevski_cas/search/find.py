@@ -173,7 +173,9 @@ class Finder:
             return None
         ((index, exponent),) = below.items()
         for equations, condition in at.setting.loci:
-            if not (at.scalar(condition) - Element(at.ring, {0: at.ring.divisors[index]}, {})).is_zero:
+            if not (
+                at.scalar(condition) - Element(at.ring, {0: at.ring.divisors[index]}, {})
+            ).is_zero:
                 continue
             group = at.differences(equations)
             total = reduce(Element.__add__, (e * e for e in group))

@@ -133,5 +133,3 @@ def _shown(item: Any) -> str:
         entries = (f'"{key}": {json.dumps(v, separators=(",", ":"))}' for key, v in item.items())
         return "{" + ",\n  ".join(entries) + "}"
     return json.dumps(item, separators=(",", ":"))
-
-

@@ -56,7 +56,9 @@ def check_committed(folder: Path, record: Record) -> Checked:
 
 def wanted(record: Record) -> list[str]:
     """The names of the certificates that a record asks for."""
-    decided = [c for c, e in record.items() if e.get("verdict") in ("proved", "conditional", "refuted")]
+    decided = [
+        c for c, e in record.items() if e.get("verdict") in ("proved", "conditional", "refuted")
+    ]
     return decided + [f"{CORRECTED}/{c}" for c in decided if record[c].get("correction")]
 
 

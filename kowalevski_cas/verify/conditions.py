@@ -37,18 +37,14 @@ def conditions_of(accepted: Accepted) -> list[Divided]:
     return [(setting, formula) for formula, setting in found.items()]
 
 
-def _not_implied(
-    goal: Simple, elements: Sequence[Element], setting: Elaboration
-) -> list[Element]:
+def _not_implied(goal: Simple, elements: Sequence[Element], setting: Elaboration) -> list[Element]:
     """One over each divisor that may vanish where what is given holds."""
     at = setting.finder
     found = [one.inverse() for one in divisors(at, elements)]
     if not setting.powers or not isinstance(goal, Follows) or not goal.given:
         return found
     known, one = at.differences(goal.given), at.ring.one
-    return [
-        inverse for inverse in found if Finder.rows([one], [inverse.inverse(), *known]) is None
-    ]
+    return [inverse for inverse in found if Finder.rows([one], [inverse.inverse(), *known]) is None]
 
 
 def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula]:

@@ -60,9 +60,7 @@ def _screened(neighbours: list[Neighbour], on: Elaborations) -> Iterator[Neighbo
             yield neighbour
 
 
-def _passes(
-    neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]
-) -> bool | None:
+def _passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]) -> bool | None:
     """Whether identities hold at points; ``None`` if there are other goals."""
     try:
         goals = list(neighbour.claim.goals(on.under(neighbour.texts)))
@@ -78,5 +76,3 @@ def _passes(
     except (NotationError, Meaningless, ZeroDivisionError):
         return False
     return True
-
-

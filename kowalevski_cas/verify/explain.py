@@ -317,9 +317,7 @@ def _found(goal: Exists, evidence: Found) -> Iterator[Step]:
             equations = tuple(_equal(Name(n), v) for n, v in zip(names, values, strict=True))
             yield Step("The numbers that the program found:", equations)
         elif size * size == len(names):
-            rows = tuple(
-                Vector(tuple(values[size * i : size * (i + 1)])) for i in range(size)
-            )
+            rows = tuple(Vector(tuple(values[size * i : size * (i + 1)])) for i in range(size))
             yield Step("The matrix that the program found:", (_equal(Name(letter), Vector(rows)),))
 
 
@@ -375,5 +373,3 @@ def _scaled(coefficient: Formula, factor: Formula) -> Formula:
 
 def _total(terms: Sequence[Formula]) -> Formula:
     return Sum(tuple(terms)) if len(terms) > 1 else next(iter(terms), Number(0))
-
-

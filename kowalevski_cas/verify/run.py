@@ -200,13 +200,9 @@ class Session:
                     return screen(statement, verdicts, points)
                 return self._judged(statement, verdicts, arithmetic)
         except TimeoutError:
-            return Decided(
-                statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic)
-            )
+            return Decided(statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic))
 
-    def _judged(
-        self, statement: Statement, verdicts: Verdicts | None, arithmetic: str
-    ) -> Decided:
+    def _judged(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
         judge = Judge(self.evaluations_in(arithmetic))
         if verdicts is None:
             message = "neither a proof nor a point where it fails was found"
@@ -263,8 +259,9 @@ class Session:
         if found is not None:
             name = f"{CORRECTED}/{claim.id}"
             mended = Statement(found.claim, statement.on.under(found.texts))
-            yield name, self._certificate(
-                self._judged(mended, self._evidence(mended, name), "flint")
+            yield (
+                name,
+                self._certificate(self._judged(mended, self._evidence(mended, name), "flint")),
             )
 
     @staticmethod
@@ -389,10 +386,17 @@ class Session:
             return None
         verdict, needed = mended
         return Correction(
-            printed_of(neighbour), neighbour.words, verdict, needed, neighbour.printed, neighbour.edit
+            printed_of(neighbour),
+            neighbour.words,
+            verdict,
+            needed,
+            neighbour.printed,
+            neighbour.edit,
         )
 
-    def mended(self, claim: Claim, on: Elaborations) -> tuple[Verdict, tuple[Condition, ...]] | None:
+    def mended(
+        self, claim: Claim, on: Elaborations
+    ) -> tuple[Verdict, tuple[Condition, ...]] | None:
         """The verdict on a corrected claim, and its conditions."""
         statement = Statement(claim, on)
         verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
@@ -445,5 +449,3 @@ class Session:
 def combined(parts: Iterable[str]) -> str:
     """One digest of many texts."""
     return sha256("\n".join(parts).encode()).hexdigest()[:16]
-
-

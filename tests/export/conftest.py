@@ -2,9 +2,9 @@ import json
 import shutil
 
 import pytest
+from kowalevski_cas.proof.committed import certificate_files
 
 from kowalevski_cas.library import find
-from kowalevski_cas.proof.committed import certificate_files
 
 KEPT = ("eq6", "eq7", "eq21", "N4-dimension")
 

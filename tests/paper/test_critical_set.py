@@ -87,7 +87,9 @@ def on_the_sphere(x: Point) -> bool:
 
 def test_not_all_critical_points_lie_on_the_set(outcome) -> None:
     """The word “exactly” is refuted: a body that starts at rest, its axis level, is critical."""
-    assert set(outcome.verdicts.values()) == {Verdict.REFUTED} and set(outcome.verdicts) == set(EXACT)
+    assert set(outcome.verdicts.values()) == {Verdict.REFUTED} and set(outcome.verdicts) == set(
+        EXACT
+    )
     x = point(outcome.counterexample.point.values)
     assert on_the_sphere(x)
     assert x[3] ** 2 + x[4] ** 2 != 0
@@ -120,11 +122,15 @@ def statement(session, claim, texts=None):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("words", ["sign of $K$", "sign of $H$", "$2L^2$ without $2$", "$3$ for $2$", r"$2$ before $K$"])
+@pytest.mark.parametrize(
+    "words", ["sign of $K$", "sign of $H$", "$2L^2$ without $2$", "$3$ for $2$", r"$2$ before $K$"]
+)
 @pytest.mark.parametrize("claim", [CLAIM, ON_ZERO_LEVEL], ids=["any level", "zero level"])
 def test_another_function_moves_on_the_set(session, claim, words) -> None:
     texts = session.on(claim).texts
-    [edit, *_] = [e for e in edits(texts.statement(claim.printed), texts.vocabulary) if e.words == words]
+    [edit, *_] = [
+        e for e in edits(texts.statement(claim.printed), texts.vocabulary) if e.words == words
+    ]
     one = statement(session, claim, texts.edited(claim.printed, edit))
     denial = one.search()
     assert isinstance(denial, Denial)

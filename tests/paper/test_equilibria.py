@@ -62,7 +62,9 @@ def constants(alpha: Vector, beta: Vector) -> tuple[Fraction, ...]:
 
 
 def test_there_are_four_unless_the_fields_are_orthogonal_and_equal(outcome) -> None:
-    assert set(outcome.verdicts.values()) == {Verdict.CONDITIONAL} and set(outcome.verdicts) == set(EXACT)
+    assert set(outcome.verdicts.values()) == {Verdict.CONDITIONAL} and set(outcome.verdicts) == set(
+        EXACT
+    )
     assert [to_latex(c.expression) for c in outcome.conditions] == ["(a^2 - b^2)^2 + 4c^2"]
 
 

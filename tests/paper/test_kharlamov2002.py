@@ -4,11 +4,10 @@ import json
 
 import pytest
 
-from kowalevski_cas.algebra import EXACT
-from kowalevski_cas.paper.claims import Claim
-from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import Number, to_latex
+from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.verify.record import differences, load_record
 from kowalevski_cas.verify.run import verify
@@ -127,7 +126,9 @@ def test_the_critical_set_is_not_exact(outcomes):
     assert len(point) == 1 and point < {r"\alpha_1", r"\alpha_2", r"\alpha_3"}
 
 
-@pytest.mark.parametrize("id", ["eq9.i", "eq10.1", "eq14", "eq16.1", "N4-dimension", "critical-set", "limit"])
+@pytest.mark.parametrize(
+    "id", ["eq9.i", "eq10.1", "eq14", "eq16.1", "N4-dimension", "critical-set", "limit"]
+)
 def test_a_claim_by_itself_has_the_same_outcome(derivation, certificates, outcomes, id):
     (outcome,) = verify(derivation, ["flint"], only=[id], certificates=certificates).outcomes
     assert (outcome.verdict, outcome.digest) == (outcomes[id].verdict, outcomes[id].digest)

@@ -2,6 +2,8 @@
 
 import pytest
 
+from kowalevski_cas.cli.formats.json import counterexample as in_tex
+from kowalevski_cas.notation import Name, Number
 from kowalevski_cas.paper.claims import (
     ChangedEquation,
     Coefficient,
@@ -20,9 +22,7 @@ from kowalevski_cas.paper.claims import (
     Reality,
     Unit,
 )
-from kowalevski_cas.cli.formats.json import counterexample as in_tex
 from kowalevski_cas.paper.derivation import Change, Scene, Section
-from kowalevski_cas.notation import Name, Number
 from kowalevski_cas.verify.outcome import in_latex
 from tests.paper.plain import value
 from tests.paper.small import MOMENTUM, TWICE_ENERGY, Oscillator, Top, decide, verdicts

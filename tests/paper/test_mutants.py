@@ -24,7 +24,9 @@ from kowalevski_cas.verify.statement import Statement, finder_of
 from tests.paper.plain import close, complex_motion, evaluate, motion, value
 
 SESSIONS = {name: Session(load(name), ["flint"]) for name in available()}
-CLAIMS = {(name, claim.id): claim for name in SESSIONS for claim in SESSIONS[name].derivation.claims}
+CLAIMS = {
+    (name, claim.id): claim for name in SESSIONS for claim in SESSIONS[name].derivation.claims
+}
 FIRST = {id: claim for (name, id), claim in CLAIMS.items() if name == "kharlamov2002"}
 ENOUGH = 6
 
@@ -55,8 +57,6 @@ def refuted_mutants(session, claim):
             judge = Judge(finder_of)
             judge.denies(statement.goals[denial.goal], denial.evidence)
             yield neighbour, counterexample(statement, denial, judge.accepted), judge.accepted
-
-
 
 
 HARD = {

@@ -166,7 +166,8 @@ class TestProofs:
             rejected(self.GOAL, Shown(Proof(((entry, entry), row(0, 1))), ORIGIN))
 
     @pytest.mark.parametrize(
-        "evidence", [At(ORIGIN), Minors(()), Found({}, ()), Solutions(()), Regardless(0, ()), None, 5]
+        "evidence",
+        [At(ORIGIN), Minors(()), Found({}, ()), Solutions(()), Regardless(0, ()), None, 5],
     )
     def test_evidence_for_something_else(self, evidence):
         rejected(self.GOAL, evidence, "no evidence")
@@ -530,7 +531,9 @@ class TestCount:
 
     def test_complex_names(self):
         space = Space(("x",), ("a",), nonzero=row("a"), steps=(I,))
-        rejected(replace(self.GOAL, space=space), replace(self.ROOTS, point=at(x=1, a=1, i="i")), "real")
+        rejected(
+            replace(self.GOAL, space=space), replace(self.ROOTS, point=at(x=1, a=1, i="i")), "real"
+        )
 
     def test_lists_of_solutions(self):
         goal = replace(self.GOAL, number=1)

@@ -52,7 +52,9 @@ def test_every_edit_of_a_formula_changes_the_digest(derivation, id):
 
 def test_spaces_between_signs_do_not_change_a_statement(derivation):
     before = stated(derivation, "theta-prime").digest
-    assert before == stated(derivation, "theta-prime", {"theta-prime": r"\theta'  =   Q_{2}"}).digest
+    assert (
+        before == stated(derivation, "theta-prime", {"theta-prime": r"\theta'  =   Q_{2}"}).digest
+    )
 
 
 def test_what_a_scene_rests_on_is_part_of_the_statement(derivation):
@@ -62,7 +64,9 @@ def test_what_a_scene_rests_on_is_part_of_the_statement(derivation):
 
 def test_what_a_statement_does_not_reach_is_no_part_of_it(derivation):
     before = stated(derivation, "eq4.1").digest
-    assert before == stated(derivation, "eq4.1", {"eq18": r"(\alpha_1^2+\alpha_2^2)\omega_3=0"}).digest
+    assert (
+        before == stated(derivation, "eq4.1", {"eq18": r"(\alpha_1^2+\alpha_2^2)\omega_3=0"}).digest
+    )
 
 
 def test_parameters_are_part_of_the_statement(derivation):

@@ -2,7 +2,6 @@
 
 import json
 import random
-import re
 from copy import deepcopy
 from dataclasses import replace
 from pathlib import Path
@@ -29,9 +28,7 @@ def written(request):
     """The folder of a paper, and its certificates as they are written now, by name."""
     folder, derivation = find(request.param), load(request.param)
     record = load_record(folder)
-    session = Session(
-        derivation, ["flint"], certificates=load_certificates(folder), record=record
-    )
+    session = Session(derivation, ["flint"], certificates=load_certificates(folder), record=record)
     return folder, dict(pair for claim in derivation.claims for pair in session.certificates(claim))
 
 
@@ -106,7 +103,9 @@ def test_the_other_sign_is_an_error_that_names_the_file(derivation, certificates
     data = certificates[id].data
     sign = {"holds": "denied", "denied": "holds"}[data["sign"]]
     is_an_error(
-        only(derivation, id, forged(certificates, id, data["evidence"], sign=sign)), certificates, id
+        only(derivation, id, forged(certificates, id, data["evidence"], sign=sign)),
+        certificates,
+        id,
     )
 
 
@@ -159,7 +158,9 @@ def test_no_tampered_evidence_makes_the_run_crash_or_the_verdict_another(
 @pytest.mark.parametrize("arithmetic", EXACT)
 def test_in_every_arithmetic(derivation, certificates, arithmetic):
     evidence = deepcopy(certificates["eq20.2"].data["evidence"])
-    evidence[0]["cofactors"] = [[["*", 2, entry] for entry in row] for row in evidence[0]["cofactors"]]
+    evidence[0]["cofactors"] = [
+        [["*", 2, entry] for entry in row] for row in evidence[0]["cofactors"]
+    ]
     outcome = only(derivation, "eq20.2", forged(certificates, "eq20.2", evidence), (arithmetic,))
     is_an_error(outcome, certificates, "eq20.2")
     assert f"({arithmetic}: the two sides are not equal)" in outcome.message
@@ -208,7 +209,9 @@ def test_cofactors_may_not_be_divided_by_what_vanishes_on_the_set(derivation, ce
     assert decided.verdict == "error"
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", '"x"', '{"version": 0}', '{"version": "2"}', "\x00", "[" * 9999])
+@pytest.mark.parametrize(
+    "text", ["", "{", "[]", '"x"', '{"version": 0}', '{"version": "2"}', "\x00", "[" * 9999]
+)
 def test_files_that_are_none_are_passed_over(tmp_path, text):
     (tmp_path / "certificates" / "corrected").mkdir(parents=True)
     for name in ("eq1.json", "corrected/eq1.json"):

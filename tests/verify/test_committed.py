@@ -57,7 +57,11 @@ def test_every_recorded_claim_has_one(name):
 def test_words():
     said = checker.check(TEXTS["theta-prime"]).theorems
     assert said[0].words == r"D(\theta) = Q_2"
-    assert checker.check(TEXTS["eq14"]).summary().startswith("eq14: it is false that D((U_1 + (-U_2))) = ")
+    assert (
+        checker.check(TEXTS["eq14"])
+        .summary()
+        .startswith("eq14: it is false that D((U_1 + (-U_2))) = ")
+    )
 
 
 class TestRecord:
@@ -95,7 +99,11 @@ class TestRecord:
         (tmp_path / "certificates" / "corrected").mkdir(parents=True)
         for folder in ("certificates", "certificates/corrected"):
             (tmp_path / folder / "eq14.json").write_text(TEXTS["eq14"], encoding="utf-8")
-        entry = {"statement": certificate("eq14")["digest"], "verdict": "refuted", "correction": "x"}
+        entry = {
+            "statement": certificate("eq14")["digest"],
+            "verdict": "refuted",
+            "correction": "x",
+        }
         (why,) = check_committed(tmp_path, {"eq14": entry}).rejected.values()
         assert "a correction has to hold" in why
 
@@ -128,7 +136,10 @@ class TestStatements:
             data = certificate(claim)
             goal = data["goals"][0]
             inner = goal["goals"][0] if goal["goal"] == "exists" else goal
-            inner["conclusions"][0][0] = [["+", inner["conclusions"][0][0][0], 1], inner["conclusions"][0][0][1]]
+            inner["conclusions"][0][0] = [
+                ["+", inner["conclusions"][0][0][0], 1],
+                inner["conclusions"][0][0][1],
+            ]
             rejected(data, "not equal|may be")
 
     def test_a_condition_removed(self):

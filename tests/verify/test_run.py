@@ -3,6 +3,7 @@
 import signal
 import time
 from dataclasses import dataclass
+from typing import ClassVar
 
 import pytest
 
@@ -18,7 +19,7 @@ from tests.paper.small import Oscillator, decide, derivation, verdicts
 class Fickle(Session):
     """A run in which the verdict depends on the arithmetic."""
 
-    said = dict(zip(EXACT, ("proved", "refuted", "proved"), strict=True))
+    said: ClassVar = dict(zip(EXACT, ("proved", "refuted", "proved"), strict=True))
 
     def _judged(self, statement, verdicts, arithmetic):
         return Decided(statement, None, Accepted(), Verdict(self.said[arithmetic]))
