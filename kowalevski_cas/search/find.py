@@ -23,7 +23,7 @@ from kowalevski_cas.problem.goals import (
     Positive,
     Rank,
 )
-from kowalevski_cas.problem.place import Misplaced, number_formula
+from kowalevski_cas.problem.place import Misplaced, Place, number_formula
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.real import real_points
@@ -279,7 +279,9 @@ class Finder:
                 try:
                     candidate = Candidate(at, point)
                     if candidate.vanish(zero) and good(candidate):
-                        return candidate.point(names)
+                        found = candidate.point(names)
+                        Place(at, found)
+                        return found
                 except (ZeroDivisionError, Misplaced):
                     continue
         return None
