@@ -3,18 +3,14 @@ r"""Growing work: the k-th derivatives of the relations of a set against powers 
 If :math:`F' = MF` then :math:`F^{(k)} = M_kF` with :math:`M_0 = 1` and
 :math:`M_{k+1} = M_k' + M_kM`. Both sides are computed, and compared, for k = 1, 2, …
 The matrix is the one that was found for the set.
-
-As a program ``python -m study.growing ARITHMETIC CLAIM STEPS`` it tells the
-seconds from the start to each step.
 """
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterator
 from time import perf_counter
 
-from kowalevski_cas.algebra import POINTS, Arithmetic, load
+from kowalevski_cas.algebra import Arithmetic, load
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.codec import read_evidence, read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -88,20 +84,3 @@ def steps(growth: Growth, most: int) -> Iterator[float]:
         if not growth.step():
             return
         yield perf_counter() - start
-
-
-def main(arithmetic: str, claim: str, most: str) -> None:
-    """Tell the seconds of each step."""
-    if arithmetic == "direct":
-        from study.direct import direct
-
-        found = direct(claim, int(most))
-    else:
-        kind = None if arithmetic in POINTS else load(arithmetic)
-        found = steps(growth(claim, kind), int(most))
-    for k, seconds in enumerate(found, 1):
-        print(f"step {k} {seconds:.6f}", flush=True)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

@@ -52,7 +52,7 @@ def measure(quick: bool) -> Iterable[Task]:
 
 def _own(method: str, claim: str, seconds: float, most: int) -> Measured:
     arithmetic = "direct" if method == DIRECT else method
-    module = "study.growing"
+    module = "study.grow"
     path = os.pathsep.join(path for path in sys.path if path)
     command = [sys.executable, "-m", module, arithmetic, claim, str(most)]
     # What is timed alone has been recorded in the same process, which takes as long again.

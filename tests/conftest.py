@@ -49,8 +49,8 @@ def certificates(folder):
 
 @pytest.fixture(scope="session")
 def run(derivation, certificates, record):
-    """The whole paper in all three arithmetics, with explanations."""
-    return verify(derivation, EXACT, explain=True, certificates=certificates, record=record)
+    """The whole paper in all three arithmetics."""
+    return verify(derivation, EXACT, certificates=certificates, record=record)
 
 
 @pytest.fixture(scope="session")

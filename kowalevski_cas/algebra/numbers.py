@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import isqrt
 
@@ -10,6 +10,9 @@ from kowalevski_cas.algebra.polynomials import Polynomial, Polynomials, Terms
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula, Vocabulary, to_latex
+
+TRIED = 10_000
+"""The divisors that are tried to find the square factors of a number."""
 
 NUMBERS = Vocabulary(scalars=frozenset({"i"}))
 """What is needed to print numbers in a tower of roots."""
@@ -88,6 +91,20 @@ class Substitution:
             return numbers.generator("i")
         if value is not None and (root := square_root(value)) is not None:
             return numbers.number(root)
+        if value is None:
+            return self._adjoined(radicand)
+        whole = value.numerator * value.denominator
+        found = numbers.number(Fraction(1, value.denominator))
+        if whole < 0:
+            found = found * numbers.generator("i")
+        for prime, exponent in _factors(abs(whole)):  # roots of primes do not depend on each other
+            found = found * numbers.number(prime ** (exponent // 2))
+            if exponent % 2:
+                found = found * self._adjoined(numbers.number(prime))
+        return found
+
+    def _adjoined(self, radicand: Element) -> Element:
+        numbers = self.numbers
         name = rf"\sqrt{{{to_latex(show_number(radicand))}}}"
         return numbers.generator(name) if name in numbers.roots else numbers.adjoin(name, radicand)
 
@@ -129,6 +146,20 @@ class Substitution:
                     product = product * value**exponent
             self._monomials[exponents] = product
         return self._monomials[exponents]
+
+
+def _factors(number: int) -> Iterator[tuple[int, int]]:
+    """The prime factors of a positive number; beyond what is tried, what is left counts as one."""
+    for prime in range(2, TRIED):
+        exponent = 0
+        while number % prime == 0:
+            number, exponent = number // prime, exponent + 1
+        if exponent:
+            yield prime, exponent
+        if prime * prime > number:
+            break
+    if number > 1:
+        yield (root, 2) if (root := isqrt(number)) ** 2 == number else (number, 1)
 
 
 def _gaussian(values: Sequence[Element], numbers: Ring) -> list[Polynomial] | None:

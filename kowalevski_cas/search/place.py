@@ -10,7 +10,7 @@ from kowalevski_cas.algebra.points import ExactPoint
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
-from kowalevski_cas.problem.place import Misplaced, number_formula
+from kowalevski_cas.problem.place import Misplaced, Place, number_formula
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.search.real import real_points
 
@@ -84,7 +84,9 @@ class PointFinder:
                 try:
                     candidate = Candidate(at, point)
                     if candidate.vanish(zero) and good(candidate):
-                        return candidate.point(names)
+                        found = candidate.point(names)
+                        Place(at, found)  # a point that nobody would accept is none
+                        return found
                 except (ZeroDivisionError, Misplaced):
                     continue
         return None

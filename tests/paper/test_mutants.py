@@ -61,7 +61,7 @@ def refuted_mutants(session, claim):
 
 HARD = {
     "critical-set", "limit", "N4-independence", "l", "k", "h", "N4.3", "N4.4", "N4.9", "squares.1",
-    "squares.2", "s.1", "s.2", "phi",
+    "squares.2", "s.1", "s.2", "phi", "any-c.1", "point.s1", "point.s2", "sum-of-U", "exponent",
 }  # fmt: skip
 """Claims whose mutants are not refuted within seconds."""
 
