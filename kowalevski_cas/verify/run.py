@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from hashlib import sha256
 from time import perf_counter
 
-from kowalevski_cas.algebra import POINTS, load, load_points
+from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
-from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.accept import Unproved
 from kowalevski_cas.problem.evidence import Denial
-from kowalevski_cas.problem.sampled import Sampled
-from kowalevski_cas.problem.space import Meaningless, Setting
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.verify.bench import Bench, Decided
 from kowalevski_cas.verify.certificate import CORRECTED, Stored, certificate
 from kowalevski_cas.verify.corrections import correction, printed_of, recorded_correction
 from kowalevski_cas.verify.explain import conditions, counterexample, why
@@ -33,7 +31,7 @@ from kowalevski_cas.verify.outcome import (
     Step,
     Verdict,
 )
-from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.steps import steps
 
 Progress = Callable[[str, int, int], None]
@@ -45,17 +43,6 @@ def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
     """Whether two arithmetics decided differently; an undecided one disagrees with none."""
     green = {v.green for v in verdicts.values() if v in DECIDED}
     return len(green) > 1
-
-
-@dataclass
-class Decided:
-    """A statement with its evidence, and what an arithmetic accepted of it."""
-
-    statement: Statement
-    verdicts: Verdicts | None
-    accepted: Accepted
-    verdict: Verdict
-    message: str = ""
 
 
 def verify(
@@ -84,45 +71,8 @@ def verify(
     return session.run(only, progress)
 
 
-class Session:
-    """The state of a run: texts, the settings of scenes, and their evaluations."""
-
-    def __init__(
-        self,
-        derivation: Derivation,
-        arithmetics: Sequence[str],
-        explain: bool = False,
-        certificates: Mapping[str, Stored] | None = None,
-        timeout: float | None = None,
-        sources: Mapping[str, str] | None = None,
-        seed: int = 1,
-        record: Mapping[str, Mapping[str, object]] | None = None,
-    ) -> None:
-        self.derivation = derivation
-        self.arithmetics = arithmetics
-        self.explain = explain
-        self.timeout = timeout
-        self.patience = timeout
-        """The seconds for a correction."""
-        self.stored = certificates or {}
-        self.record = record or {}
-        self.points = {name: load_points(name, seed) for name in arithmetics if name in POINTS}
-        self.texts = derivation.texts(sources)
-        self.elaborations = Elaborations(self.texts)
-        self.evaluations: dict[tuple[str, Setting], Evaluation] = {}
-        self.stages: dict[Setting, Sampled] = {}
-        self.order = {claim.id: k for k, claim in enumerate(derivation.claims)}
-        self.established: dict[Printed, str] = {}
-        for claim in derivation.claims:
-            for printed in claim.establishes():
-                self.established.setdefault(printed, claim.id)
-        self.accepted = self._accepted()
-
-    def _accepted(self) -> dict[Printed, Formula]:
-        """What the derivation accepts in place of what is printed."""
-        return {
-            place: self.texts.expression(tex) for place, tex in self.derivation.accepted.items()
-        }
+class Session(Bench):
+    """A run: what is decided of claims, with conditions, counterexamples and corrections."""
 
     def run(self, only: Sequence[str] = (), progress: Progress = lambda *_: None) -> Run:
         """Decide the chosen claims."""
@@ -144,16 +94,6 @@ class Session:
             digest=combined(f"{o.claim} {o.digest}" for o in outcomes),
             vocabulary=self.texts.vocabulary,
         )
-
-    def on(self, claim: Claim, texts: Texts | None = None) -> Elaborations:
-        """The texts for a claim, of the run or others: with the accepted corrections.
-
-        Those that it is about itself are left out.
-        """
-        own = set(claim.about())
-        read = {place: f for place, f in self.accepted.items() if place not in own}
-        texts = texts or self.texts
-        return self.elaborations.under(texts.reading(read) if read else texts)
 
     # -- one claim -----------------------------------------------------------------
 
@@ -190,68 +130,6 @@ class Session:
             seconds[self.arithmetics[0]] += perf_counter() - start
         outcome = replace(outcome, correction=mended, products=products, seconds=seconds)
         return self._with_acceptance(claim, outcome)
-
-    def _evidence(self, statement: Statement, name: str) -> Verdicts | None:
-        """The evidence that is stored for a statement, or that a search finds."""
-        stored = self.stored.get(name)
-        verdicts = None if stored is None else stored.verdicts(statement)
-        if verdicts is not None:
-            return verdicts
-        with time_limit(self.timeout):
-            return statement.search()
-
-    def _decide(
-        self, statement: Statement, verdicts: Verdicts | None, arithmetic: str
-    ) -> Decided | Screened:
-        try:
-            with time_limit(self.timeout):
-                points = self.points.get(arithmetic)
-                if points is not None:
-                    from kowalevski_cas.verify.screen import screen  # proving needs no points
-
-                    return screen(statement, verdicts, points, self.stages)
-                return self._judged(statement, verdicts, arithmetic)
-        except TimeoutError:
-            return Decided(statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic))
-
-    def _judged(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
-        judge = Judge(self.evaluations_in(arithmetic))
-        if verdicts is None:
-            message = "neither a proof nor a point where it fails was found"
-            return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
-        try:
-            if isinstance(verdicts, Denial):
-                judge.denies(statement.goals[verdicts.goal], verdicts.evidence)
-                return Decided(statement, verdicts, judge.accepted, Verdict.REFUTED)
-            for goal, evidence in zip(statement.goals, verdicts, strict=True):
-                judge.holds(goal, evidence)
-        except Unproved as error:
-            where = self._file(statement)
-            message = f"{where}the evidence does not prove it ({arithmetic}: {error})"
-            return Decided(statement, verdicts, judge.accepted, Verdict.ERROR, message)
-        return Decided(statement, verdicts, judge.accepted, Verdict.PROVED)
-
-    def _file(self, statement: Statement) -> str:
-        """The file that has evidence for a statement, to begin a message with."""
-        for name in (statement.claim.id, f"{CORRECTED}/{statement.claim.id}"):
-            stored = self.stored.get(name)
-            if stored is not None and stored.data.get("digest") == statement.digest:
-                return f"{stored.path}: "
-        return ""
-
-    def evaluations_in(self, arithmetic: str) -> Callable[[Setting], Evaluation]:
-        """The evaluations of settings in an arithmetic, each made once."""
-
-        def of(setting: Setting) -> Evaluation:
-            if arithmetic == "flint":
-                return finder_of(setting)
-            key = (arithmetic, setting)
-            if key not in self.evaluations:
-                made = Evaluation(setting, load(arithmetic), others=of)
-                self.evaluations[key] = made.adjoin_roots()
-            return self.evaluations[key]
-
-        return of
 
     # -- certificates --------------------------------------------------------------
 
@@ -383,9 +261,6 @@ class Session:
             verdicts={name: verdict for name in self.arithmetics},
         )
 
-    def _late(self, what: str) -> str:
-        return f"not decided within {self.timeout:g} s by {what}"
-
     # -- corrections ---------------------------------------------------------------
 
     def _correct(self, claim: Claim, on: Elaborations) -> Correction | None:
@@ -463,15 +338,6 @@ class Session:
         ids = dict.fromkeys(self.established.get(place) for place in statement.places())
         before = self.order[statement.claim.id]
         return tuple(i for i in ids if i is not None and self.order[i] < before)
-
-    def _products(self) -> int:
-        return sum(at.ring.products for at in self._all_evaluations())
-
-    def _all_evaluations(self) -> Iterator[Evaluation]:
-        yield from self.evaluations.values()
-        for setting in self.elaborations.made():
-            if "finder" in setting.__dict__:
-                yield setting.finder
 
 
 def combined(parts: Iterable[str]) -> str:

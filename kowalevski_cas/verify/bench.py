@@ -1,0 +1,158 @@
+"""Where statements are decided: the texts of a derivation, what they mean, and the arithmetics."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from kowalevski_cas.algebra import POINTS, load, load_points
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence import Denial
+from kowalevski_cas.problem.sampled import Sampled
+from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.verify.certificate import CORRECTED, Stored
+from kowalevski_cas.verify.limits import time_limit
+from kowalevski_cas.verify.outcome import Screened, Verdict
+from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+
+
+@dataclass
+class Decided:
+    """A statement with its evidence, and what an arithmetic accepted of it."""
+
+    statement: Statement
+    verdicts: Verdicts | None
+    accepted: Accepted
+    verdict: Verdict
+    message: str = ""
+
+
+class Bench:
+    """Texts, the settings of scenes, and their evaluations, each made once."""
+
+    def __init__(
+        self,
+        derivation: Derivation,
+        arithmetics: Sequence[str],
+        explain: bool = False,
+        certificates: Mapping[str, Stored] | None = None,
+        timeout: float | None = None,
+        sources: Mapping[str, str] | None = None,
+        seed: int = 1,
+        record: Mapping[str, Mapping[str, object]] | None = None,
+    ) -> None:
+        self.derivation = derivation
+        self.arithmetics = arithmetics
+        self.explain = explain
+        self.timeout = timeout
+        self.patience = timeout
+        """The seconds for a correction."""
+        self.stored = certificates or {}
+        self.record = record or {}
+        self.points = {name: load_points(name, seed) for name in arithmetics if name in POINTS}
+        self.texts = derivation.texts(sources)
+        self.elaborations = Elaborations(self.texts)
+        self.evaluations: dict[tuple[str, Setting], Evaluation] = {}
+        self.stages: dict[Setting, Sampled] = {}
+        self.order = {claim.id: k for k, claim in enumerate(derivation.claims)}
+        self.established: dict[Printed, str] = {}
+        for claim in derivation.claims:
+            for printed in claim.establishes():
+                self.established.setdefault(printed, claim.id)
+        self.accepted = self._accepted()
+
+    def _accepted(self) -> dict[Printed, Formula]:
+        """What the derivation accepts in place of what is printed."""
+        return {
+            place: self.texts.expression(tex) for place, tex in self.derivation.accepted.items()
+        }
+
+    def on(self, claim: Claim, texts: Texts | None = None) -> Elaborations:
+        """The texts for a claim, of the run or others: with the accepted corrections.
+
+        Those that it is about itself are left out.
+        """
+        own = set(claim.about())
+        read = {place: f for place, f in self.accepted.items() if place not in own}
+        texts = texts or self.texts
+        return self.elaborations.under(texts.reading(read) if read else texts)
+
+    def _evidence(self, statement: Statement, name: str) -> Verdicts | None:
+        """The evidence that is stored for a statement, or that a search finds."""
+        stored = self.stored.get(name)
+        verdicts = None if stored is None else stored.verdicts(statement)
+        if verdicts is not None:
+            return verdicts
+        with time_limit(self.timeout):
+            return statement.search()
+
+    def _decide(
+        self, statement: Statement, verdicts: Verdicts | None, arithmetic: str
+    ) -> Decided | Screened:
+        try:
+            with time_limit(self.timeout):
+                points = self.points.get(arithmetic)
+                if points is not None:
+                    from kowalevski_cas.verify.screen import screen  # proving needs no points
+
+                    return screen(statement, verdicts, points, self.stages)
+                return self._judged(statement, verdicts, arithmetic)
+        except TimeoutError:
+            return Decided(statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic))
+
+    def _judged(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
+        judge = Judge(self.evaluations_in(arithmetic))
+        if verdicts is None:
+            message = "neither a proof nor a point where it fails was found"
+            return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
+        try:
+            if isinstance(verdicts, Denial):
+                judge.denies(statement.goals[verdicts.goal], verdicts.evidence)
+                return Decided(statement, verdicts, judge.accepted, Verdict.REFUTED)
+            for goal, evidence in zip(statement.goals, verdicts, strict=True):
+                judge.holds(goal, evidence)
+        except Unproved as error:
+            where = self._file(statement)
+            message = f"{where}the evidence does not prove it ({arithmetic}: {error})"
+            return Decided(statement, verdicts, judge.accepted, Verdict.ERROR, message)
+        return Decided(statement, verdicts, judge.accepted, Verdict.PROVED)
+
+    def _file(self, statement: Statement) -> str:
+        """The file that has evidence for a statement, to begin a message with."""
+        for name in (statement.claim.id, f"{CORRECTED}/{statement.claim.id}"):
+            stored = self.stored.get(name)
+            if stored is not None and stored.data.get("digest") == statement.digest:
+                return f"{stored.path}: "
+        return ""
+
+    def evaluations_in(self, arithmetic: str) -> Callable[[Setting], Evaluation]:
+        """The evaluations of settings in an arithmetic, each made once."""
+
+        def of(setting: Setting) -> Evaluation:
+            if arithmetic == "flint":
+                return finder_of(setting)
+            key = (arithmetic, setting)
+            if key not in self.evaluations:
+                made = Evaluation(setting, load(arithmetic), others=of)
+                self.evaluations[key] = made.adjoin_roots()
+            return self.evaluations[key]
+
+        return of
+
+    def _late(self, what: str) -> str:
+        return f"not decided within {self.timeout:g} s by {what}"
+
+    def _products(self) -> int:
+        return sum(at.ring.products for at in self._all_evaluations())
+
+    def _all_evaluations(self) -> Iterator[Evaluation]:
+        yield from self.evaluations.values()
+        for setting in self.elaborations.made():
+            if "finder" in setting.__dict__:
+                yield setting.finder
