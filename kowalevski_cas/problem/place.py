@@ -13,7 +13,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Quotient, Root, Sum
 from kowalevski_cas.problem.evaluate import Evaluation, conjugated
 from kowalevski_cas.problem.evidence import Point
-from kowalevski_cas.problem.space import Adjoined, Raised, Space
+from kowalevski_cas.problem.space import Adjoined, Meaningless, Raised, Space
 
 
 class Misplaced(ValueError):
@@ -83,7 +83,10 @@ class Place:
                 one = self.numbers.ring.one
                 if not (value - one).is_zero or not (self(at.scalar(step.base)) - one).is_zero:
                     raise Misplaced(f"the value of {name} is not known there")
-            bar = self(at.scalar(Name(name), True))
+            try:
+                bar = self(at.scalar(Name(name), True))
+            except Meaningless:
+                continue  # nothing is said of the conjugate: its square is all that binds a root
             if not (conjugated(value, self.numbers) - bar).is_zero:
                 raise Misplaced(f"{name} is not real there")
         for formula in setting.nonzero:

@@ -316,6 +316,8 @@ class Session(Bench):
     def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
         """The outcome, with its correction accepted; an error if what is accepted is not proved."""
         place = claim.printed
+        if outcome.verdict is Verdict.ERROR:
+            return outcome
         if place is None or place not in self.accepted or place not in set(claim.establishes()):
             return outcome
         formulas, correction = (self.accepted[place],), outcome.correction

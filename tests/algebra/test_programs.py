@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from kowalevski_cas.algebra import load
 from kowalevski_cas.algebra.bounds import Sizes
 from kowalevski_cas.algebra.derivation import along
-from kowalevski_cas.algebra.programs import Programs
+from kowalevski_cas.algebra.modular import SampledPrograms
 from kowalevski_cas.algebra.series import Series, inverse, power
 from kowalevski_cas.algebra.tower import Ring
 from kowalevski_cas.algebra.valuation import Valuation
@@ -30,7 +30,7 @@ recipes = st.recursive(
 
 
 def programs():
-    ring = Programs(NAMES)
+    ring = SampledPrograms(NAMES)
     ring.adjoin("s", ring.generator("x") * ring.generator("y") + ring.one)
     return ring
 
@@ -131,7 +131,7 @@ def test_the_relation_of_a_root_is_known():
 
 def test_derivatives_of_any_order_are_those_of_a_known_motion():
     # x' = x: the k-th derivative of x² is 2^k x².
-    ring = Programs(("x",))
+    ring = SampledPrograms(("x",))
     x = ring.generator("x")
     motion, value = {"x": x}, x * x
     for _ in range(12):
@@ -140,7 +140,7 @@ def test_derivatives_of_any_order_are_those_of_a_known_motion():
 
 
 def test_partial_derivatives_and_motions_do_not_commute_and_mix_rightly():
-    ring = Programs(NAMES)
+    ring = SampledPrograms(NAMES)
     x, y = map(ring.generator, NAMES)
     motion, direction = {"x": x * y, "y": x}, {"x": ring.one}
     f = x * x * y
