@@ -17,7 +17,7 @@ from kowalevski_cas.search.real import real_points
 Of = Callable[[Setting], Evaluation]
 Good = Callable[["Candidate"], bool]
 
-TRIES = 12
+TRIES = 60
 """How many points of one kind are looked at."""
 
 
