@@ -4,6 +4,7 @@ Nothing of the program computes here but its reader, so that a counterexample
 can be checked by somebody else.
 """
 
+from collections import defaultdict
 from math import isclose, prod
 
 from kowalevski_cas.notation import (
@@ -109,8 +110,11 @@ def close(a, b):
 
 
 def complex_motion(point):
-    """The equations (10), with the third angular velocity, in tau; names defined on top of them."""
-    n = {name: value(tex) for name, tex in point.items()}
+    """The equations (10), with the third angular velocity, in tau; names defined on top of them.
+
+    What a point leaves out does not stand in the statement: it is zero here.
+    """
+    n = defaultdict(complex, {name: value(tex) for name, tex in point.items()})
     x1, x2, y1, y2 = n["x_1"], n["x_2"], n["y_1"], n["y_2"]
     z1, z2, w1, w2, w3 = n["z_1"], n["z_2"], n["w_1"], n["w_2"], n[r"\omega_3"]
     rates = {
