@@ -24,8 +24,8 @@ from kowalevski_cas.pictures import FAINT, new_figure
 from kowalevski_cas.problem.accept import Judge, Unproved
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.space import generators as names_of
-from kowalevski_cas.verify.run import DECIDED
 from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.teller import DECIDED
 from study.charts import list_cases, marked, names, split
 from study.paper import paper
 from study.step import Measured, Row, Task
