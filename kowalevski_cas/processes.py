@@ -25,6 +25,9 @@ Result = TypeVar("Result")
 LENGTH = 8
 """Bytes before each message that say how long it is."""
 
+CHUNK = 1 << 20
+"""Bytes that are read at once."""
+
 LONGEST = 3600.0
 """Seconds for which nobody looks at the clock."""
 
@@ -135,7 +138,7 @@ class _Process(Generic[Item, Result]):
         """Begin the work, or begin it anew."""
         self.limits: dict[int, float] = {}
         """The limits under which it works, and when they end."""
-        self.unread = b""
+        self.unread = bytearray()
         sys.stdout.flush()
         sys.stderr.flush()
         self.reading, writing = os.pipe()
@@ -159,14 +162,14 @@ class _Process(Generic[Item, Result]):
 
     def hear(self, heard: Callable[..., None]) -> None:
         """Read what it has told; it may have come to its end."""
-        data = os.read(self.reading, 1 << 16)
+        data = os.read(self.reading, CHUNK)
         if not data:
             self.give_up(max(self.limits, default=None))
             return
         self.unread += data
         while len(self.unread) >= LENGTH + (size := int.from_bytes(self.unread[:LENGTH])):
             kind, *words = pickle.loads(self.unread[LENGTH : LENGTH + size])
-            self.unread = self.unread[LENGTH + size :]
+            del self.unread[: LENGTH + size]
             match kind:
                 case "begin":
                     self.limits[words[0]] = words[1]

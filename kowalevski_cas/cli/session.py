@@ -120,14 +120,16 @@ def certificates(
     return texts, reasons
 
 
-def add_timeout(parser: argparse.ArgumentParser, seconds: float) -> None:
-    """The argument by which a command is told its limit for a claim."""
+def add_timeout(
+    parser: argparse.ArgumentParser, seconds: float, what: str = "for each claim"
+) -> None:
+    """The argument by which a command is told its limit."""
     parser.add_argument(
         "--timeout",
         type=_seconds,
         default=seconds,
         metavar="SECONDS",
-        help=f"for each claim ({seconds:g})",
+        help=f"{what} ({seconds:g})",
     )
 
 
