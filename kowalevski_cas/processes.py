@@ -28,6 +28,9 @@ LENGTH = 8
 CHUNK = 1 << 20
 """Bytes that are read at once."""
 
+GRACE = 1.0
+"""Seconds that a process has to tidy up, when its work is not wanted any more."""
+
 LONGEST = 3600.0
 """Seconds for which nobody looks at the clock."""
 
@@ -122,6 +125,9 @@ def each(
             yield from process.results
     finally:
         for process in running:
+            process.send(signal.SIGTERM)
+        for process in running:
+            process.tidy()
             process.end()
 
 
@@ -194,11 +200,22 @@ class _Process(Generic[Item, Result]):
             self.given_up[limit] = error
             self.start()
 
+    def send(self, number: signal.Signals) -> None:
+        """Send a signal to the process, and to those that it has begun."""
+        with suppress(ProcessLookupError):
+            (os.kill if _here else os.killpg)(self.pid, number)
+
+    def tidy(self) -> None:
+        """Let the process take away what it has written for the time of its work."""
+        until = monotonic() + GRACE
+        while select([self.reading], [], [], max(until - monotonic(), 0))[0]:
+            if not os.read(self.reading, CHUNK):
+                return
+
     def end(self) -> str:
         """End the process, and those that it has begun; how it has ended."""
         os.close(self.reading)
-        with suppress(ProcessLookupError):
-            (os.kill if _here else os.killpg)(self.pid, signal.SIGKILL)
+        self.send(signal.SIGKILL)
         code = os.waitstatus_to_exitcode(os.waitpid(self.pid, 0)[1])
         return f"exit code {code}" if code >= 0 else signal.strsignal(-code) or f"signal {-code}"
 
@@ -218,7 +235,7 @@ def _do(work: Callable[[Item], Result], item: Item, here: _Watched) -> NoReturn:
     """Work on an item in this process, tell the answer, and end."""
     global _here
     _here = here
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         try:
             result = work(item)

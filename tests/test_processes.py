@@ -3,6 +3,7 @@
 import os
 import signal
 import subprocess
+from tempfile import TemporaryDirectory
 from time import monotonic, sleep
 
 import pytest
@@ -100,6 +101,20 @@ def test_nothing_is_left_running_when_the_work_ends_early(error):
     for pid in pids:
         with pytest.raises(ProcessLookupError):
             os.kill(pid, 0)
+
+
+def test_a_process_that_is_not_wanted_any_more_tidies_up(tmp_path):
+    def work(_):
+        with TemporaryDirectory(dir=tmp_path):
+            tell("begun")
+            sleep(LONG)
+
+    def heard(*words):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        list(each(work, range(2), jobs=2, heard=heard))
+    assert not list(tmp_path.iterdir())
 
 
 def test_what_a_process_has_begun_ends_with_it():
