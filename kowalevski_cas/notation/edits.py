@@ -40,6 +40,14 @@ class Edit:
         """The whole statement after the change."""
         return replace(self.statement.formula, self.path, self.replacement)
 
+    def gives(self, formula: Formula) -> bool:
+        """Whether the statement is this formula after the change."""
+        try:
+            changed = subtree(formula, self.path)
+        except IndexError:
+            return False
+        return changed == self.replacement and self.formula == formula
+
     @property
     def tex(self) -> str:
         """The source after the change: as little of it as possible is typed anew."""
