@@ -64,15 +64,14 @@ class Mender(Teller):
         except (NotationError, Meaningless):
             return None
         verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
-        exact = [a for a in self.arithmetics if a not in POINTS] or ["flint"]
+        exact = dict.fromkeys(("flint", *(a for a in self.arithmetics if a not in POINTS)))
         decided = [self._judged(statement, verdicts, arithmetic) for arithmetic in exact]
         for one in decided:
             if one.verdict is Verdict.ERROR:
                 raise Unproved(one.message)
         if any(one.verdict is not Verdict.PROVED for one in decided):
             return None
-        accepted = self._judged(statement, verdicts, "flint").accepted
-        needed = conditions(statement, accepted, self.explain)
+        needed = conditions(statement, decided[0].accepted, self.explain)
         return (Verdict.CONDITIONAL if needed else Verdict.PROVED), needed
 
     # -- acceptance ----------------------------------------------------------------

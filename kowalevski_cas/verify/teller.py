@@ -13,7 +13,6 @@ from kowalevski_cas.verify.bench import Bench, Decided
 from kowalevski_cas.verify.explain import conditions, counterexample, why
 from kowalevski_cas.verify.outcome import Counterexample, Outcome, Screened, Step, Verdict
 from kowalevski_cas.verify.statement import Statement
-from kowalevski_cas.verify.steps import steps
 
 DECIDED = (Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED)
 
@@ -83,6 +82,8 @@ class Teller(Bench):
                 outcome = replace(outcome, message=why(denied, decided.verdicts.evidence))
         told: tuple[Step, ...] = ()
         if self.explain and decided.verdicts is not None:
+            from kowalevski_cas.verify.steps import steps  # a verdict needs none
+
             told = steps(statement, decided.verdicts)
         return replace(
             outcome,
