@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import partial
 from importlib import import_module
 from signal import SIGINT, SIGTERM, default_int_handler, pthread_kill, signal
@@ -53,6 +54,20 @@ def run(program: str, module: str, words: Sequence[str]) -> int:
     return _run(program, words, parser)
 
 
+@contextmanager
+def _terminable() -> Iterator[None]:
+    """Let this process be ended like by an interruption: with those that it has begun."""
+    if current_thread() is not main_thread():
+        yield
+        return
+    before = signal(SIGTERM, default_int_handler)
+    try:
+        yield
+    finally:
+        signal(SIGTERM, before)
+
+
+@_terminable()
 def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.ArgumentParser]) -> int:
     """Run what the words ask a parser for; what goes wrong is told in the program's name."""
     _prepare()
@@ -89,13 +104,11 @@ def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.Argum
 
 
 def _prepare() -> None:
-    """Let any text be printed, and let this process be ended together with those it has begun."""
+    """Let any text be printed, and let no interruption be lost."""
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(encoding="utf-8", errors="backslashreplace")
     sys.unraisablehook = _unraisable
-    if current_thread() is main_thread():
-        signal(SIGTERM, default_int_handler)
 
 
 def _parser(words: Sequence[str]) -> argparse.ArgumentParser:

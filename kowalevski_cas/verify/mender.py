@@ -13,15 +13,18 @@ from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.accept import Unproved
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import CORRECTED, certificate
-from kowalevski_cas.verify.corrections import correction, printed_of, recorded_correction
+from kowalevski_cas.verify.corrections import corrections, printed_of, recorded_correction
 from kowalevski_cas.verify.explain import conditions
 from kowalevski_cas.verify.outcome import Condition, Correction, Outcome, Verdict
 from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.teller import DECIDED, Teller
+from kowalevski_cas.verify.vacuous import says_something
 
 
 class Mender(Teller):
@@ -33,14 +36,40 @@ class Mender(Teller):
         return next((one for one in found if one is not None), None)
 
     def _candidates(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
-        """What the derivation accepts, what is recorded, and what is found."""
+        """What the derivation accepts, what is recorded, and what is found; true, or not."""
         known = [tex for place, tex in self.derivation.accepted.items() if place == claim.printed]
         known += [str(self.record.get(claim.id, {}).get("correction"))]
         for tex in known:
-            if (recorded := recorded_correction(claim, on, tex)) is not None:
+            recorded = recorded_correction(claim, on, tex)
+            if recorded is not None and says_something(recorded, Statement(claim, on)):
                 yield recorded
-        if (found := correction(claim, on)) is not None:
-            yield found
+        yield from (one for one in corrections(claim, on) if self._leaves_true(claim, one))
+
+    def _leaves_true(self, claim: Claim, neighbour: Neighbour) -> bool:
+        """Whether the other claims that are true of a changed formula stay true."""
+        place, edit = neighbour.printed, neighbour.edit
+        if place is None or edit is None:
+            return True
+        texts = self.texts.edited(place, edit)
+        for other in self.derivation.claims:
+            standing = {*other.places()}.union(*(scene.places() for scene in other.scenes()))
+            if other is not claim and place in standing:
+                try:
+                    now = Statement(other, self.on(other))
+                    evidence = self._evidence(now, other.id)
+                except (NotationError, Meaningless, FormatError):
+                    continue  # it is not true now
+                if isinstance(evidence, tuple) and not self._holds(other, texts, now.digest):
+                    return False
+        return True
+
+    def _holds(self, claim: Claim, texts: Texts, digest: str) -> bool:
+        """Whether a claim is true under other texts; it is if its problem has this digest."""
+        try:
+            statement = Statement(claim, self.on(claim, texts))
+            return statement.digest == digest or statement.holds()
+        except (NotationError, Meaningless, ZeroDivisionError):
+            return False
 
     def _proposed(self, neighbour: Neighbour, on: Elaborations) -> Correction | None:
         """A neighbour as a correction, if it is proved."""
