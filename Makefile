@@ -68,8 +68,8 @@ clean: ## Remove the environment and everything generated, save the reports
 INSTALL = $(PY) -m pip install --quiet --disable-pip-version-check --no-input
 
 # Each step is done under a lock, and once, if several makes come to it at the same time.
-ONCE = $(PYTHON) -c 'import fcntl, subprocess, sys; fcntl.flock(open("$(VENV).lock", "w"), fcntl.LOCK_EX); \
-	sys.exit(subprocess.call(["sh", "-ec", sys.argv[1]]))'
+ONCE = $(PYTHON) -c 'import fcntl, subprocess, sys; lock = open("$(VENV).lock", "w"); \
+	fcntl.flock(lock, fcntl.LOCK_EX); sys.exit(subprocess.call(["sh", "-ec", sys.argv[1]]))'
 
 $(VENV)/.python: | python-is-usable
 	@$(ONCE) 'test -e $@ || { rm -rf $(VENV); $(PYTHON) -m venv $(VENV); touch $@; }'
