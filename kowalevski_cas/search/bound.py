@@ -166,7 +166,7 @@ def _no_numbers(
     names = finder.names(one.space)
     rows: list[list[Fraction]] = []
     candidates: list[Candidate] = []
-    for point in islice(real_points(at), 40 * WEIGHTED):
+    for point in islice(real_points(at, names), 40 * WEIGHTED):
         candidate = Candidate(at, point)
         try:
             values = [rational_terms(candidate(element)) for element in elements]

@@ -30,12 +30,10 @@ class Candidate:
         values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
         self._value = Substitution(at.ring, values, self.numbers, roots={})
         for bit, name in enumerate(at.ring.roots):
-            below = at.ring.below[bit]
-            if name not in values:
-                root = self._value.root(self(at.ring.radicands[bit]))
-            else:
-                root = values[name] if below is None else values[name] * self(below)
-            self._value.roots[bit] = root
+            own = values.get(name)
+            self._value.roots[bit] = (
+                self._value.root(self(at.ring.radicands[bit])) if own is None else own
+            )
 
     def __call__(self, element: Element) -> Element:
         """The value there; raises ``ZeroDivisionError`` on a zero of the denominator."""
@@ -80,7 +78,7 @@ class PointFinder:
         names = self.names(at.setting)
         norms = [self._norm(at, element) for element in zero]
         for further in self._sections(at):
-            for point in islice(real_points(at, [*norms, *further], avoid), TRIES):
+            for point in islice(real_points(at, names, [*norms, *further], avoid), TRIES):
                 try:
                     candidate = Candidate(at, point)
                     if candidate.vanish(zero) and good(candidate):
