@@ -12,6 +12,7 @@ from kowalevski_cas.problem.accept import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.factors import irreducible_factors
+from kowalevski_cas.search.follows import rows_of
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.shown import shown
 
@@ -42,10 +43,8 @@ def _not_implied(goal: Simple, elements: Sequence[Element], setting: Elaboration
     found = [one.inverse() for one in at.ring.divided_by(elements)]
     if not setting.powers or not isinstance(goal, Follows) or not goal.given:
         return found
-    from kowalevski_cas.search.find import Finder  # most proofs are read, and search nothing
-
     known, one = at.differences(goal.given), at.ring.one
-    return [inverse for inverse in found if Finder.rows([one], [inverse.inverse(), *known]) is None]
+    return [inverse for inverse in found if rows_of([one], [inverse.inverse(), *known]) is None]
 
 
 def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula]:
