@@ -280,8 +280,7 @@ def _read_evidence(data: Data, goal: Goal, holds: bool) -> Evidence:
             weighted = ((decode(number), _read_point(point)) for number, point in data["points"])
             return Regardless(_index(data["inner"]), tuple(weighted))
         case Follows() if isinstance(goal, Fails) != holds:
-            point = _read_point(data["point"]) if "point" in data else None
-            return Shown(_read_proof(data), point)
+            return Shown(_read_proof(data), _read_point(data["point"]))
         case Rank() if not holds and "minors" in data:
             return Minors(_read_rows(data["minors"]))
         case Positive() if holds:

@@ -64,12 +64,8 @@ class Place:
 
     def defines(self, elements: Sequence[Element]) -> bool:
         """Whether nothing by which the elements are divided vanishes there."""
-        try:
-            for element in elements:
-                self(element)
-        except ZeroDivisionError:
-            return False
-        return True
+        divisors = elements[0].ring.divided_by(elements) if elements else ()
+        return not any(self(divisor).is_zero for divisor in divisors)
 
     def _check(self, given: Mapping[str, Element]) -> None:
         at, setting = self.at, self.at.setting
@@ -86,7 +82,7 @@ class Place:
             try:
                 bar = self(at.scalar(Name(name), True))
             except Meaningless:
-                continue  # nothing is said of the conjugate: its square is all that binds a root
+                bar = self(at.scalar(Name(name)))  # a root is real unless something else is said
             if not (conjugated(value, self.numbers) - bar).is_zero:
                 raise Misplaced(f"{name} is not real there")
         for formula in setting.nonzero:

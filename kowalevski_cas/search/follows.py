@@ -40,12 +40,9 @@ class FollowsFinder(PointFinder):
             proof = Proof(tuple(tuple(map(formula_in, row)) for row in rows), power=power)
         if not goal.conclusions and self._divides(Shown(proof), goal):
             return None
-        if not (goal.conclusions and goal.given):
-            return Shown(proof)
-        divided = [e for row in rows for e in row]
-        divided += [e for one in goal.conclusions for p in at.pairs(one) for e in p]
-        point = self.point(at, known, [*divided, *known])
-        return None if point is None else Shown(proof, point)
+        sides = [e for one in goal.conclusions for p in at.pairs(one) for e in p]
+        divided = [*(e for row in rows for e in row), *sides, *known]
+        return Shown(proof, self.point(at, known if goal.conclusions else (), divided))
 
     def _divides(self, shown: Shown, goal: Follows) -> bool:
         """Whether a proof divides by something, and so shows nothing where that vanishes."""

@@ -11,7 +11,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Misplaced, Place, number_formula
-from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.problem.space import Adjoined, Setting
 from kowalevski_cas.search.real import real_points
 
 Of = Callable[[Setting], Evaluation]
@@ -76,7 +76,7 @@ class PointFinder:
         avoid = [at.scalar(formula) for formula in at.setting.nonzero]
         avoid += at.ring.divided_by(divided)
         names = self.names(at.setting)
-        norms = [self._norm(at, element) for element in zero]
+        norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
         for further in self._sections(at):
             for point in islice(real_points(at, names, [*norms, *further], avoid), TRIES):
                 try:
@@ -106,9 +106,25 @@ class PointFinder:
 
     @staticmethod
     def _norm(at: Evaluation, element: Element) -> Element:
-        """The element times its conjugates by the roots that are no variables."""
+        """The element times its conjugates by the roots that are no variables.
+
+        A root that is a factor is left out instead.
+        """
         for bit, name in enumerate(element.ring.roots):
-            inside = any(mask >> bit & 1 for mask in element.parts)
-            if inside and name != "i" and name not in at.setting.coordinates:
+            inside = {mask >> bit & 1 for mask in element.parts}
+            if name == "i" or name in at.setting.coordinates:
+                continue
+            if inside == {0, 1}:
                 element = element * element.conjugate_root(bit)
+            elif inside == {1}:
+                parts = {mask ^ 1 << bit: part for mask, part in element.parts.items()}
+                element = Element(element.ring, parts, element.denominator)
         return element
+
+
+def _imaginary_parts(at: Evaluation, names: Sequence[str]) -> Iterator[Element]:
+    """What vanishes where roots without a declared conjugate are real: so are their squares."""
+    for name in names:
+        step = at.setting.step(name)
+        if isinstance(step, Adjoined) and not any(name in pair for pair in at.setting.conjugates):
+            yield at.scalar(step.square) - at.scalar(step.square, True)

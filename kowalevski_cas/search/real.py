@@ -6,7 +6,7 @@ others real ones.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import islice
 
@@ -168,13 +168,23 @@ def real_points(
     radicands = [
         coordinates.split(coordinates.value(radicand)) for radicand in coordinates.radicands
     ]
+
+    def usable(assignments: Iterable[Assignment]) -> Iterator[tuple[bool, ExactPoint]]:
+        """Points at which no radicand is negative, and whether all are squares."""
+        for assignment in assignments:
+            values = [
+                sum((constant(part, assignment) for part in parts), Fraction(0))
+                for parts in radicands
+            ]
+            if all(value >= 0 for value in values):
+                rational = all(square_root(value) is not None for value in values)
+                yield rational, coordinates.point(assignment)
+
     kept = []
-    for assignment in islice(found, RATIONAL_ROOTS):
-        values = [
-            sum((constant(part, assignment) for part in parts), Fraction(0)) for parts in radicands
-        ]
-        if all(square_root(value) is not None for value in values):
-            yield coordinates.point(assignment)
-        elif all(value >= 0 for value in values):
-            kept.append(assignment)
-    yield from (coordinates.point(assignment) for assignment in kept)
+    for rational, point in usable(islice(found, RATIONAL_ROOTS)):
+        if rational:
+            yield point
+        else:
+            kept.append(point)
+    yield from kept
+    yield from (point for _, point in usable(found))
