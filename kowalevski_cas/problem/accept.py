@@ -163,6 +163,7 @@ class Judge:
     def _follows(self, goal: Follows, evidence: Shown, at: Evaluation, sign: bool) -> None:
         if not all(goal.conclusions):
             raise Unproved("nothing is stated")
+        _need_point(evidence.point)
         known = at.differences(goal.given)
         pairs = [at.pairs(one) for one in goal.conclusions]
         sides = [e for one in pairs for pair in one for e in pair]
@@ -205,9 +206,7 @@ class Judge:
 
     def _point(self, at: Evaluation, point: Point | None, known: Sequence[Element]) -> Place:
         """The point, where known elements vanish and nothing that the goal divides by does."""
-        if point is None:
-            raise Vacuous("no real point is known that satisfies the hypotheses")
-        place = Place(at, point)
+        place = Place(at, _need_point(point))
         if not place.vanish(known):
             raise Unproved("the point is not where it should be")
         if not place.defines(self.accepted.divided[-1][1]):
@@ -367,6 +366,12 @@ _RULES: dict[tuple[type, type, bool], Rule] = {
     (Count, Solutions, False): Judge._solutions,
 }
 """What checks a kind of evidence for a kind of goal, or against it."""
+
+
+def _need_point(point: Point | None) -> Point:
+    if point is None:
+        raise Vacuous("no real point is known that satisfies the hypotheses")
+    return point
 
 
 def _group(group: Sequence[Element]) -> Element:
