@@ -45,9 +45,15 @@ from kowalevski_cas.problem.goals import (
     Simple,
 )
 from kowalevski_cas.problem.place import Misplaced, Place
-from kowalevski_cas.problem.space import Adjoined, Equation, Meaningless, Setting
+from kowalevski_cas.problem.space import Adjoined, Equation, Meaningless, Setting, generators
 
 Of = Callable[[Setting], Evaluation]
+Names = Callable[[Setting], Sequence[str]]
+
+
+def all_names(setting: Setting) -> Sequence[str]:
+    """All names of a setting to which a point can give values."""
+    return (*generators(setting), *setting.roots)
 
 
 ZERO = Number(0)
@@ -94,10 +100,13 @@ class Accepted:
 
 
 class Judge:
-    """Decides whether evidence proves or denies goals; ``of`` evaluates their spaces."""
+    """Decides whether evidence proves or denies goals.
 
-    def __init__(self, of: Of) -> None:
-        self.of = of
+    ``of`` evaluates their spaces, ``names`` are those to which a point of a space gives values.
+    """
+
+    def __init__(self, of: Of, names: Names = all_names) -> None:
+        self.of, self.names = of, names
         self.accepted = Accepted()
 
     def holds(self, goal: Goal, evidence: Evidence) -> None:
@@ -207,6 +216,8 @@ class Judge:
     def _point(self, at: Evaluation, point: Point | None, known: Sequence[Element]) -> Place:
         """The point, where known elements vanish and nothing that the goal divides by does."""
         place = Place(at, _need_point(point))
+        if place.point.values.keys() != {*self.names(at.setting)}:
+            raise Unproved("the point leaves a value out, or has one too many")
         if not place.vanish(known):
             raise Unproved("the point is not where it should be")
         if not place.defines(self.accepted.divided[-1][1]):

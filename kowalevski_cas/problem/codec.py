@@ -45,7 +45,7 @@ from kowalevski_cas.problem.space import (
     Space,
     Step,
 )
-from kowalevski_cas.problem.trees import FormatError, Tree, decode, encode
+from kowalevski_cas.problem.trees import FormatError, Tree, decode, encode, whole
 
 Data = dict[str, Any]
 
@@ -266,7 +266,7 @@ def read_evidence(data: Data, goal: Goal, holds: bool = True) -> Evidence:
     """
     try:
         return _read_evidence(data, goal, holds)
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         raise FormatError(f"it is no evidence: {error}") from None
 
 
@@ -391,7 +391,9 @@ def _read_roots(data: Data) -> Roots:
             )
             for entry in data["factors"]
         ),
-        minors=tuple((decode(number), tuple(powers)) for number, powers in data["minors"]),
+        minors=tuple(
+            (decode(number), tuple(map(whole, powers))) for number, powers in data["minors"]
+        ),
         point=_read_point(data["point"]),
     )
 

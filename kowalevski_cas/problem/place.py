@@ -50,11 +50,11 @@ class Place:
 
     def __call__(self, element: Element) -> Element:
         """The value there; raises ``ZeroDivisionError`` on a zero of the denominator."""
-        if not self._knows(element):
+        if not self.knows(element):
             raise Misplaced("the point leaves a value out")
         return self._value(element)
 
-    def _knows(self, element: Element) -> bool:
+    def knows(self, element: Element) -> bool:
         """Whether the point gives values to all that stands in an element."""
         ring = element.ring
         if any(mask & self._unknown_roots for mask in element.parts):
@@ -96,7 +96,7 @@ class Place:
             if bar is None or not (value.conjugate_root(UNIT) - bar).is_zero:
                 raise Misplaced(f"{name} is not real there")
         for element in map(at.scalar, setting.nonzero):
-            if self._knows(element) and self(element).is_zero:
+            if self.knows(element) and self(element).is_zero:
                 raise Misplaced("what is taken for granted not to vanish does")
 
 

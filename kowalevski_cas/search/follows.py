@@ -25,19 +25,26 @@ class FollowsFinder(PointFinder):
     """Evidence that equations follow from others, or fail where these hold."""
 
     def shown(self, goal: Follows, at: Evaluation) -> Shown | None:
-        """A point of the hypotheses, and if the goal holds there a proof by cofactors.
+        """A point of the hypotheses at which the goal holds, and a proof by cofactors.
 
-        Without a point nobody looks for a proof.
+        Without a point nobody looks for a proof, nor where the goal fails at all points in
+        general position: at the first one, if nothing is given.
         """
         known = at.differences(goal.given)
-        here = known if goal.conclusions else ()
+        conclusions = [at.differences(one) for one in goal.conclusions]
+        here = known if conclusions else ()
         divided = [*known, *(e for one in goal.conclusions for p in at.pairs(one) for e in p)]
+
+        def holds(there: Candidate | Place) -> bool:
+            return not conclusions or any(map(there.vanish, conclusions))
+
         point = self.point(at, here, divided)
         if point is None:
             return Shown()
-        place = Place(at, point)
-        if goal.conclusions and not any(place.vanish(at.differences(o)) for o in goal.conclusions):
-            return None
+        if not holds(Place(at, point)):
+            point = self.point(at, here, divided, holds, 0) if goal.given else None
+            if point is None:
+                return None
         found = rows_of(alternatives(goal, at), known, goal.main)
         if found is None:
             return None
@@ -49,7 +56,7 @@ class FollowsFinder(PointFinder):
         if not goal.conclusions and self._divides(Shown(proof), goal):
             return None
         entries = [entry for row in rows for entry in row]
-        if not place.defines(entries):
+        if not Place(at, point).defines(entries):
             point = self.point(at, here, [*divided, *entries])
         return Shown(proof, point)
 

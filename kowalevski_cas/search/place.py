@@ -68,16 +68,18 @@ class PointFinder:
         zero: Sequence[Element] = (),
         divided: Sequence[Element] = (),
         good: Good = lambda candidate: True,
+        most: int = 2,
     ) -> Point | None:
         """A real point where elements vanish, nothing is divided by zero, and all is good.
 
-        It is sought among points in general position, and then where one or two variables vanish.
+        It is sought among points in general position, and then where variables vanish, as many as
+        ``most``.
         """
         avoid = [at.scalar(formula) for formula in at.setting.nonzero]
         avoid += at.ring.divided_by(divided)
         names = self.names(at.setting)
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
-        for further in self._sections(at):
+        for further in self._sections(at, most):
             for point in islice(real_points(at, names, [*norms, *further], avoid), TRIES):
                 try:
                     candidate = Candidate(at, point)
@@ -89,8 +91,8 @@ class PointFinder:
                     continue
         return None
 
-    def _sections(self, at: Evaluation) -> Iterator[Sequence[Element]]:
-        """Nothing more, then one or two variables that vanish; powers are 1 where known."""
+    def _sections(self, at: Evaluation, most: int) -> Iterator[Sequence[Element]]:
+        """Nothing more, then some variables that vanish; powers are 1 where known."""
         setting = at.setting
         one = at.ring.one
         fixed: list[Element] = []
@@ -100,7 +102,7 @@ class PointFinder:
             assert base is not None
             fixed += [at.ring.generator(name) - one, at.scalar(base) - one]
         variables = [at.ring.generator(name) for name in setting.variables]
-        for size in range(3):
+        for size in range(most + 1):
             for chosen in combinations(variables, size):
                 yield [*fixed, *chosen]
 

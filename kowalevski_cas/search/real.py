@@ -26,17 +26,21 @@ RATIONAL_ROOTS = 40
 class RealCoordinates:
     """Real coordinates for the generators of a space, and its elements in them.
 
-    Of the roots only those in ``names`` matter.
+    Of the roots only those in ``names`` matter; those in ``own`` are coordinates.
     """
 
     def __init__(
-        self, at: Evaluation, constraints: Sequence[Element], names: Sequence[str]
+        self,
+        at: Evaluation,
+        constraints: Sequence[Element],
+        names: Sequence[str],
+        own: Sequence[str] = (),
     ) -> None:
         self.ring = ring = at.ring
         pairs = dict(at.setting.conjugates)
         partners = {b: a for a, b in pairs.items()}
-        # A root is a coordinate of its own if it has a conjugate, if others rest on it, or if a
-        # constraint has terms with it and without it.
+        # A root is one as well if it has a conjugate, if others rest on it, or if a constraint
+        # has terms with it and without it.
         roots = {
             name: radicand
             for name, radicand in zip(ring.roots, ring.radicands, strict=True)
@@ -44,9 +48,9 @@ class RealCoordinates:
         }
         inner = {bit for r in roots.values() for mask in r.parts for bit in _bits(mask)}
         inner |= {bit for element in constraints for bit in _mixed(element)}
-        own = {*pairs, *partners, *(ring.roots[bit] for bit in inner)}
-        self.moving = [name for name in roots if name in own]
-        self.radicands = [roots[name] for name in roots if name not in own]
+        moving = {*own, *pairs, *partners, *(ring.roots[bit] for bit in inner)}
+        self.moving = [name for name in roots if name in moving]
+        self.radicands = [roots[name] for name in roots if name not in moving]
         self.names = [n for n in (*ring.polynomials.generators, *self.moving)]
         self.context = fmpq_mpoly_ctx.get(
             tuple(f"g{k}" for k in range(len(self.names) + 1)), Ordering.lex
@@ -153,9 +157,19 @@ def real_points(
 ) -> Iterator[ExactPoint]:
     """Exact points where some elements vanish and others do not, with rational roots first.
 
-    ``names`` are those to which a point has to give values.
+    ``names`` are those to which a point has to give values. Roots that are variables are
+    rational as long as there are such points.
     """
-    coordinates = RealCoordinates(at, zero, names)
+    found = RealCoordinates(at, zero, names, at.setting.coordinates)
+    yield from _points(found, zero, nonzero)
+    other = RealCoordinates(at, zero, names)
+    if other.moving != found.moving:
+        yield from _points(other, zero, nonzero)
+
+
+def _points(
+    coordinates: RealCoordinates, zero: Sequence[Element], nonzero: Sequence[Element]
+) -> Iterator[ExactPoint]:
     constraints = [e for element in zero for e in coordinates.equations(element)]
     constraints = distinct([*constraints, *coordinates.relations()])
     avoid = [

@@ -110,7 +110,7 @@ class Bench:
             return Decided(statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic))
 
     def _judged(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
-        judge = Judge(self.evaluations_in(arithmetic))
+        judge = Judge(self.evaluations_in(arithmetic), statement.names)
         if verdicts is None:
             message = "neither a proof nor a point where it fails was found"
             return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)

@@ -73,18 +73,28 @@ class TestHypotheses:
     def test_hypotheses_without_a_point(self):
         goal = follows(["x", 0], given=[["x", 0]])
         rejected([XY], [goal], [{"cofactors": [[1]]}], "key is missing")
-        accepted([XY], [follows(["x", "x"])], [{}])  # nothing is supposed
+        rejected([XY], [follows(["x", "x"])], [{}], "key is missing")
+        empty = {"goal": "follows", "space": 0, "given": [[1, 0]], "conclusions": []}
+        rejected([XY], [empty], [{"cofactors": [[1]]}], "key is missing")
+        accepted([XY], [empty], [{"cofactors": [[1]], "point": ORIGIN}])
 
-    def test_emptiness_with_a_point_or_a_condition(self):
+    def test_emptiness_with_a_condition(self):
         goal = {"goal": "follows", "space": 0, "given": [["x", 0]], "conclusions": []}
-        entry = {"cofactors": [[["/", 1, "x"]]]}
+        entry = {"cofactors": [[["/", 1, "x"]]], "point": at(x=1, y=0)}
         rejected([XY], [goal], [{**entry, "away": ["x"]}], "unknown")
-        rejected([XY], [goal], [{**entry, "point": ORIGIN}], "unknown")
         rejected([XY], [goal], [entry], "may be zero")
+
+    def test_emptiness_in_a_setting_that_is_empty(self):
+        space = {"variables": ["x"], "steps": [["root", "r", ["-", ["+", ["^", "x", 2], 1]]]]}
+        given = [[["^", "r", 2], ["+", ["-", ["^", "x", 2]], 4]]]
+        goal = {"goal": "follows", "space": 0, "given": given, "conclusions": []}
+        for r in (1, "i", ["-", "i"]):
+            entry = {"cofactors": [[["/", -1, 5]]], "point": at(x=0, r=r)}
+            rejected([space], [goal], [entry], "square|not real")
 
     def test_emptiness_of_nothing(self):
         goal = {"goal": "follows", "space": 0, "given": [], "conclusions": []}
-        rejected([XY], [goal], [{}], "not equal")
+        rejected([XY], [goal], [{"point": ORIGIN}], "not equal")
         rejected([XY], [{**goal, "goal": "fails"}], [{"point": ORIGIN}], "nothing")
 
     def test_nothing_stated(self):
