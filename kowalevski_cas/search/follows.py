@@ -112,7 +112,7 @@ class FollowsFinder(PointFinder):
         """A point where the given equations hold and in each conclusion one fails."""
         known = at.differences(goal.given)
         failing = [[e for e in at.differences(one) if not e.is_zero] for one in goal.conclusions]
-        if not all(failing):
+        if any(all(_vanishes_on(e, known) for e in one) for one in failing):
             return None
 
         def good(candidate: Candidate) -> bool:
@@ -121,6 +121,12 @@ class FollowsFinder(PointFinder):
         divided = [*known, *(e for one in failing for e in one)]
         point = self.point(at, known, divided, good)
         return None if point is None else At(point)
+
+
+def _vanishes_on(element: Element, known: Sequence[Element]) -> bool:
+    """Whether an element is seen, without a division, to vanish wherever known ones do."""
+    row = combined(element, known, ())
+    return row is not None and not any(entry.denominator for entry in row)
 
 
 def alternatives(goal: Follows, at: Evaluation) -> list[Element]:
