@@ -8,6 +8,7 @@ from itertools import combinations, islice
 from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring
 from kowalevski_cas.algebra.points import ExactPoint
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Misplaced, Place, number_formula
@@ -44,11 +45,14 @@ class Candidate:
         return all(self(element).is_zero for element in elements)
 
     def point(self, names: Sequence[str]) -> Point:
-        """The point as evidence; raises :class:`Misplaced` where a value cannot be written."""
-        from kowalevski_cas.notation import Name
+        """The point as evidence.
 
+        Raises :class:`Misplaced` where a value cannot be written, or if nobody would accept it.
+        """
         values = {name: number_formula(self(self.at.scalar(Name(name)))) for name in names}
-        return Point(values)
+        point = Point(values)
+        Place(self.at, point)
+        return point
 
 
 class PointFinder:
@@ -84,9 +88,7 @@ class PointFinder:
                 try:
                     candidate = Candidate(at, point)
                     if candidate.vanish(zero) and good(candidate):
-                        found = candidate.point(names)
-                        Place(at, found)  # a point that nobody would accept is none
-                        return found
+                        return candidate.point(names)
                 except (ZeroDivisionError, Misplaced):
                     continue
         return None

@@ -283,6 +283,14 @@ class TestPoints:
         denial_rejected(goal, At(at(x="i", y="i")), "not real")
         accepted(goal, At(at(x="i", y=minus("i"))), sign=False)
 
+    def test_a_root_without_a_declared_conjugate_is_real(self):
+        space = Space(("x", "y"), steps=(Adjoined("q", decode("x")),), conjugates=(("x", "y"),))
+        goal = follows(["q", 3], space=space)
+        complex_one = at(x=["*", 2, "i"], y=["*", -2, "i"], q=plus(1, "i"))
+        denial_rejected(goal, At(complex_one), "q is not real there")
+        accepted(goal, At(at(x=4, y=4, q=2)), sign=False)
+        denial_rejected(goal, At(at(x=4, y=5, q=2)), "not real there")
+
     def test_off_the_set_and_on_it(self):
         goal = follows(["y", 1], given=[["x", 1]])
         denial_rejected(goal, At(at(x=2, y=2)), "not where it should be")

@@ -70,6 +70,14 @@ class TestHypotheses:
             space = {**XY, "steps": [["root", "r", square]]}
             rejected([space], [follows(["x", "x"])], [{"point": at(x=0, y=0, r="i")}], "not real")
 
+    def test_a_root_without_a_declared_conjugate_is_real(self):
+        space = {**XY, "steps": [["root", "q", "x"]], "conjugates": [["x", "y"]]}
+        point = at(x=["*", 2, "i"], y=["*", -2, "i"], q=["+", 1, "i"])
+        rejected(
+            [space], [follows(["q", 3])], [{"goal": 0, "point": point}], "q is not real", "denied"
+        )
+        accepted([space], [follows(["q", 3])], [{"goal": 0, "point": at(x=4, y=4, q=2)}], "denied")
+
     def test_hypotheses_without_a_point(self):
         goal = follows(["x", 0], given=[["x", 0]])
         rejected([XY], [goal], [{"cofactors": [[1]]}], "key is missing")

@@ -30,7 +30,8 @@ def follows(given, conclusion=("y", 7), **space):
 def contradictory(n):
     """Problems about nothing, and proofs that are right but for what they are about.
 
-    The conclusion is y - 7 = 0; where something that is n or -n vanishes, it follows.
+    The conclusion is y - 7 = 0; where something that is n or -n vanishes, it follows. In the last
+    ones it is said that there is nothing, and divided by what is zero there.
     """
     far = ["+", "y", -7]
     root = {"steps": [["root", "r", minus(["+", SQUARES, n])]]}
@@ -47,6 +48,10 @@ def contradictory(n):
         (follows([], ("r", "r"), steps=[["root", "r", -n]]), {}),
         (follows([], (["*", "x", "r"], ["*", "r", "x"]), steps=[["root", "r", minus(["^", "x", 2])]],
                  nonzero=["x"]), {}),
+        (follows([["x", 0]], None), {"cofactors": [[["/", 1, "x"]]]}),
+        (follows([[SQUARES, 0]], None), {"cofactors": [[["/", 1, SQUARES]]]}),
+        (follows([[["*", "x", "y"], 0]], None, nonzero=["x"]),
+         {"cofactors": [[["/", 1, ["*", "x", "y"]]]]}),
     ]  # fmt: skip
 
 
