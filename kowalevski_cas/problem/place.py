@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import cache
 from itertools import combinations
 from math import gcd, isqrt
 
@@ -35,7 +36,8 @@ class Place:
 
     def __init__(self, at: Evaluation, point: Point) -> None:
         self.at, self.point = at, point
-        self.numbers = _numbers(at.polynomials, point)
+        squares = {number for value in point.values.values() for number in _squares(value)}
+        self.numbers = _numbers(at.polynomials, tuple(sorted(squares)))
         given = {name: self.numbers.scalar(value) for name, value in point.values.items()}
         zero = self.numbers.ring.zero
         generators = {name: given.get(name, zero) for name in at.ring.polynomials.generators}
@@ -84,7 +86,8 @@ class Place:
         for name, value in given.items():
             step = setting.step(name)
             if isinstance(step, Adjoined):
-                if not (value * value - self(at.scalar(step.square))).is_zero:
+                own = at.scalar(Name(name))
+                if not (value * value - self(own * own)).is_zero:
                     raise Misplaced(f"{name} is not a root there")
                 if step.square == MINUS_ONE:
                     continue
@@ -100,9 +103,9 @@ class Place:
                 raise Misplaced("what is taken for granted not to vanish does")
 
 
-def _numbers(arithmetic: type[Polynomials], point: Point) -> Evaluation:
-    """The numbers in which a point has its values: rationals, i, and roots of whole numbers."""
-    squares = sorted({number for value in point.values.values() for number in _squares(value)})
+@cache
+def _numbers(arithmetic: type[Polynomials], squares: tuple[int, ...]) -> Evaluation:
+    """The numbers in which points have their values: rationals, i, and roots of whole numbers."""
     if any(gcd(*pair) > 1 for pair in combinations(squares, 2)) or any(map(_is_square, squares)):
         raise Misplaced("roots at a point may depend on each other")
     steps = [Adjoined("i", MINUS_ONE)]
