@@ -8,7 +8,7 @@ from itertools import combinations, islice
 from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring
 from kowalevski_cas.algebra.points import ExactPoint
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Conjugate, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Misplaced, Place, number_formula
@@ -128,7 +128,8 @@ class PointFinder:
 
 def _imaginary_parts(at: Evaluation, names: Sequence[str]) -> Iterator[Element]:
     """What vanishes where roots without a declared conjugate are real: so are their squares."""
+    paired = {name for pair in at.setting.conjugates for name in pair}
     for name in names:
         step = at.setting.step(name)
-        if isinstance(step, Adjoined) and not any(name in pair for pair in at.setting.conjugates):
+        if isinstance(step, Adjoined) and name not in paired and at.knows(Conjugate(step.square)):
             yield at.scalar(step.square) - at.scalar(step.square, True)

@@ -156,3 +156,12 @@ def test_what_exists_is_used():
         Judge(finder_of, statement.names).holds(
             more, Found({**found.values, "unused": Number(1)}, found.evidence)
         )
+
+
+def test_a_root_of_a_root_of_what_is_complex():
+    """All roots of which nothing else is said are real: so z is, and at least 1."""
+    small = Oscillator()
+    first, second = small("p^2=z_1"), small("q^2=p-1")
+    scene = replace(small.new, definitions={}).adjoining(first, second)
+    (outcome,) = decide(small.section, Identity("identity", scene, small("q^4=z_1-2p+1"), ""))
+    assert outcome.verdict == "proved"
