@@ -164,7 +164,7 @@ def prove(question: Mapping[str, Any]) -> Measured:
 
 def _decided(statement: Statement) -> str:
     """The verdict for which what a search finds is accepted; conditions are not told."""
-    verdicts, judge = statement.search(), Judge(finder_of)
+    verdicts, judge = statement.search(), Judge(finder_of, statement.names)
     if verdicts is None:
         return "undecided"
     try:

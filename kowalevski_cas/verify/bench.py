@@ -12,7 +12,7 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
+from kowalevski_cas.problem.accept import Accepted, Judge, Unproved, Vacuous
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.space import Setting
@@ -104,7 +104,7 @@ class Bench:
         return self._judged(statement, verdicts, arithmetic)
 
     def _judged(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
-        judge = Judge(self.evaluations_in(arithmetic))
+        judge = Judge(self.evaluations_in(arithmetic), statement.names)
         if verdicts is None:
             message = "neither a proof nor a point where it fails was found"
             return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
@@ -114,6 +114,8 @@ class Bench:
                 return Decided(statement, verdicts, judge.accepted, Verdict.REFUTED)
             for goal, evidence in zip(statement.goals, verdicts, strict=True):
                 judge.holds(goal, evidence)
+        except Vacuous as error:
+            return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, str(error))
         except Unproved as error:
             where = self._file(statement)
             message = f"{where}the evidence does not prove it ({arithmetic}: {error})"
