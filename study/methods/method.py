@@ -36,7 +36,7 @@ class Method(ABC):
         self.share = share
 
     def decide(self, one: Labelled) -> Measured:
-        """The verdict on a statement, with the seconds that it took in a running process."""
+        """The verdict on a statement, with the seconds that it took; a reason if there is none."""
         try:
             prepared = self.prepare(one)
         except (FormatError, Inexpressible, Rejected) as error:
@@ -47,7 +47,7 @@ class Method(ABC):
                 answer = self.answer(prepared)
         except TimeoutError:
             return {"seconds": SECONDS, "verdict": "timeout", "reason": f"{SECONDS:g} s"}
-        return {"seconds": perf_counter() - start, "reason": "", **answer}
+        return {"seconds": perf_counter() - start, **answer}
 
     @abstractmethod
     def prepare(self, one: Labelled) -> Any:
@@ -56,10 +56,6 @@ class Method(ABC):
     @abstractmethod
     def answer(self, prepared: Any) -> Measured:
         """The verdict on what was prepared; this is what is timed."""
-
-    @abstractmethod
-    def cold(self, one: Labelled) -> float:
-        """The seconds from the start of a process of its own to the verdict on a true statement."""
 
 
 def certificate(one: Labelled) -> str:

@@ -8,6 +8,8 @@ are SymPy's own. This runs in a process of its own, under a limit.
 
 from __future__ import annotations
 
+import json
+import sys
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from functools import cache
@@ -22,10 +24,15 @@ from kowalevski_cas.notation import Formula, Name, Sum
 from kowalevski_cas.problem.codec import read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Adjoined, Setting, generators
-from study.labelled import residuals
+from study.labelled import Labelled, residuals
+from study.methods.method import ACCEPTED, NONE, REJECTED, Method, certificate
+from study.process import Worker
 from study.step import Measured
 
-METHODS: Mapping[str, Callable[[Any], bool | None]] = {
+SECONDS, MEBIBYTES = 10.0, 2048
+"""The limits for a statement."""
+
+CALLS: Mapping[str, Callable[[Any], bool | None]] = {
     "simplify": lambda e: bool(sympy.simplify(e) == 0),
     "expand": lambda e: bool(sympy.expand(e) == 0),
     "cancel": lambda e: bool(sympy.cancel(e) == 0),
@@ -35,17 +42,32 @@ METHODS: Mapping[str, Callable[[Any], bool | None]] = {
 """Whether an expression is zero, in the words of SymPy; ``equals`` may not know."""
 
 
+class ByHand(Method):
+    """One of the calls with which people ask SymPy whether something is zero."""
+
+    def __init__(self, call: str, share: int | None = None) -> None:
+        super().__init__(f"SymPy {call}", share)
+        self.call = call
+        self._worker = Worker([sys.executable, "-m", "study.methods"], SECONDS, MEBIBYTES)
+
+    def prepare(self, one: Labelled) -> dict[str, Any]:
+        return {"call": self.call, "certificate": json.loads(certificate(one))}
+
+    def answer(self, prepared: dict[str, Any]) -> Measured:
+        return self._worker.ask(prepared)
+
+
 def decide(question: Mapping[str, Any]) -> Measured:
-    """Whether a method finds that the identities of a certificate are true."""
-    problem, method = read_problem(question["certificate"]), METHODS[question["method"]]
+    """Whether a call of SymPy finds that the identities of a certificate are true."""
+    problem, is_zero = read_problem(question["certificate"]), CALLS[question["call"]]
     for residual in residuals(problem, cache(Typed)):
         assert isinstance(residual, Expression)
-        zero = method(residual.value)
+        zero = is_zero(residual.value)
         if zero is None:
-            return {"verdict": "none", "reason": "it does not know"}
+            return {"verdict": NONE, "reason": "it does not know"}
         if not zero:
-            return {"verdict": "rejected", "reason": "something is left that is not 0"}
-    return {"verdict": "accepted", "reason": ""}
+            return {"verdict": REJECTED}
+    return {"verdict": ACCEPTED}
 
 
 class Expression(Element):

@@ -7,7 +7,8 @@ import json
 import pytest
 
 from kowalevski_cas.cli import run
-from study import command
+from kowalevski_cas.report.plates import plates
+from study import command, page
 from tests.study.toys import Interrupt
 
 
@@ -18,8 +19,9 @@ def main(arguments):
 @pytest.fixture
 def step(monkeypatch):
     step = Interrupt()
-    monkeypatch.setattr(command, "STEPS", {"toys": "toys"})
-    monkeypatch.setattr(command, "load", lambda name: step)
+    for module in (command, page):
+        monkeypatch.setattr(module, "STEPS", ("toys",))
+        monkeypatch.setattr(module, "load", lambda name: step)
     return step
 
 
@@ -29,6 +31,17 @@ def test_a_study_says_what_it_measured_and_what_failed(step, tmp_path, capsys):
     assert {path.name for path in tmp_path.iterdir()} == {"toys.png", "data"}
     head = json.loads((tmp_path / "data" / "toys.jsonl").read_text().splitlines()[0])
     assert head["quick"] is True and {"processor", "Python", "sympy"} <= head["machine"].keys()
+
+
+def test_a_whole_study_has_a_page_with_its_captions_and_lists_what_a_report_shows(
+    step, tmp_path, monkeypatch
+):
+    monkeypatch.setattr(page, "REPORTED", ("toys",))
+    folder = tmp_path / "study"
+    assert main(["-o", str(folder)]) == 0
+    assert f"![toys](toys.png)\n\n{step.CAPTION}" in (folder / "README.md").read_text()
+    (plate,) = plates(tmp_path, "kharlamov2002")
+    assert (plate.place, plate.caption) == ("study/toys", step.CAPTION)
 
 
 def test_drawing_measures_nothing(step, tmp_path):

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from study.labelled import TRUE, labelled
+from study.labelled import labelled
 from study.methods import ACCEPTED, NONE, REJECTED, methods
 from study.methods.certificates import answer, certificate
 from study.methods.typed import decide
@@ -36,17 +36,12 @@ def test_points_at_which_a_near_miss_vanishes_deceive_no_method(statements, name
 
 
 def test_expand_leaves_something_of_a_true_identity_with_a_root(statements):
-    question = {"method": "expand", "certificate": json.loads(certificate(statements["F1-prime"]))}
+    question = {"call": "expand", "certificate": json.loads(certificate(statements["F1-prime"]))}
     assert decide(question)["verdict"] == REJECTED
-    assert decide(question | {"method": "ratsimp"})["verdict"] == ACCEPTED
+    assert decide(question | {"call": "ratsimp"})["verdict"] == ACCEPTED
 
 
 def test_an_objection_that_does_not_say_no_is_no_answer():
     assert answer("")["verdict"] == ACCEPTED
     assert answer("fails: 7 statement")["verdict"] == REJECTED
     assert answer("Attempt to save an incomplete proof")["verdict"] == NONE
-
-
-def test_a_method_starts_cold(statements):
-    true = next(s for s in statements.values() if s.kind == TRUE)
-    assert FOUND["checker"].cold(true) > 0
