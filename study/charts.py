@@ -65,6 +65,17 @@ def legend_below(figure: Figure, axes: Axes, columns: int, **more: Any) -> None:
     figure.legend(*found, loc="outside lower center", ncols=columns, **more)
 
 
+def digit(value: float) -> str:
+    r"""A number with one digit, as mathematics.
+
+    >>> print(digit(1e-13), digit(5e-22))
+    $10^{-13}$ $5\cdot10^{-22}$
+    """
+    first, _, exponent = f"{value:.0e}".partition("e")
+    factor = "" if first == "1" else rf"{first}\cdot"
+    return f"${factor}10^{{{int(exponent)}}}$"
+
+
 def seconds(value: float, _: object = None) -> str:
     """A time in words.
 

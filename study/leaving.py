@@ -17,8 +17,8 @@ from kowalevski_cas.motion import Motion, load
 from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.motion.transverse import distance, exponent
 from kowalevski_cas.pictures import INK, new_figure
-from study.charts import curve, legend_below, shown
-from study.motions import INTEGRATORS, MOTIONS, parameters
+from study.charts import curve, legend_below
+from study.motions import INTEGRATORS, MOTIONS, parameters, tolerances
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ CAPTION = (
     f"{WINDOWS} windows of time up to $t={SPAN:g}$. On the left an elliptic torus, "
     f"{parameters('m > 0')}; on the right a hyperbolic one, {parameters('m < 0')}, which "
     r"integrators leave like $e^{\lambda t}$, with the $\lambda$ that follows from the cofactors "
-    f"of (15). Tolerances: {', '.join(f'{t:g} ({shown(name)})' for name, t in TOLERANCES.items())}."
+    f"of (15). Tolerances: {tolerances(TOLERANCES)}."
 )
 
 

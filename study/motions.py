@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
 from time import process_time
 from typing import Any
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from kowalevski_cas.motion import Motion, Parameters, load
 from kowalevski_cas.motion.methods import taylor
 from kowalevski_cas.motion.methods.integrators import integrate
+from study.charts import digit, shown
 
 Array = NDArray[np.float64]
 Integrator = Callable[[Array, Array, float], Array]
@@ -35,6 +36,11 @@ def parameters(name: str) -> str:
     """The constants of a motion, as a caption gives them."""
     a, b, m, ell = CONSTANTS[name]
     return rf"$a={a}$, $b={b}$, $m={m}$, $\ell={ell}$"
+
+
+def tolerances(of: Mapping[str, float]) -> str:
+    """The tolerances of integrators, as a caption gives them."""
+    return ", ".join(f"{digit(tolerance)} ({shown(name)})" for name, tolerance in of.items())
 
 
 def relative_error(motion: Motion, found: Array, times: Array) -> float:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.library import available
 from kowalevski_cas.pictures import INK, Mark, mark, new_figure
-from study.charts import seconds, shown
+from study.charts import digit, seconds, shown
 from study.labelled import Disagreement, Labelled, labelled, spread
 from study.methods import ACCEPTED, REJECTED, Method, methods
 from study.step import DISAGREEMENT, Measured, Row, Task
@@ -107,7 +107,7 @@ class Summary:
         if any(row["proves"] for row in self.rows):
             return 0, 0.0, "proof"
         if bounds:
-            return 1, max(bounds), f"chance of error ≤ {_power(max(bounds))}"
+            return 1, max(bounds), f"chance of error ≤ {digit(max(bounds))}"
         most = min(1.0, 3 / self.answers)
         return 2, most, f"0 of {self.answers} wrong: ≤ {100 * most:.2g} %"
 
@@ -138,11 +138,6 @@ def summaries(rows: Iterable[Row]) -> list[Summary]:
         if any(row.get("seconds") is not None for row in mine)
     ]
     return sorted(timed, key=lambda one: (one.grade, one.times))
-
-
-def _power(value: float) -> str:
-    digit, _, exponent = f"{value:.0e}".partition("e")
-    return rf"${digit}\cdot10^{{{int(exponent)}}}$"
 
 
 # -- the chart -------------------------------------------------------------------------

@@ -15,7 +15,7 @@ import numpy as np
 from kowalevski_cas.motion import Motion, Parameters, load
 from kowalevski_cas.motion.methods.integrators import initial_state
 from study.charts import curve
-from study.motions import INTEGRATORS, relative_error
+from study.motions import INTEGRATORS, relative_error, tolerances
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
@@ -32,8 +32,7 @@ SPAN = 100.0
 
 CAPTION = (
     r"motions with $a=1$, $b=0.4$, $m=0.5$, $\ell=2-\varepsilon$ at "
-    f"$t={SPAN:g}$; tolerances {TOLERANCES['dop853']:g} (DOP853) and {TOLERANCES['taylor']:g} "
-    "(Taylor series)"
+    f"$t={SPAN:g}$; tolerances {tolerances(TOLERANCES)}"
 )
 
 
