@@ -94,7 +94,7 @@ class Worker:
         except BaseException:
             self.close()  # an interruption reaches the process only if it comes from a terminal
             raise
-        if said.startswith("{"):
+        if said.endswith("\n"):
             answer: Measured = json.loads(said)
             return answer
         code, spent = self._process.wait(), perf_counter() - began

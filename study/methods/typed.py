@@ -94,14 +94,8 @@ class Expression(Element):
     def __neg__(self) -> Expression:
         return self._made(-self.value)
 
-    def __sub__(self, other: Element) -> Expression:
-        return self._made(self.value - _value(other))
-
     def __mul__(self, other: Element) -> Expression:
         return self._made(self.value * _value(other))
-
-    def __truediv__(self, other: Element) -> Expression:
-        return self._made(self.value / _value(other))
 
     def __pow__(self, exponent: int) -> Expression:
         return self._made(self.value**exponent)
