@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from kowalevski_cas.algebra.tower import Element
@@ -53,7 +53,7 @@ def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula
     divisors = ring.divided_by(elements)
     if not divisors:
         return []
-    granted = {_shape(setting.finder.scalar(formula)) for formula in setting.nonzero}
+    granted = {_shape(one) for one in _granted(setting)}
     landmarks = [setting.texts.expression(locus.condition) for locus in setting.scene.loci]
     names = {_shape(setting.finder.scalar(setting.plain(f))): f for f in landmarks}
     found: dict[Formula, None] = {}
@@ -72,6 +72,14 @@ def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula
             del found[second]
             found = {(Product((first, second)) if f == first else f): None for f in found}
     return list(found)
+
+
+def _granted(setting: Elaboration) -> Iterator[Element]:
+    """What a setting takes for granted not to vanish, and what one over it is divided by."""
+    for formula in setting.nonzero:
+        element = setting.finder.scalar(formula)
+        yield element
+        yield from setting.finder.ring.divided_by([element.inverse()])
 
 
 def _without(divisor: Element, known: set[Shape]) -> Element:
