@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from itertools import groupby, zip_longest
 from statistics import median, quantiles
 from typing import TYPE_CHECKING, Any
@@ -73,25 +74,22 @@ class Summary:
     method: str
     rows: Sequence[Row]
 
-    def count(self, verdict: str | None, truth: bool) -> int:
-        """How many true or false statements got a verdict; no answer if it is ``None``."""
-        wanted = [verdict] if verdict else {r["verdict"] for r in self.rows} - {ACCEPTED, REJECTED}
-        return sum(r["verdict"] in wanted for r in self._with(truth))
-
-    def _with(self, truth: bool) -> list[Row]:
-        return [row for row in self.rows if row.get("truth") is truth]
+    @cached_property
+    def counts(self) -> Counter[tuple[str, bool]]:
+        """How many true and how many false statements it got right or wrong, or left open."""
+        return Counter((_outcome(row), row["truth"]) for row in self.rows if "truth" in row)
 
     @property
     def wrong(self) -> int:
         """How many answers are wrong."""
-        return self.count(ACCEPTED, False) + self.count(REJECTED, True)
+        return self.counts["wrong", True] + self.counts["wrong", False]
 
     @property
     def answers(self) -> int:
         """How many statements it accepts or rejects."""
-        return sum(row["verdict"] in (ACCEPTED, REJECTED) for row in self.rows)
+        return self.wrong + self.counts["right", True] + self.counts["right", False]
 
-    @property
+    @cached_property
     def times(self) -> tuple[float, float, float]:
         """The median time for a statement, and those between which eight of ten lie."""
         found = [row["seconds"] for row in self.rows if row.get("seconds") is not None]
@@ -103,7 +101,7 @@ class Summary:
         """How sure an answer is, to be sorted, and in words."""
         bounds = [row["bound"] for row in self.rows if row.get("bound") is not None]
         if self.wrong or not self.answers:
-            return 3, self.wrong, "wrong answers seen"
+            return 3, self.wrong, "wrong answers seen" if self.wrong else "no answer"
         if any(row["proves"] for row in self.rows):
             return 0, 0.0, "proof"
         if bounds:
@@ -114,17 +112,22 @@ class Summary:
     @property
     def words(self) -> str:
         """What went wrong, in a few words; empty if nothing did."""
-        silent = {truth: self.count(None, truth) for truth in (True, False)}
-        wrong = {truth: self.count(REJECTED if truth else ACCEPTED, truth) for truth in silent}
-        parts = []
-        for verb, counts in (("wrong", wrong), ("no answer", silent)):
-            shares = [
-                f"{n} of {len(self._with(truth))} {'true' if truth else 'false'}"
-                for truth, n in counts.items()
-                if n
-            ]
-            parts += [f"{verb}: {', '.join(shares)}"] if shares else []
-        return "; ".join(parts)
+        of = Counter(row.get("truth") for row in self.rows)
+        parts = {
+            outcome: ", ".join(
+                f"{self.counts[outcome, truth]} of {of[truth]} {word}"
+                for truth, word in ((True, "true"), (False, "false"))
+                if self.counts[outcome, truth]
+            )
+            for outcome in ("wrong", "no answer")
+        }
+        return "; ".join(f"{outcome}: {shares}" for outcome, shares in parts.items() if shares)
+
+
+def _outcome(row: Row) -> str:
+    if row["verdict"] not in (ACCEPTED, REJECTED):
+        return "no answer"
+    return "right" if (row["verdict"] == ACCEPTED) is row["truth"] else "wrong"
 
 
 def summaries(rows: Iterable[Row]) -> list[Summary]:

@@ -1,44 +1,30 @@
 """Where methods fail: a way to fail is one module here, and a line in :data:`WAYS`.
 
-Each has a ``TITLE``, a ``CAPTION``, ``measure`` and ``draw``, as a step has, but draws a panel.
+Each has a ``TITLE``, a ``CAPTION`` and ``measure`` as a step has, and ``draw(axes, rows)`` for its
+panel. The rows of its tasks, one a method, have its name as their case.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Protocol, cast
+from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.pictures import new_figure
 from study.failures import branch, cancellation, differences, phase, primes, separatrix
 from study.step import Row, Task
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-
-class Way(Protocol):
-    """A way to fail; the rows of its tasks have its name as their case."""
-
-    TITLE: str
-    CAPTION: str
-
-    def measure(self, quick: bool) -> Iterable[Task]:
-        """The tasks, one a method."""
-
-    def draw(self, axes: Axes, rows: Sequence[Row]) -> None:
-        """The panel."""
-
-
-WAYS = {
-    "differences": cast(Way, differences),
-    "primes": cast(Way, primes),
-    "branch": cast(Way, branch),
-    "cancellation": cast(Way, cancellation),
-    "separatrix": cast(Way, separatrix),
-    "phase": cast(Way, phase),
+WAYS: dict[str, Any] = {
+    "differences": differences,
+    "primes": primes,
+    "branch": branch,
+    "cancellation": cancellation,
+    "separatrix": separatrix,
+    "phase": phase,
 }
-"""The ways to fail: verdicts in the upper line of the chart, digits in the lower one."""
+"""The modules: verdicts in the upper line of the chart, digits in the lower one."""
 
 TITLE = "where methods fail"
 
