@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from decimal import ROUND_CEILING, Context
 from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.pictures import Mark, mark
@@ -66,12 +67,13 @@ def legend_below(figure: Figure, axes: Axes, columns: int, **more: Any) -> None:
 
 
 def digit(value: float) -> str:
-    r"""A number with one digit, as mathematics.
+    r"""A number, rounded up to one digit, as mathematics: a bound stays a bound.
 
-    >>> print(digit(1e-13), digit(5e-22))
-    $10^{-13}$ $5\cdot10^{-22}$
+    >>> print(digit(1e-13), digit(5.1e-22), digit(1000000))
+    $10^{-13}$ $6\cdot10^{-22}$ $10^{6}$
     """
-    first, _, exponent = f"{value:.0e}".partition("e")
+    up = Context(prec=1, rounding=ROUND_CEILING).create_decimal(repr(value))
+    first, _, exponent = f"{up:e}".partition("e")
     factor = "" if first == "1" else rf"{first}\cdot"
     return f"${factor}10^{{{int(exponent)}}}$"
 

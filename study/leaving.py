@@ -86,7 +86,7 @@ def draw(rows: Sequence[Row]) -> Figure:
             axes.text(55, 6e-14, rf"$e^{{\lambda t}}$, $\lambda={slope:.3f}$")
         axes.set(yscale="log", xlabel="$t$")
         kind = "hyperbolic" if MOTIONS[name].parameters.m < 0 else "elliptic"
-        axes.set_title(f"${name}$: {kind} torus", size=8.5)
+        axes.set_title(f"{kind} torus: {parameters(name)}", size=7.5)
     panels[0].set_ylabel("distance from $N^4$")
     legend_below(figure, panels[0], 5)
     return figure

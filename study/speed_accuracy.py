@@ -106,8 +106,7 @@ class Summary:
             return 0, 0.0, "proof"
         if bounds:
             return 1, max(bounds), f"chance of error ≤ {digit(max(bounds))}"
-        most = min(1.0, 3 / self.answers)
-        return 2, most, f"0 of {self.answers} wrong: ≤ {100 * most:.2g} %"
+        return 2, 1 / self.answers, f"0 of {self.answers} wrong: ≤ 3/{self.answers}"
 
     @property
     def words(self) -> str:

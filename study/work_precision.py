@@ -100,5 +100,6 @@ def draw(rows: Sequence[Row]) -> Figure:
     axes.yaxis.set_major_formatter(FuncFormatter(seconds))
     axes.set_xlabel(f"relative error of the state at $t={AT:g}$")
     axes.set_ylabel("processor time")
+    axes.set_title(parameters(NAME), size=8.5)
     axes.legend(loc="lower left")
     return figure

@@ -50,7 +50,7 @@ def test_the_surest_come_first_and_a_method_without_a_time_not_at_all(found):
 def test_proof_is_more_than_no_error(found):
     kinds = {method: summary.grade[2] for method, summary in found.items()}
     assert kinds["flint"] == "proof" and kinds["modular"] == r"chance of error ≤ $3\cdot10^{-18}$"
-    assert kinds["lucky"] == kinds["happy"] == "0 of 50 wrong: ≤ 6 %"
+    assert kinds["lucky"] == kinds["happy"] == "0 of 50 wrong: ≤ 3/50"
     assert kinds["quick"] == kinds["slow"] == "wrong answers seen"
 
 
