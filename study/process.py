@@ -1,4 +1,4 @@
-"""Processes under a limit of time and memory: asked again and again, or watched as they go on.
+"""Programs under a limit of time and memory, which are watched as they go on.
 
 No method can stop the study, and what it costs is measured where it runs. A limit that is
 reached is the verdict ``timeout`` with its reason, never a success.
@@ -6,15 +6,15 @@ reached is the verdict ``timeout`` with its reason, never a success.
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import resource
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, redirect_stdout
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from threading import Timer
 from time import perf_counter
@@ -33,32 +33,9 @@ _PATIENCE = 2.0
 _STEP = re.compile(r"^step (\d+) (\S+)$")
 
 
-def start(
-    command: Sequence[str], folder: Path | None, mebibytes: int, stdin: int = subprocess.DEVNULL
-) -> subprocess.Popen[str]:
-    """Start a command that may take so much memory; Python finds there what it finds here."""
-
-    def limit() -> None:
-        resource.setrlimit(resource.RLIMIT_AS, (mebibytes * MEBIBYTE, mebibytes * MEBIBYTE))
-
-    unbuffered = ["stdbuf", "-oL"] if shutil.which("stdbuf") else []
-    return subprocess.Popen(
-        [*unbuffered, *command],
-        cwd=folder,
-        stdin=stdin,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
-        encoding="utf-8",
-        errors="replace",
-        preexec_fn=limit,
-    )
-
-
-def end(process: subprocess.Popen[str]) -> None:
-    """End a process, and wait for its end."""
-    with process:
-        process.kill()
+def limit_memory(mebibytes: int) -> None:
+    """Limit the memory of this process, and of those that it begins."""
+    resource.setrlimit(resource.RLIMIT_AS, (mebibytes * MEBIBYTE, mebibytes * MEBIBYTE))
 
 
 @contextmanager
@@ -72,75 +49,6 @@ def killed_after(process: subprocess.Popen[str], seconds: float) -> Iterator[Non
         timer.cancel()
 
 
-# -- asked again and again -----------------------------------------------------------
-
-
-class Worker:
-    """A process that answers questions by :func:`serve`; after a limit another one is started."""
-
-    def __init__(self, command: Sequence[str], seconds: float, mebibytes: int) -> None:
-        self.command, self.seconds, self.mebibytes = command, seconds, mebibytes
-        self._process: subprocess.Popen[str] | None = None
-
-    def ask(self, question: Any) -> Measured:
-        """The answer, with the ``seconds`` that it took."""
-        if self._process is None:
-            self._process = start(self.command, None, self.mebibytes, subprocess.PIPE)
-            self._said()  # it is ready: what the limit counts begins here
-        began = perf_counter()
-        try:
-            with killed_after(self._process, self.seconds):
-                said = self._said(question)
-        except BaseException:
-            self.close()  # an interruption reaches the process only if it comes from a terminal
-            raise
-        if said.endswith("\n"):
-            answer: Measured = json.loads(said)
-            return answer
-        code, spent = self._process.wait(), perf_counter() - began
-        self.close()
-        if code < 0 and spent >= self.seconds:
-            return {"verdict": "timeout", "reason": f"{self.seconds:g} s", "seconds": spent}
-        return {"verdict": "error", "reason": f"the process ended with {code}", "seconds": spent}
-
-    def _said(self, question: Any = None) -> str:
-        """The next line, after a question; empty if the process has ended."""
-        assert self._process and self._process.stdin and self._process.stdout
-        try:
-            if question is not None:
-                self._process.stdin.write(json.dumps(question) + "\n")
-                self._process.stdin.flush()
-        except BrokenPipeError:
-            return ""
-        said = (line for line in self._process.stdout if line.startswith(("{", "ready")))
-        return next(said, "")
-
-    def close(self) -> None:
-        """End the process, if there is one."""
-        if self._process is not None:
-            end(self._process)
-            self._process = None
-
-
-def serve(answer: Callable[[Any], Measured]) -> None:
-    """Answer questions, a line of JSON each, until there are no more."""
-    print("ready", flush=True)
-    for line in sys.stdin:
-        began = perf_counter()
-        try:
-            with redirect_stdout(None):  # a library may print
-                found = dict(answer(json.loads(line)))
-        except MemoryError:
-            most = resource.getrlimit(resource.RLIMIT_AS)[0] // MEBIBYTE
-            found = {"verdict": "timeout", "reason": f"{most} MiB"}
-        except Exception as error:
-            found = {"verdict": "error", "reason": f"{type(error).__name__}: {error}"[:300]}
-        print(json.dumps({"seconds": perf_counter() - began, **found}), flush=True)
-
-
-# -- watched as it goes on -----------------------------------------------------------
-
-
 def race(command: Sequence[str], folder: Path, seconds: float, mebibytes: int) -> Measured:
     """Run a command that says ``step k seconds`` each time that it has come further.
 
@@ -150,13 +58,24 @@ def race(command: Sequence[str], folder: Path, seconds: float, mebibytes: int) -
     """
     found: dict[str, list[Any]] = {"steps": [], "times": [], "memory": []}
     began = perf_counter()
-    process = start(command, folder, mebibytes)
-    try:
-        with killed_after(process, seconds):
-            wrong = _followed(process, found)
-            code = process.wait()
-    finally:
-        end(process)
+    process = subprocess.Popen(
+        [*(["stdbuf", "-oL"] if shutil.which("stdbuf") else []), *command],
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+        encoding="utf-8",
+        errors="replace",
+        preexec_fn=partial(limit_memory, mebibytes),
+    )
+    with process:
+        try:
+            with killed_after(process, seconds):
+                wrong = _followed(process, found)
+                code = process.wait()
+        finally:
+            process.kill()
     spent = perf_counter() - began
     if any(word in line for word in _MEMORY for line in wrong):
         verdict, reason = "timeout", f"{mebibytes} MiB"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from functools import cache
 from time import perf_counter
 from typing import Any
 
@@ -10,10 +11,13 @@ from kowalevski_cas.export import Inexpressible
 from kowalevski_cas.problem.checker import Rejected
 from kowalevski_cas.problem.codec import evidence_data
 from kowalevski_cas.problem.evidence import Shown
+from kowalevski_cas.problem.goals import Problem
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each, time_limit
+from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.verify.certificate import written
-from study.labelled import Labelled
+from kowalevski_cas.verify.statement import finder_of
+from study.labelled import Labelled, identities
 from study.step import Measured
 
 ACCEPTED, REJECTED, NONE = "accepted", "rejected", "none"
@@ -62,7 +66,13 @@ class Method(ABC):
         """The verdict on what was prepared; this is what is timed."""
 
 
+@cache
 def certificate(one: Labelled) -> str:
-    """What the certificate of an identity would be, were it true: it needs no evidence."""
-    nothing = [evidence_data(Shown()) for _ in one.statement.problem.goals]
-    return written(one.statement, "holds", nothing)
+    """What the certificate of an identity would be, were it true: its evidence is a point."""
+    statement, evidence = one.statement, []
+    points = PointFinder(finder_of, statement.names)
+    for goal in identities(Problem(statement.goals)):
+        at = finder_of(goal.space)
+        sides = [side for pair in at.pairs(goal.conclusions[0]) for side in pair]
+        evidence.append(evidence_data(Shown(point=points.point(at, divided=sides))))
+    return written(statement, "holds", evidence)

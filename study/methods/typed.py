@@ -3,13 +3,11 @@
 The space of a statement is evaluated in SymPy's expressions instead of polynomials: a root of
 an expression is ``sqrt``; a variable whose square the paper prints, as
 :math:`z_1^2+x_1y_2=c_1`, stays a symbol and the constant is replaced. Derivatives
-are SymPy's own. This runs in a process of its own, under a limit.
+are SymPy's own.
 """
 
 from __future__ import annotations
 
-import json
-import sys
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from functools import cache
@@ -21,16 +19,16 @@ from kowalevski_cas.algebra import load
 from kowalevski_cas.algebra.derivation import Field, along
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Sum
-from kowalevski_cas.problem.codec import read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.goals import Problem
 from kowalevski_cas.problem.space import Adjoined, Setting, generators
 from study.labelled import Labelled, residuals
-from study.methods.method import ACCEPTED, NONE, REJECTED, Method, certificate
-from study.process import Worker
+from study.methods.method import ACCEPTED, NONE, REJECTED, Method
+from study.process import limit_memory
 from study.step import Measured
 
-SECONDS, MEBIBYTES = 10.0, 2048
-"""The limits for a statement."""
+MEBIBYTES = 4096
+"""The memory that a statement may take."""
 
 CALLS: Mapping[str, Callable[[Any], bool | None]] = {
     "simplify": lambda e: bool(sympy.simplify(e) == 0),
@@ -48,21 +46,24 @@ class ByHand(Method):
     def __init__(self, call: str, share: int | None = None) -> None:
         super().__init__(f"SymPy {call}", share)
         self.call = call
-        self._worker = Worker([sys.executable, "-m", "study.methods"], SECONDS, MEBIBYTES)
 
-    def prepare(self, one: Labelled) -> dict[str, Any]:
-        return {"call": self.call, "certificate": json.loads(certificate(one))}
+    def prepare(self, one: Labelled) -> Problem:
+        CALLS[self.call](sympy.sqrt(sympy.Symbol("x")))  # its modules are loaded beforehand
+        return one.statement.problem
 
-    def answer(self, prepared: dict[str, Any]) -> Measured:
-        return self._worker.ask(prepared)
+    def answer(self, prepared: Problem) -> Measured:
+        limit_memory(MEBIBYTES)  # of the process of this statement
+        try:
+            return decide(self.call, prepared)
+        except MemoryError:
+            return {"verdict": "timeout", "reason": f"{MEBIBYTES} MiB"}
 
 
-def decide(question: Mapping[str, Any]) -> Measured:
-    """Whether a call of SymPy finds that the identities of a certificate are true."""
-    problem, is_zero = read_problem(question["certificate"]), CALLS[question["call"]]
+def decide(call: str, problem: Problem) -> Measured:
+    """Whether a call of SymPy finds that a problem of identities is true."""
     for residual in residuals(problem, cache(Typed)):
         assert isinstance(residual, Expression)
-        zero = is_zero(residual.value)
+        zero = CALLS[call](residual.value)
         if zero is None:
             return {"verdict": NONE, "reason": "it does not know"}
         if not zero:

@@ -1,16 +1,12 @@
-"""A step with a few trivial methods; as a program, a worker that does as it is told."""
+"""A step with a few trivial methods."""
 
 from __future__ import annotations
 
-import os
-import sys
-import time
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.pictures import new_figure
 from study import Measured, Row, Task
-from study.process import serve
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -44,23 +40,3 @@ class Interrupt:
         figure = new_figure(2, 1)
         figure.suptitle(" ".join(row["method"] for row in rows))
         return figure
-
-
-def told(question: list) -> Measured:
-    """Double a number, sleep, take memory, end, or fail."""
-    word, value = question
-    if word == "sleep":
-        time.sleep(value)
-    if word == "swell":
-        bytearray(value * 2**20)
-    if word == "end":
-        os._exit(value)
-    if word == "fail":
-        print("what a library prints")
-        raise ValueError(value)
-    return {"verdict": "proved", "answer": 2 * value}
-
-
-if __name__ == "__main__":
-    print("what a library prints", file=sys.stderr)
-    serve(told)
