@@ -1,4 +1,4 @@
-"""Write the report of a derivation as LaTeX and PDF."""
+"""Write the report of a derivation as a web page, LaTeX and PDF."""
 
 from __future__ import annotations
 
@@ -46,16 +46,18 @@ def _report(folder: Path, derivation: Derivation, output: Path) -> None:
 
 def write(run: Run, folder: Path, derivation: Path) -> Checked:
     """Write the report of a run, and say where it is; what the checker says of its certificates."""
-    from kowalevski_cas.report import ReportError, write_report
+    from kowalevski_cas.library import load
+    from kowalevski_cas.report import ReportError, sections, write_report
     from kowalevski_cas.verify.committed import check_committed
 
     checked = check_committed(derivation, session.recorded(derivation))
     own = {outcome.claim: outcome.digest for outcome in run.outcomes}
     try:
-        written = write_report(run, folder, dict(own.items() & checked.digests.items()))
+        paper = sections(run, load(str(derivation)))
+        written = write_report(run, paper, folder, dict(own.items() & checked.digests.items()))
     except ReportError as error:
         raise CommandError(f"the report: {error}") from None
     for note in written.notes:
         print(note, file=sys.stderr)
-    print(f"{written.tex} and {written.pdf} are written", file=sys.stderr)
+    print(f"{written.html} and {written.pdf} are written", file=sys.stderr)
     return checked

@@ -1,0 +1,353 @@
+"""What a report says, from its title to its last section."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Final
+
+from kowalevski_cas import __version__
+from kowalevski_cas.report.document import (
+    Block,
+    Claim,
+    Code,
+    Display,
+    Document,
+    Emphasis,
+    Graph,
+    Heading,
+    Link,
+    Paragraph,
+    Shown,
+    Sign,
+    Table,
+    Text,
+)
+from kowalevski_cas.report.evidence import Evidence
+from kowalevski_cas.report.findings import Findings
+from kowalevski_cas.report.graph import picture
+from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.names import anchor
+from kowalevski_cas.report.places import Item, Section
+from kowalevski_cas.report.plates import Plate
+from kowalevski_cas.report.sentences import Phrases, listed, nonzero
+from kowalevski_cas.report.witnesses import Witness, arithmetics
+from kowalevski_cas.systems import title
+from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
+
+_ROLES: Final = {
+    "vector field": "Equations of motion",
+    "definition": "Notation",
+    "unit": "Notation",
+    "condition": "Assumed where it is named",
+}
+
+
+def contents(
+    run: Run,
+    sections: Sequence[Section],
+    certified: Mapping[str, str] | None = None,
+    programs: Sequence[Witness] = (),
+    plates: Sequence[Plate] = (),
+) -> Document:
+    """The report of a run.
+
+    Args:
+        run: what was decided.
+        sections: the paper in its order, with the same outcomes.
+        certified: the digests of the certificates that the checker accepts, by claim.
+        programs: which programs confirm which certificates.
+        plates: the pictures of the derivation.
+    """
+    return _Contents(run, sections, certified or {}, programs).document(plates)
+
+
+class _Contents:
+    def __init__(
+        self,
+        run: Run,
+        sections: Sequence[Section],
+        certified: Mapping[str, str],
+        programs: Sequence[Witness],
+    ) -> None:
+        self.run, self.sections, self.certified, self.programs = run, sections, certified, programs
+        names = {c: name for s in sections for item in s.items for c, name in item.names()}
+        self.phrases = Phrases(run.vocabulary, (o.claim for o in run.outcomes), names)
+        self.findings = Findings(self.phrases, run.outcomes)
+
+    def document(self, plates: Sequence[Plate]) -> Document:
+        run = self.run
+        blocks = [
+            *self._verdict(),
+            *(block for section in self.sections for block in self._section(section)),
+            *self._graph(),
+            *self._plates(plates),
+            *self._trust(),
+        ]
+        name = f"“{run.title}”"
+        origin = ", ".join(filter(None, (run.author, run.source)))
+        by: Text = (
+            f"Written by kowalevski_cas {__version__}: ",
+            Code(f"kowalevski-cas report {run.derivation}"),
+            "; digest of the statements ", Code(run.digest[:16]), ".",
+        )  # fmt: skip
+        return Document(
+            f"Verification report on {name}",
+            f"Verification report on {run.author}",
+            ((*self.phrases.words(origin), "."), *self._restated(), by),
+            tuple(blocks),
+        )
+
+    def _restated(self) -> Iterator[Text]:
+        restated = [section.number for section in self.sections if not section.copied]
+        if restated and len(restated) == len(self.sections):
+            which = "All formulas are restated"
+        elif restated:
+            which = f"The formulas of section {', '.join(restated)} are restated"
+        else:
+            return
+        yield (f"{which}: nobody has compared them with the print.",)
+
+    # -- the verdict ------------------------------------------------------------------
+
+    def _verdict(self) -> Iterator[Block]:
+        yield Paragraph((self.findings.lead(),), "lead")
+        yield from self.findings.blocks()
+        yield Heading(("What holds, and who says so",), "holds", 2)
+        yield from self._denominators()
+        yield Paragraph(self._confirmed())
+        rows = []
+        for section in self.sections:
+            name = f"{section.number}. {section.title}"
+            signs = listed([self._sign(o) for o in section.outcomes], " ")
+            signs = tuple(" " if part == ", " else part for part in signs)
+            link = Link(f"section.{anchor(section.number)}", self.phrases.words(name))
+            rows.append(((link,), signs))
+        yield Table((0.36, 0.6), (("Section",), ("Its formulas and statements",)), tuple(rows))
+        present = [v for v in Verdict if any(o.verdict is v for o in self.run.outcomes)]
+        means = listed([(Sign(v), f" {MARKS[v].meaning}") for v in present])
+        yield Paragraph((*means, "."), "note")
+
+    def _sign(self, outcome: Outcome) -> Text:
+        return (Link(f"claim.{anchor(outcome.claim)}", (Sign(outcome.verdict),)),)
+
+    def _denominators(self) -> Iterator[Block]:
+        """What the formulas divide by, and what the paper takes for granted, a sentence each."""
+        divided = dict.fromkeys(
+            condition.expression
+            for outcome in self.run.outcomes
+            for condition in outcome.conditions
+            if not condition.witness
+        )
+        if divided:
+            named = listed([(nonzero(formula),) for formula in divided])
+            yield Paragraph(
+                ("The conditions beside a formula say that what it divides by is not zero: ",
+                 *named, ".")
+            )  # fmt: skip
+
+    def _confirmed(self) -> Text:
+        run = self.run
+        deciding = arithmetics(run.outcomes)
+        own = listed([(witness.name,) for witness in deciding])
+        each = "each by itself" if len(deciding) > 1 else "exactly"
+        text: Text = (
+            f"Every statement was decided {each} by ", *own, ", as an identity of polynomials or "
+            "by a point with exact coordinates; no floating-point number takes part.",
+        )  # fmt: skip
+        if self.certified:
+            known = sum(outcome.claim in self.certified for outcome in run.outcomes)
+            text = (
+                *text, f" {known} of the {len(run.outcomes)} have a certificate, which a checker "
+                "has accepted that shares no line with the program.",
+            )  # fmt: skip
+        if self.programs:
+            named = listed([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])
+            text = (*text, " Of these certificates, ", *named, ".")
+        table = Link(f"{run.derivation}.json", (f"{run.derivation}.json",), outside=True)
+        return (*text, " Who confirms which, with all digests, is in ", table, ".")
+
+    # -- the derivation ---------------------------------------------------------------
+
+    def _section(self, section: Section) -> Iterator[Block]:
+        name = self.phrases.words(f"{section.number}. {section.title}")
+        yield Heading(name, f"section.{anchor(section.number)}")
+        granted = dict.fromkeys(f for outcome in section.outcomes for f in outcome.granted)
+        if granted:
+            assumed = listed([(nonzero(formula),) for formula in granted])
+            yield Paragraph(("We assume ", *assumed, " where the formulas divide by it."))
+        before = ""
+        for item in section.items:
+            if item.all:
+                yield from self._item(item)
+            else:
+                yield from self._unclaimed(item, before)
+            before = "" if item.all else item.role
+
+    @staticmethod
+    def _unclaimed(item: Item, before: str) -> Iterator[Block]:
+        """A display that nobody claims: what it is for is said once for several of them."""
+        if item.role != before and item.role in _ROLES:
+            yield Paragraph((f"{_ROLES[item.role]}:",), "note", leads=True)
+        formulas = tuple(formula for row in item.rows for formula in row.formulas)
+        yield Display(formulas, item.rows[0].source, label=(item.label,) if item.label else ())
+
+    def _item(self, item: Item) -> Iterator[Block]:
+        together = [o for row in item.rows for o in row.outcomes[:1]]
+        others = [o for row in item.rows for o in row.outcomes[1:]] + [*item.outcomes]
+        if len(together) > 1 or (together and len(item.rows) > 1):
+            yield self._rows(item, together)
+        elif item.rows:
+            lone = together or [others.pop(0)]
+            yield self._alone(lone[0], item)
+        for outcome in others:
+            yield self._alone(outcome)
+
+    def _rows(self, item: Item, outcomes: Sequence[Outcome]) -> Claim:
+        """A display of several statements, some of which are claimed."""
+        words = dict.fromkeys(outcome.words for outcome in outcomes if outcome.words)
+        names = dict(item.names())
+        shown = []
+        for number, row in enumerate(item.rows, 1):
+            own = row.outcomes[0] if row.outcomes else None
+            label = names.get(own.claim, "") if own else f"{item.label[:-1]}.{number})"
+            shown.append(
+                Display(
+                    row.formulas,
+                    row.source,
+                    own.verdict if own else None,
+                    self._beside(own, label if item.label else ""),
+                    f"claim.{anchor(own.claim)}" if own else "",
+                    bool(own and own.verdict is Verdict.REFUTED),
+                )
+            )
+        head = self.phrases.sentence("; ".join(words))
+        return self._claim(None, "", head, (), shown, outcomes)
+
+    def _beside(self, outcome: Outcome | None, label: str) -> Text:
+        """What stands behind a row: where it holds, and its number."""
+        if outcome is None:
+            return (label,) if label else ()
+        name: Text = (label,) if label else (Code(outcome.claim),)
+        where = [c for c in outcome.conditions if not c.witness]
+        return ("for ", *self.phrases.where(where), ": ", *name) if where else name
+
+    def _alone(self, outcome: Outcome, item: Item | None = None) -> Claim:
+        """A single claim, with its formula."""
+        label: Text = (item.label,) if item and item.label else (Code(outcome.claim),)
+        formulas = tuple(f for row in item.rows for f in row.formulas) if item else outcome.formulas
+        source = item.rows[0].source if item else outcome.source
+        shown = []
+        if formulas or source:
+            false = outcome.verdict is Verdict.REFUTED and bool(outcome.correction)
+            struck = false and bool(outcome.correction and outcome.correction.edit)
+            shown.append(Display(formulas, source, struck=struck))
+        head = (*self.phrases.sentence(outcome.words), *self._verdict_of(outcome))
+        place = f"claim.{anchor(outcome.claim)}"
+        return self._claim(outcome.verdict, place, head, label, shown, (outcome,))
+
+    def _verdict_of(self, outcome: Outcome) -> Text:
+        """The verdict in words, where it is not that the claim holds as printed."""
+        where = [c for c in outcome.conditions if not c.witness]
+        if where:
+            return (" Valid for ", *self.phrases.where(where), ".")
+        if outcome.verdict in (Verdict.PROVED, Verdict.CONDITIONAL):
+            return ()
+        return (" ", Emphasis((f"{MARKS[outcome.verdict].word.capitalize()}.",), strong=True))
+
+    def _claim(
+        self,
+        verdict: Verdict | None,
+        place: str,
+        head: Text,
+        label: Text,
+        shown: Sequence[Display],
+        outcomes: Sequence[Outcome],
+    ) -> Claim:
+        told = Evidence(self.phrases, outcomes)
+        folded = (*told.steps(), *(self._record(outcome) for outcome in outcomes[:1]))
+        return Claim(
+            verdict, place, head, label, (*shown, *told.first()), folded,
+            ("What the program did",),
+        )  # fmt: skip
+
+    def _record(self, outcome: Outcome) -> Paragraph:
+        """Who confirms a claim, and what it rests on."""
+        agreeing = [title(name) for name, v in outcome.verdicts.items() if v is outcome.verdict]
+        also = [w.name for w in self.programs if outcome.claim in w.claims]
+        text: Text = (Code(outcome.claim), " was decided by ", *_names(agreeing))
+        if outcome.claim in self.certified:
+            checked = _names(["the checker", *also])
+            digest = Code(self.certified[outcome.claim][:16])
+            text = (*text, "; its certificate ", digest, " is accepted by ", *checked)
+        if outcome.rests_on:
+            text = (*text, ". It rests on ", *self.phrases.links(outcome.rests_on))
+        if outcome.corrected:
+            corrected = self.phrases.links(outcome.corrected)
+            text = (*text, ", and is read with the correction of ", *corrected)
+        return Paragraph((*text, "."), "record")
+
+    # -- the rest ---------------------------------------------------------------------
+
+    def _graph(self) -> Iterator[Block]:
+        drawn = picture(self.run.outcomes, self.phrases.names)
+        yield Heading(("What rests on what",), "section.picture")
+        if not drawn.boxes:
+            yield Paragraph(("Each claim was decided from the equations of motion alone.",))
+            return
+        yield Paragraph(
+            ("A line leads from each statement to those that rest on it; where it follows from "
+             "others, it is left out. The frame tells the verdict: thin where a statement holds, "
+             "broken where it holds under a condition, heavy where it is false, dotted for the "
+             "rest. Rows of one display share a box, which shows the least of their verdicts.",)
+        )  # fmt: skip
+        yield Graph(drawn)
+        if drawn.alone:
+            alone = self.phrases.links(drawn.alone)
+            yield Paragraph(("On nothing else rest, and nothing rests on: ", *alone, "."), "note")
+
+    def _plates(self, plates: Sequence[Plate]) -> Iterator[Block]:
+        if plates:
+            yield Heading(("Pictures",), "section.pictures")
+        for plate in plates:
+            yield Shown(plate, self.phrases.words(plate.caption))
+
+    def _trust(self) -> Iterator[Block]:
+        yield Heading(("What is proved, and what has to be trusted",), "section.trust")
+        for name, text in _TRUST:
+            yield Paragraph((Emphasis((f"{name}.",)), " ", *self.phrases.words(text)))
+
+
+def _names(names: Sequence[str]) -> Text:
+    return listed([(name,) for name in names])
+
+
+_TRUST: Final = (
+    (
+        "What is proved",
+        "Every verdict is an exact computation with polynomials that have rational coefficients: "
+        "$i$ and square roots are generators with relations, derivatives are taken along the "
+        "printed vector field, points have exact coordinates. What is proved holds wherever the "
+        "named expressions are not zero; what is refuted fails at a point that is given.",
+    ),
+    (
+        "How it is meant",
+        "A dimension is that of a manifold near the exact point that is given, where the "
+        "differentials are independent; this, and independence, say nothing of points where they "
+        "are not. A root stands for either of its values that the relations allow, unless one of "
+        "them is meant expressly.",
+    ),
+    (
+        "What has to be trusted",
+        "That a formula stands here as its author printed it, and is read as it was meant: it is "
+        "printed here from what was read, and no program knows the paper. Beyond that, for a "
+        "statement with a certificate, the checker and the integers of Python, or any one of the "
+        "other programs with what it rests on; for the others, the program and one of its three "
+        "arithmetics, which share how LaTeX is read and put into polynomials.",
+    ),
+    (
+        "What is not proved",
+        "Nothing is said here about how motions behave in the long run, how a set looks as a "
+        "whole, or whether a list of cases in the paper is complete, unless a statement above "
+        "says so.",
+    ),
+)
