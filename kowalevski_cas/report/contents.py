@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Final
 
 from kowalevski_cas import __version__
+from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.document import (
     Block,
     Claim,
@@ -149,16 +150,17 @@ class _Contents:
         run = self.run
         deciding = arithmetics(run.outcomes)
         own = listed([(witness.name,) for witness in deciding])
-        each = "each by itself" if len(deciding) > 1 else "exactly"
+        each = ", each by itself" if len(deciding) > 1 else ""
         text: Text = (
-            f"Every statement was decided {each} by ", *own, ", as an identity of polynomials or "
-            "by a point with exact coordinates; no floating-point number takes part.",
+            *own, f" decided every statement{each}: as an identity of polynomials, or by a point "
+            "with exact coordinates. No floating-point number takes part.",
         )  # fmt: skip
         if self.certified:
             known = sum(outcome.claim in self.certified for outcome in run.outcomes)
+            many = "All" if known == len(run.outcomes) else f"{known} of {len(run.outcomes)}"
             text = (
-                *text, f" {known} of the {len(run.outcomes)} have a certificate, which a checker "
-                "has accepted that shares no line with the program.",
+                *text, f" {many} have a certificate, and a checker that shares no line with the "
+                "program has accepted it.",
             )  # fmt: skip
         if self.programs:
             named = listed([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])
@@ -264,27 +266,31 @@ class _Contents:
         outcomes: Sequence[Outcome],
     ) -> Claim:
         told = Evidence(self.phrases, outcomes)
-        folded = (*told.steps(), *(self._record(outcome) for outcome in outcomes[:1]))
+        folded = (*told.steps(), *self._records(outcomes))
         return Claim(
             verdict, place, head, label, (*shown, *told.first()), folded,
             ("What the program did",),
         )  # fmt: skip
 
-    def _record(self, outcome: Outcome) -> Paragraph:
-        """Who confirms a claim, and what it rests on."""
+    def _records(self, outcomes: Sequence[Outcome]) -> Iterator[Paragraph]:
+        """Who confirms claims, and what they rest on; what holds of several is said once."""
+        facts = [(outcome.claim, self._record(outcome)) for outcome in outcomes]
+        for claims, (said, *_) in alike(facts):
+            names: Text = listed([(Code(claim),) for claim in claims])
+            yield Paragraph((*names, ": ", *said, "."), "record")
+
+    def _record(self, outcome: Outcome) -> Text:
         agreeing = [title(name) for name, v in outcome.verdicts.items() if v is outcome.verdict]
-        also = [w.name for w in self.programs if outcome.claim in w.claims]
-        text: Text = (Code(outcome.claim), " was decided by ", *_names(agreeing))
+        text: Text = ("decided by ", *_names(agreeing))
         if outcome.claim in self.certified:
-            checked = _names(["the checker", *also])
-            digest = Code(self.certified[outcome.claim][:16])
-            text = (*text, "; its certificate ", digest, " is accepted by ", *checked)
+            also = [w.name for w in self.programs if outcome.claim in w.claims]
+            text = (*text, "; the certificate is accepted by ", *_names(["the checker", *also]))
         if outcome.rests_on:
-            text = (*text, ". It rests on ", *self.phrases.links(outcome.rests_on))
+            text = (*text, "; rests on ", *self.phrases.links(outcome.rests_on))
         if outcome.corrected:
             corrected = self.phrases.links(outcome.corrected)
-            text = (*text, ", and is read with the correction of ", *corrected)
-        return Paragraph((*text, "."), "record")
+            text = (*text, "; read with the correction of ", *corrected)
+        return text
 
     # -- the rest ---------------------------------------------------------------------
 

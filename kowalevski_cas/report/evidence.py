@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from kowalevski_cas.notation import to_plain
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.document import Block, Display, Emphasis, Paragraph, Text
-from kowalevski_cas.report.sentences import Phrases, capitalised, listed
+from kowalevski_cas.report.sentences import Phrases, listed
 from kowalevski_cas.systems import title
 from kowalevski_cas.verify.outcome import Condition, Outcome, Step
 
@@ -47,10 +47,8 @@ class Evidence:
                 yield Display(tuple(formulas), long=long)
 
     def _said(self, step: Step, leads: bool) -> Text:
-        end = ":" if leads else "."
-        if step.point is None:
-            return self.phrases.sentence(step.words, end)
-        return (*capitalised(self.phrases.point(step.point)), *self.phrases.words(step.words + end))
+        said = self.phrases.sentence(step.words, ":" if leads else ".")
+        return said if step.point is None else (*self.phrases.at(step.point), *said)
 
     def _missing(self) -> Iterator[Block]:
         """Hypotheses that are missing, those for the same reason together."""
@@ -65,7 +63,7 @@ class Evidence:
             whose = self.phrases.link(claims[0]) if len(self.rows) > 1 else ()
             of = (" to ", *whose) if whose else ()
             head = Emphasis(("Counterexample", *of, "."))
-            yield Paragraph((head, " ", *self.phrases.at(one)))
+            yield Paragraph((head, " ", *self.phrases.values(one)))
 
     def _corrections(self) -> Iterator[Block]:
         """Corrections of the same kind together."""
@@ -107,7 +105,7 @@ class Evidence:
 
 def missing(phrases: Phrases, condition: Condition) -> Text:
     """A hypothesis that is missing, and a point where the statement fails without it."""
-    witness = phrases.at(condition.witness) if condition.witness else ()
+    witness = phrases.values(condition.witness) if condition.witness else ()
     return (
         Emphasis(("A hypothesis is missing:",)), " ", *phrases.where((condition,)), ". ",
         *phrases.sentence(condition.words), " ", *witness,

@@ -52,10 +52,9 @@ class Findings:
             (where, "where the denominators that they print do not vanish"),
             (len(self.lacking), "only under a hypothesis that the paper does not state"),
         ]
-        holds = [f"{in_words(n)} {how}" for n, how in found if n]
-        holds[0] = holds[0].replace(" ", " hold ", 1) if holds else "none is proved"
+        holds = [f"{in_words(n)} {_verb('hold', n)} {how}" for n, how in found if n]
         what = counted(len(self.outcomes), "formula or statement", "formulas and statements")
-        return f"Of {what}, {_joined(holds)}.{self._wrong(many)}"
+        return f"Of {what}, {_joined(holds) or 'none is proved'}.{self._wrong(many)}"
 
     def _wrong(self, many: Mapping[Verdict, int]) -> str:
         """What does not hold, or is open."""
@@ -63,8 +62,7 @@ class Findings:
         wrong = []
         if spoiled:
             slips = counted(len(self.slips), "misprint")
-            verb = "spoils" if len(self.slips) == 1 else "spoil"
-            wrong.append(f"{slips} {verb} {in_words(spoiled)}")
+            wrong.append(f"{slips} {_verb('spoil', len(self.slips))} {in_words(spoiled)}")
         if self.false:
             wrong.append(f"{in_words(len(self.false))} {_is(len(self.false))} false")
         for verdict, what in _OPEN.items():
@@ -134,6 +132,10 @@ _OPEN = {
 
 def _is(many: int) -> str:
     return "is" if many == 1 else "are"
+
+
+def _verb(verb: str, many: int) -> str:
+    return f"{verb}s" if many == 1 else verb
 
 
 def _joined(items: Sequence[str]) -> str:

@@ -31,7 +31,7 @@ from kowalevski_cas.report.setting import Setter
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Verdict
 
-_NARROW: Final = 23.0
+_NARROW: Final = 19.0
 """The width of a telephone, in em of a formula."""
 
 _STOP: Final = re.compile(r"(<math>(?:(?!</math>).)*</math>[.,;:)]+)")

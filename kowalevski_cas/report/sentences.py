@@ -100,17 +100,17 @@ class Phrases:
         """What several conditions say."""
         return listed([(nonzero(condition.expression),) for condition in conditions])
 
-    def at(self, found: Counterexample) -> Text:
+    def values(self, found: Counterexample) -> Text:
         """A point and the two values there, as a sentence."""
-        point, both = self.point(found.point), (found.left, found.right)
+        both = (found.left, found.right)
         if found.words:
             said = (*self.words(found.words), ": ", both[0], " and ", both[1], ".")
         else:
             said = ("the left side is ", both[0], ", the right side ", both[1], ".")
-        return capitalised((*point, *said))
+        return capitalised((*self.at(found.point), *said))
 
     @staticmethod
-    def point(at: Point) -> Text:
+    def at(at: Point) -> Text:
         """``At`` and the coordinates of a point, equal ones together."""
         equal: dict[Value, list[Formula]] = {}
         for name, value in at.values.items():
@@ -127,4 +127,4 @@ class Phrases:
                 items.append((chain([*names, value]),))
         if rest:
             items.append(("the other variables ", ZERO))
-        return ("at ", *listed(items, ", "), ", ") if items else ()
+        return ("At ", *listed(items, ", "), ": ") if items else ()
