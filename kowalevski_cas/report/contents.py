@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from textwrap import shorten
 from typing import Final
 
 from kowalevski_cas import __version__
@@ -84,7 +85,6 @@ class _Contents:
             *self._plates(plates),
             *self._trust(),
         ]
-        name = f"“{run.title}”"
         origin = ", ".join(filter(None, (run.author, run.source)))
         by: Text = (
             f"Written by kowalevski_cas {__version__}: ",
@@ -92,8 +92,8 @@ class _Contents:
             "; digest of the statements ", Code(run.digest[:16]), ".",
         )  # fmt: skip
         return Document(
-            f"Verification report on {name}",
-            f"Verification report on {run.author}",
+            f"Verification report on “{run.title}”",
+            f"Verification report on “{shorten(run.title, 60, placeholder=' …')}”",
             ((*self.phrases.words(origin), "."), *self._restated(), by),
             tuple(blocks),
         )

@@ -97,7 +97,8 @@ class LatexWriter(Writer):
 
     def heading(self, block: Heading) -> str:
         name = ("section", "subsection")[block.level - 1]
-        return f"\n\\{name}{{{self._place(block.anchor)}{self.text(block.text)}}}\n"
+        text = self.text(block.text)
+        return f"\n\\{name}[{text}]{{{self._place(block.anchor)}{text}}}\n"
 
     def paragraph(self, block: Paragraph) -> str:
         stays = r"\nopagebreak" if block.leads else ""
@@ -111,7 +112,9 @@ class LatexWriter(Writer):
             shown = rf"\fit{{{mathematics}}}"
         else:
             shown = self.code(block.source)
-        shown = rf"\Struck{{{shown}}}" if block.struck else shown
+        if block.struck:  # a line through fractions would be one of them
+            high = "aligned" in shown or r"\frac" in shown
+            shown = rf"\{'Wrong' if high else 'Struck'}{{{shown}}}"
         sign = rf"\Sign{{{block.verdict}}}" if block.verdict else ""
         label = self._place(block.anchor) + self.text(block.label)
         return f"\\Shown{{{sign}}}{{{shown}}}{{{label}}}"
