@@ -30,6 +30,7 @@ from kowalevski_cas.cli.exits import (
     USAGE,
     CommandError,
 )
+from kowalevski_cas.files import write
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.certificate import load_certificates
@@ -55,6 +56,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="print a unified diff that mends every misprint, instead of the results",
     )
     parser.add_argument(
+        "--report",
+        type=Path,
+        metavar="DIR",
+        help="write the paper there as a page, with its verdict beside each formula",
+    )
+    parser.add_argument(
         "--arithmetic",
         choices=(*EXACT, "all"),
         default="flint",
@@ -73,7 +80,9 @@ def run(arguments: argparse.Namespace) -> int:
             return _list(source, arguments.format)
         arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
         folder, derivation = chosen(source, arguments.derivation)
-        found = audit(source, auditing(folder, derivation, arithmetics, arguments.timeout))
+        explain = arguments.report is not None
+        base = auditing(folder, derivation, arithmetics, arguments.timeout, explain)
+        found = audit(source, base)
     except SourceError as error:
         raise CommandError(str(error)) from None
     if arguments.patch:
@@ -83,7 +92,23 @@ def run(arguments: argparse.Namespace) -> int:
         sys.stdout.buffer.write(patch(found).encode(source.encoding, "replace"))
     else:
         print(load_format(arguments.format)(found), end="")
+    if arguments.report is not None:
+        _write(found, arguments.report)
     return exit_code(found)
+
+
+def _write(found: Audit, folder: Path) -> None:
+    """Write the page of an audit, and say where it is."""
+    from kowalevski_cas.report import render_html
+    from kowalevski_cas.report.annotated import annotated
+    from kowalevski_cas.report.prose import ProseError
+
+    page = folder / f"{Path(found.source.path).stem}.html"
+    try:
+        write(page, render_html(annotated(found)))
+    except ProseError as error:
+        raise CommandError(str(error)) from None
+    print(f"{page} is written", file=sys.stderr)
 
 
 def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
@@ -104,11 +129,15 @@ def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
 
 
 def auditing(
-    folder: Path, derivation: Derivation, arithmetics: Sequence[str], timeout: float
+    folder: Path,
+    derivation: Derivation,
+    arithmetics: Sequence[str],
+    timeout: float,
+    explain: bool = False,
 ) -> AuditSession:
     """The run of a derivation with which sources are compared."""
     stored, record = load_certificates(folder), session.recorded(folder)
-    return AuditSession(derivation, arithmetics, stored, timeout, record)
+    return AuditSession(derivation, arithmetics, stored, timeout, record, explain=explain)
 
 
 def exit_code(found: Audit) -> int:

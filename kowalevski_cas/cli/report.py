@@ -53,8 +53,9 @@ def write(run: Run, folder: Path, derivation: Path) -> Checked:
     checked = check_committed(derivation, session.recorded(derivation))
     own = {outcome.claim: outcome.digest for outcome in run.outcomes}
     try:
-        paper = sections(run, load(str(derivation)))
-        written = write_report(run, paper, folder, dict(own.items() & checked.digests.items()))
+        paper = load(str(derivation))
+        found = sections(run, paper, paper.texts())
+        written = write_report(run, found, folder, dict(own.items() & checked.digests.items()))
     except ReportError as error:
         raise CommandError(f"the report: {error}") from None
     for note in written.notes:

@@ -60,10 +60,12 @@ def contents(
         programs: which programs confirm which certificates.
         plates: the pictures of the derivation.
     """
-    return _Contents(run, sections, certified or {}, programs).document(plates)
+    return Contents(run, sections, certified or {}, programs).document(plates)
 
 
-class _Contents:
+class Contents:
+    """The parts of a report of a run."""
+
     def __init__(
         self,
         run: Run,
@@ -79,11 +81,11 @@ class _Contents:
     def document(self, plates: Sequence[Plate]) -> Document:
         run = self.run
         blocks = [
-            *self._verdict(),
+            *self.verdict(),
             *(block for section in self.sections for block in self._section(section)),
-            *self._graph(),
+            *self.graph(),
             *self._plates(plates),
-            *self._trust(),
+            *self.trust(),
         ]
         origin = ", ".join(filter(None, (run.author, run.source)))
         by: Text = (
@@ -110,7 +112,8 @@ class _Contents:
 
     # -- the verdict ------------------------------------------------------------------
 
-    def _verdict(self) -> Iterator[Block]:
+    def verdict(self) -> Iterator[Block]:
+        """What is wrong, what holds, and who says so."""
         yield Paragraph((self.findings.lead(),), "lead")
         yield from self.findings.blocks()
         yield Heading(("What holds, and who says so",), "holds", 2)
@@ -165,6 +168,8 @@ class _Contents:
         if self.programs:
             named = listed([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])
             text = (*text, " Of these certificates, ", *named, ".")
+        if not run.digest:  # an audit, which leaves no table
+            return text
         table = Link(f"{run.derivation}.json", (f"{run.derivation}.json",), outside=True)
         return (*text, " Who confirms which, with all digests, is in ", table, ".")
 
@@ -179,21 +184,20 @@ class _Contents:
             yield Paragraph(("We assume ", *assumed, " where the formulas divide by it."))
         before = ""
         for item in section.items:
-            if item.all:
-                yield from self._item(item)
-            else:
-                yield from self._unclaimed(item, before)
-            before = "" if item.all else item.role
+            role = "" if item.all else item.role
+            if role != before and role in _ROLES:
+                yield Paragraph((f"{_ROLES[role]}:",), "note", leads=True)
+            before = role
+            yield from self.item(item)
 
-    @staticmethod
-    def _unclaimed(item: Item, before: str) -> Iterator[Block]:
-        """A display that nobody claims: what it is for is said once for several of them."""
-        if item.role != before and item.role in _ROLES:
-            yield Paragraph((f"{_ROLES[item.role]}:",), "note", leads=True)
-        formulas = tuple(formula for row in item.rows for formula in row.formulas)
-        yield Display(formulas, item.rows[0].source, label=(item.label,) if item.label else ())
-
-    def _item(self, item: Item) -> Iterator[Block]:
+    def item(self, item: Item) -> Iterator[Block]:
+        """A display, what is claimed of it, and what was found; or a claim about no display."""
+        if not item.all:
+            formulas = tuple(formula for row in item.rows for formula in row.formulas)
+            label = (item.label,) if item.label else ()
+            place = f"display.{anchor(item.display)}" if item.display else ""
+            yield Display(formulas, item.rows[0].source, label=label, anchor=place)
+            return
         together = [o for row in item.rows for o in row.outcomes[:1]]
         others = [o for row in item.rows for o in row.outcomes[1:]] + [*item.outcomes]
         if len(together) > 1 or (together and len(item.rows) > 1):
@@ -294,7 +298,8 @@ class _Contents:
 
     # -- the rest ---------------------------------------------------------------------
 
-    def _graph(self) -> Iterator[Block]:
+    def graph(self) -> Iterator[Block]:
+        """What rests on what."""
         drawn = picture(self.run.outcomes, self.phrases.names)
         yield Heading(("What rests on what",), "section.picture")
         if not drawn.boxes:
@@ -317,7 +322,8 @@ class _Contents:
         for plate in plates:
             yield Shown(plate, self.phrases.words(plate.caption))
 
-    def _trust(self) -> Iterator[Block]:
+    def trust(self) -> Iterator[Block]:
+        """What is proved, and what has to be trusted."""
         yield Heading(("What is proved, and what has to be trusted",), "section.trust")
         for name, text in _TRUST:
             yield Paragraph((Emphasis((f"{name}.",)), " ", *self.phrases.words(text)))

@@ -74,6 +74,7 @@ class Paragraph(Block):
     text: Text
     kind: str = ""
     leads: bool = False
+    anchor: str = ""
 
 
 @dataclass(frozen=True)
@@ -107,6 +108,14 @@ class Claim(Block):
     blocks: tuple[Block, ...] = ()
     folded: tuple[Block, ...] = ()
     summary: Text = ()
+
+
+@dataclass(frozen=True)
+class Items(Block):
+    """A list, numbered or not, of items with blocks in them."""
+
+    items: tuple[tuple[Block, ...], ...]
+    numbered: bool = False
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from kowalevski_cas.report.document import (
     Document,
     Graph,
     Heading,
+    Items,
     Link,
     Paragraph,
     Shown,
@@ -140,7 +141,8 @@ class HtmlWriter(Writer):
 
     def paragraph(self, block: Paragraph) -> str:
         kind = f' class="{block.kind}"' if block.kind else ""
-        return f"<p{kind}>{self.text(block.text)}</p>"
+        place = f' id="{block.anchor}"' if block.anchor else ""
+        return f"<p{place}{kind}>{self.text(block.text)}</p>"
 
     def display(self, block: Display) -> str:
         """A display, for wide and for narrow pages if these differ."""
@@ -175,6 +177,11 @@ class HtmlWriter(Writer):
             body += f"\n<details>{summary}\n{self.blocks(block.folded)}\n</details>"
         kind = f" {block.verdict}" if block.verdict else ""
         return f'<section class="claim{kind}"{place}>\n{head}\n{body}\n</section>'
+
+    def items(self, block: Items) -> str:
+        name = "ol" if block.numbered else "ul"
+        items = "\n".join(f"<li>{self.blocks(item)}</li>" for item in block.items)
+        return f"<{name}>\n{items}\n</{name}>"
 
     def table(self, block: Table) -> str:
         head = "".join(f"<th>{self.text(cell)}</th>" for cell in block.head)

@@ -12,6 +12,7 @@ from kowalevski_cas.report.document import (
     Document,
     Graph,
     Heading,
+    Items,
     Link,
     Paragraph,
     Shown,
@@ -104,7 +105,7 @@ class LatexWriter(Writer):
         stays = r"\nopagebreak" if block.leads else ""
         text = self.text(block.text)
         kind = {"lead": r"\large ", "note": r"\small "}.get(block.kind, "")
-        return f"\n{{{kind}{text}\\par}}{stays}\n"
+        return f"\n{{{kind}{self._place(block.anchor)}{text}\\par}}{stays}\n"
 
     def display(self, block: Display) -> str:
         if block.formulas:
@@ -130,6 +131,11 @@ class LatexWriter(Writer):
     @staticmethod
     def _place(anchor: str) -> str:
         return rf"\Place{{{anchor}}}" if anchor else ""
+
+    def items(self, block: Items) -> str:
+        name = "enumerate" if block.numbered else "itemize"
+        items = "\n".join(f"\\item {self.blocks(item)}" for item in block.items)
+        return f"\n\\begin{{{name}}}\n{items}\n\\end{{{name}}}\n"
 
     def table(self, block: Table) -> str:
         columns = "".join(

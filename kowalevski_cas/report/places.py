@@ -27,14 +27,15 @@ class Row:
 class Item:
     """A display with the claims about it, or a claim about none, which has no rows.
 
-    ``label`` is the number of the equation, ``outcomes`` are about the whole; ``role`` says what
-    a display is for that nobody claims.
+    ``label`` is the number of the equation and ``display`` the name of what is displayed;
+    ``outcomes`` are about the whole; ``role`` says what a display is for that nobody claims.
     """
 
     rows: tuple[Row, ...] = ()
     outcomes: tuple[Outcome, ...] = ()
     label: str = ""
     role: str = ""
+    display: str = ""
 
     @property
     def all(self) -> tuple[Outcome, ...]:
@@ -77,12 +78,12 @@ class _Place:
     after: list[tuple[Display | None, Outcome]] = field(default_factory=list)
 
 
-def sections(run: Run, derivation: paper.Derivation) -> tuple[Section, ...]:
+def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[Section, ...]:
     """The sections of a paper that state something, each in the order of its displays.
 
     A claim stands at the display that it is about; one about none follows what it mentions.
     """
-    texts, roles = derivation.texts(), Roles(derivation)
+    roles = Roles(derivation)
     outcomes = {outcome.claim: outcome for outcome in run.outcomes}
     found = []
     for section in derivation.sections:
@@ -146,9 +147,9 @@ def _displayed(display: Display, place: _Place, texts: Texts, roles: Roles) -> I
     except NotationError:
         own = tuple(outcome for row in place.rows.values() for outcome in row)
         row = Row((), texts.source(display), own)
-        return Item((row,), tuple(place.whole), display.label, role)
+        return Item((row,), tuple(place.whole), display.label, role, display.id)
     rows = tuple(
         Row((one.formula,), one.source, tuple(place.rows.get(number, ())))
         for number, one in enumerate(statements, 1)
     )
-    return Item(rows, tuple(place.whole), display.label, role)
+    return Item(rows, tuple(place.whole), display.label, role, display.id)

@@ -14,6 +14,7 @@ from kowalevski_cas.report.document import (
     Document,
     Graph,
     Heading,
+    Items,
     Link,
     Paragraph,
     Shown,
@@ -98,7 +99,8 @@ class TypstWriter(Writer):
 
     def paragraph(self, block: Paragraph) -> str:
         kind = "leads" if block.leads else block.kind or "plain"
-        return f"#{kind}[{self.text(block.text)}]"
+        place = f" <{block.anchor}>" if block.anchor else ""
+        return f"#{kind}[{self.text(block.text)}]{place}"
 
     def display(self, block: Display) -> str:
         shown = f"#code({_quoted(' '.join(block.source.split()))})"
@@ -117,6 +119,10 @@ class TypstWriter(Writer):
         inner = f"{self.blocks(block.blocks)}\n#did[\n{self.blocks(block.folded)}\n]"
         head, label = self.text(block.head), self.text(block.label)
         return f"\n#claim({name}, {place}, [{head}], [{label}])\n{inner}\n"
+
+    def items(self, block: Items) -> str:
+        name = "enum" if block.numbered else "list"
+        return f"#{name}({', '.join(f'[{self.blocks(item)}]' for item in block.items)})"
 
     def table(self, block: Table) -> str:
         widths = ", ".join("auto" if isinstance(c, str) else f"{c}fr" for c in block.columns)

@@ -18,6 +18,7 @@ from kowalevski_cas.report.document import (
     Graph,
     Heading,
     Inline,
+    Items,
     Link,
     Paragraph,
     Shown,
@@ -136,6 +137,10 @@ class Writer(ABC):
     @abstractmethod
     def claim(self, block: Claim) -> str:
         """A statement and what is said of it."""
+
+    @abstractmethod
+    def items(self, block: Items) -> str:
+        """A list."""
 
     @abstractmethod
     def table(self, block: Table) -> str:

@@ -24,13 +24,13 @@ def undecided(derivation: Derivation) -> Run:
 @pytest.fixture(scope="module")
 def kharlamov() -> tuple[Section, ...]:
     derivation = load("kharlamov2002")
-    return sections(undecided(derivation), derivation)
+    return sections(undecided(derivation), derivation, derivation.texts())
 
 
 @pytest.mark.parametrize("name", available())
 def test_every_claim_and_every_display_stands_once(name: str) -> None:
     derivation = load(name)
-    found = sections(undecided(derivation), derivation)
+    found = sections(undecided(derivation), derivation, derivation.texts())
     claims = [outcome.claim for section in found for outcome in section.outcomes]
     assert sorted(claims) == sorted(claim.id for claim in derivation.claims)
     shown = [
@@ -74,6 +74,6 @@ def test_claims_that_were_not_run_leave_their_displays() -> None:
     derivation = load("kharlamov2002")
     whole = undecided(derivation)
     (only,) = [outcome for outcome in whole.outcomes if outcome.claim == "eq14"]
-    (section,) = sections(replace(whole, outcomes=(only,)), derivation)
+    (section,) = sections(replace(whole, outcomes=(only,)), derivation, derivation.texts())
     assert section.number == "2" and section.outcomes == (only,)
     assert {"(9)", "(16)"} < {item.label for item in section.items}
