@@ -309,7 +309,8 @@ class Contents:
             ("A line leads from each statement to those that rest on it; where it follows from "
              "others, it is left out. The frame tells the verdict: thin where a statement holds, "
              "broken where it holds under a condition, heavy where it is false, dotted for the "
-             "rest. Rows of one display share a box, which shows the least of their verdicts.",)
+             "rest. Rows of one display share a box, which shows the least of their verdicts.",),
+            leads=True,
         )  # fmt: skip
         yield Graph(drawn)
         if drawn.alone:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kowalevski_cas.notation import to_plain
+from kowalevski_cas.notation import Formula, Relation, to_plain
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.document import Block, Display, Emphasis, Paragraph, Text
 from kowalevski_cas.report.sentences import Phrases, listed
@@ -38,7 +38,10 @@ class Evidence:
         """What the program did: each sentence once, with the displays of all rows it is about."""
         told = [(row.claim, step) for row in self.rows for step in row.steps]
         for claims, ones in alike(told, lambda step: (step.words, step.point)):
-            formulas = dict.fromkeys(formula for step in ones for formula in step.formulas)
+            told_of = [formula for step in ones for formula in step.formulas]
+            formulas = dict.fromkeys(formula for formula in told_of if not _empty(formula))
+            if told_of and not formulas:
+                continue
             yield Paragraph(
                 (*self._whose(claims), *self._said(ones[0], bool(formulas))), leads=bool(formulas)
             )
@@ -101,6 +104,11 @@ class Evidence:
         """The claims, each once; none if they are all the rows there are."""
         ids = tuple(dict.fromkeys(claims))
         return () if len(ids) == len(self.rows) else ids
+
+
+def _empty(formula: Formula) -> bool:
+    """Whether an equation says nothing, as 1 = 1."""
+    return isinstance(formula, Relation) and len({*formula.members}) == 1
 
 
 def missing(phrases: Phrases, condition: Condition) -> Text:

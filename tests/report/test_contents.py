@@ -36,6 +36,7 @@ from tests.report.fixtures import (
     outcomes,
     point,
     run,
+    step,
 )
 
 WHOLE = document()
@@ -178,6 +179,11 @@ class TestEvidence:
     def test_a_step_that_rows_share_is_told_once(self) -> None:
         text = said(under(WHOLE, "section.2"))
         assert text.count("The change of variables carries the equations of motion to:") == 1
+
+    def test_an_equation_that_says_nothing_is_not_shown(self) -> None:
+        told = (step("This says nothing:", "1=1"), step("This does:", "x=y"))
+        text = said(document(claim("a", "1", "x=x", "", P, steps=told)).blocks)
+        assert "This does:" in text and "nothing" not in text
 
     def test_arithmetics_that_disagree_are_named(self) -> None:
         assert "FLINT says undecided and SymPy says timeout" in said(WHOLE.blocks)
