@@ -96,8 +96,8 @@ class TestPlaces:
             f for part in parts(either.blocks) if isinstance(part, Display) for f in part.formulas
         }
         for outcome in outcomes():
-            for step in outcome.steps:
-                assert shown.issuperset(step.formulas)
+            for one in outcome.steps:
+                assert shown.issuperset(one.formulas)
             assert shown.issuperset(outcome.formulas)
 
 
@@ -183,7 +183,7 @@ class TestEvidence:
     def test_an_equation_that_says_nothing_is_not_shown(self) -> None:
         told = (step("This says nothing:", "1=1"), step("This does:", "x=y"))
         text = said(document(claim("a", "1", "x=x", "", P, steps=told)).blocks)
-        assert "This does:" in text and "nothing" not in text
+        assert "This does:" in text and "says nothing" not in text
 
     def test_arithmetics_that_disagree_are_named(self) -> None:
         assert "FLINT says undecided and SymPy says timeout" in said(WHOLE.blocks)
