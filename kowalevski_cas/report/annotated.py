@@ -65,7 +65,7 @@ class _Annotated:
         for section in paper:
             waiting: list[Item] = []
             last: list[Item] | None = None
-            first = next(item.display for item in section.items if item.display)
+            first = next((item.display for item in section.items if item.display), "")
             self.begins[first] = f"section.{anchor(section.number)}"
             for item in section.items:
                 if item.display:

@@ -7,6 +7,7 @@ from textwrap import shorten
 from typing import Final
 
 from kowalevski_cas import __version__
+from kowalevski_cas.notation import print_prose, read_prose, to_plain
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.document import (
     Block,
@@ -87,6 +88,7 @@ class Contents:
             *self._plates(plates),
             *self.trust(),
         ]
+        title = print_prose(read_prose(run.title, run.vocabulary), str, to_plain)
         origin = ", ".join(filter(None, (run.author, run.source)))
         by: Text = (
             f"Written by kowalevski_cas {__version__}: ",
@@ -94,8 +96,8 @@ class Contents:
             "; digest of the statements ", Code(run.digest[:16]), ".",
         )  # fmt: skip
         return Document(
-            f"Verification report on “{run.title}”",
-            f"Verification report on “{shorten(run.title, 60, placeholder=' …')}”",
+            f"Verification report on “{title}”",
+            f"Verification report on “{shorten(title, 60, placeholder=' …')}”",
             ((*self.phrases.words(origin), "."), *self._restated(), by),
             tuple(blocks),
         )

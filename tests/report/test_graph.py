@@ -72,3 +72,5 @@ def test_svg_is_well_formed_and_self_contained() -> None:
     links = [link.get("href") for link in root.findall("{*}a")]
     assert links == [f"#claim.{box.name}" for box in boxes] != []
     assert len(root.findall("{*}a/{*}rect")) == len(boxes)
+    titles = [title.text or "" for title in root.findall("{*}a/{*}title")]
+    assert titles[links.index("#claim.eq9.i")] == "i² = 1" and all(titles)

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from kowalevski_cas.notation import to_plain
 from kowalevski_cas.report.graph.dependencies import dependencies
 from kowalevski_cas.report.graph.layout import WIDTH, layout
 from kowalevski_cas.verify.outcome import Outcome, Verdict
@@ -33,10 +34,14 @@ _WORST: Final = (
 
 @dataclass(frozen=True)
 class Box:
-    """A claim, or several rows of one display, at its place (the centre, in mm)."""
+    """A claim, or several rows of one display, at its place (the centre, in mm).
+
+    ``says`` is what it states, in plain text.
+    """
 
     name: str
     label: str
+    says: str
     verdict: Verdict
     x: float
     y: float
@@ -82,6 +87,8 @@ def picture(outcomes: Sequence[Outcome], names: Mapping[str, str] | None = None)
     if not drawn:
         return Picture((), (), 0.0, 0.0, alone)
     verdicts = {o.claim: o.verdict for o in outcomes}
+    stated = {o.claim: ", ".join(map(to_plain, o.formulas)) for o in outcomes}
+    says = {name: "; ".join(filter(None, map(stated.get, members[name]))) for name in drawn}
     labels = {name: _label(name, members[name], names or {}) for name in drawn}
     layers = layout(drawn, {name: LETTER * len(label) + 8.0 for name, label in labels.items()})
     edges = [(c.x - c.width / 2, c.x + c.width / 2) for layer in layers for c in layer]
@@ -94,6 +101,7 @@ def picture(outcomes: Sequence[Outcome], names: Mapping[str, str] | None = None)
         Box(
             members[cell.name][0],
             labels[cell.name],
+            says[cell.name],
             max((verdicts[c] for c in members[cell.name]), key=_WORST.index),
             cell.x - left,
             y(k),

@@ -64,7 +64,8 @@ def _box(box: Box) -> str:
         f"{escape(box.label)}</text>"
     )
     return (
-        f'<a href="#claim.{anchor(box.name)}" class="{box.verdict}"><rect class="box" '
-        f'x="{left:.1f}" y="{top:.1f}" width="{box.width:.1f}" height="{BOX}" rx="0.8" '
-        f"{style}/>{mark}{label}</a>"
+        f'<a href="#claim.{anchor(box.name)}" class="{box.verdict}">'
+        f"<title>{escape(box.says or box.label)}</title>"
+        f'<rect class="box" x="{left:.1f}" y="{top:.1f}" width="{box.width:.1f}" '
+        f'height="{BOX}" rx="0.8" {style}/>{mark}{label}</a>'
     )
