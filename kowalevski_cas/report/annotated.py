@@ -88,7 +88,7 @@ class _Annotated:
         lost = [item for id, items in self.items.items() if id not in found for item in items]
         if lost:
             blocks.append(Heading(("Not found in this text",), "lost"))
-            blocks += [block for item in lost for block in self.contents.item(item)]
+            blocks += [block for item in lost for block in self.contents.passages.item(item)]
         head = [*self.contents.verdict(), Heading(("The paper",), "paper")]
         shown = (*head, *blocks, *self.contents.graph(), *self.contents.trust())
         by: Text = (
@@ -124,7 +124,7 @@ class _Annotated:
             blocks.insert(0, Paragraph((), anchor=self.begins[display.id]))
         for item in items:
             if item.all or not typed.inline:
-                blocks += self.contents.item(item)
+                blocks += self.contents.passages.item(item)
         if not typed.inline:
             return Placed((), tuple(blocks))
         shown_here: list[Inline] = [*listed([(one,) for one in formulas], ", ")]

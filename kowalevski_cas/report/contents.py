@@ -8,12 +8,9 @@ from typing import Final
 
 from kowalevski_cas import __version__
 from kowalevski_cas.notation import print_prose, read_prose, to_plain
-from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.document import (
     Block,
-    Claim,
     Code,
-    Display,
     Document,
     Emphasis,
     Graph,
@@ -25,24 +22,16 @@ from kowalevski_cas.report.document import (
     Table,
     Text,
 )
-from kowalevski_cas.report.evidence import Evidence
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.graph import picture
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.names import anchor
-from kowalevski_cas.report.places import Item, Section
+from kowalevski_cas.report.passages import Passages
+from kowalevski_cas.report.places import Section
 from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.sentences import Phrases, listed, nonzero
 from kowalevski_cas.report.witnesses import Witness, arithmetics
-from kowalevski_cas.systems import title
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
-
-_ROLES: Final = {
-    "vector field": "Equations of motion",
-    "definition": "Notation",
-    "unit": "Notation",
-    "condition": "Assumed where it is named",
-}
 
 
 def contents(
@@ -77,13 +66,14 @@ class Contents:
         self.run, self.sections, self.certified, self.programs = run, sections, certified, programs
         names = {c: name for s in sections for item in s.items for c, name in item.names()}
         self.phrases = Phrases(run.vocabulary, (o.claim for o in run.outcomes), names)
+        self.passages = Passages(self.phrases, certified, programs)
         self.findings = Findings(self.phrases, run.outcomes)
 
     def document(self, plates: Sequence[Plate]) -> Document:
         run = self.run
         blocks = [
             *self.verdict(),
-            *(block for section in self.sections for block in self._section(section)),
+            *(block for section in self.sections for block in self.passages.section(section)),
             *self.graph(),
             *self._plates(plates),
             *self.trust(),
@@ -175,129 +165,6 @@ class Contents:
         table = Link(f"{run.derivation}.json", (f"{run.derivation}.json",), outside=True)
         return (*text, " Who confirms which, with all digests, is in ", table, ".")
 
-    # -- the derivation ---------------------------------------------------------------
-
-    def _section(self, section: Section) -> Iterator[Block]:
-        name = self.phrases.words(f"{section.number}. {section.title}")
-        yield Heading(name, f"section.{anchor(section.number)}")
-        granted = dict.fromkeys(f for outcome in section.outcomes for f in outcome.granted)
-        if granted:
-            assumed = listed([(nonzero(formula),) for formula in granted])
-            yield Paragraph(("We assume ", *assumed, " where the formulas divide by it."))
-        before = ""
-        for item in section.items:
-            role = "" if item.all else item.role
-            if role != before and role in _ROLES:
-                yield Paragraph((f"{_ROLES[role]}:",), "note", leads=True)
-            before = role
-            yield from self.item(item)
-
-    def item(self, item: Item) -> Iterator[Block]:
-        """A display, what is claimed of it, and what was found; or a claim about no display."""
-        if not item.all:
-            formulas = tuple(formula for row in item.rows for formula in row.formulas)
-            label = (item.label,) if item.label else ()
-            place = f"display.{anchor(item.display)}" if item.display else ""
-            yield Display(formulas, item.rows[0].source, label=label, anchor=place)
-            return
-        together = [o for row in item.rows for o in row.outcomes[:1]]
-        others = [o for row in item.rows for o in row.outcomes[1:]] + [*item.outcomes]
-        if len(together) > 1 or (together and len(item.rows) > 1):
-            yield self._rows(item, together)
-        elif item.rows:
-            lone = together or [others.pop(0)]
-            yield self._alone(lone[0], item)
-        for outcome in others:
-            yield self._alone(outcome)
-
-    def _rows(self, item: Item, outcomes: Sequence[Outcome]) -> Claim:
-        """A display of several statements, some of which are claimed."""
-        words = dict.fromkeys(outcome.words for outcome in outcomes if outcome.words)
-        names = dict(item.names())
-        shown = []
-        for number, row in enumerate(item.rows, 1):
-            own = row.outcomes[0] if row.outcomes else None
-            label = names.get(own.claim, "") if own else f"{item.label[:-1]}.{number})"
-            shown.append(
-                Display(
-                    row.formulas,
-                    row.source,
-                    own.verdict if own else None,
-                    self._beside(own, label if item.label else ""),
-                    f"claim.{anchor(own.claim)}" if own else "",
-                    bool(own and own.verdict is Verdict.REFUTED),
-                )
-            )
-        head = self.phrases.sentence("; ".join(words))
-        return self._claim(None, "", head, (), shown, outcomes)
-
-    def _beside(self, outcome: Outcome | None, label: str) -> Text:
-        """What stands behind a row: where it holds, and its number."""
-        if outcome is None:
-            return (label,) if label else ()
-        name: Text = (label,) if label else (Code(outcome.claim),)
-        where = [c for c in outcome.conditions if not c.witness]
-        return ("for ", *self.phrases.where(where), ": ", *name) if where else name
-
-    def _alone(self, outcome: Outcome, item: Item | None = None) -> Claim:
-        """A single claim, with its formula."""
-        label: Text = (item.label,) if item and item.label else (Code(outcome.claim),)
-        formulas = tuple(f for row in item.rows for f in row.formulas) if item else outcome.formulas
-        source = item.rows[0].source if item else outcome.source
-        shown = []
-        if formulas or source:
-            false = outcome.verdict is Verdict.REFUTED and bool(outcome.correction)
-            struck = false and bool(outcome.correction and outcome.correction.edit)
-            shown.append(Display(formulas, source, struck=struck))
-        head = (*self.phrases.sentence(outcome.words), *self._verdict_of(outcome))
-        place = f"claim.{anchor(outcome.claim)}"
-        return self._claim(outcome.verdict, place, head, label, shown, (outcome,))
-
-    def _verdict_of(self, outcome: Outcome) -> Text:
-        """The verdict in words, where it is not that the claim holds as printed."""
-        where = [c for c in outcome.conditions if not c.witness]
-        if where:
-            return (" Valid for ", *self.phrases.where(where), ".")
-        if outcome.verdict in (Verdict.PROVED, Verdict.CONDITIONAL):
-            return ()
-        return (" ", Emphasis((f"{MARKS[outcome.verdict].word.capitalize()}.",), strong=True))
-
-    def _claim(
-        self,
-        verdict: Verdict | None,
-        place: str,
-        head: Text,
-        label: Text,
-        shown: Sequence[Display],
-        outcomes: Sequence[Outcome],
-    ) -> Claim:
-        told = Evidence(self.phrases, outcomes)
-        folded = (*told.steps(), *self._records(outcomes))
-        return Claim(
-            verdict, place, head, label, (*shown, *told.first()), folded,
-            ("What the program did",),
-        )  # fmt: skip
-
-    def _records(self, outcomes: Sequence[Outcome]) -> Iterator[Paragraph]:
-        """Who confirms claims, and what they rest on; what holds of several is said once."""
-        facts = [(outcome.claim, self._record(outcome)) for outcome in outcomes]
-        for claims, (said, *_) in alike(facts):
-            names: Text = listed([(Code(claim),) for claim in claims])
-            yield Paragraph((*names, ": ", *said, "."), "record")
-
-    def _record(self, outcome: Outcome) -> Text:
-        agreeing = [title(name) for name, v in outcome.verdicts.items() if v is outcome.verdict]
-        text: Text = ("decided by ", *_names(agreeing))
-        if outcome.claim in self.certified:
-            also = [w.name for w in self.programs if outcome.claim in w.claims]
-            text = (*text, "; the certificate is accepted by ", *_names(["the checker", *also]))
-        if outcome.rests_on:
-            text = (*text, "; rests on ", *self.phrases.links(outcome.rests_on))
-        if outcome.corrected:
-            corrected = self.phrases.links(outcome.corrected)
-            text = (*text, "; read with the correction of ", *corrected)
-        return text
-
     # -- the rest ---------------------------------------------------------------------
 
     def graph(self) -> Iterator[Block]:
@@ -330,10 +197,6 @@ class Contents:
         yield Heading(("What is proved, and what has to be trusted",), "section.trust")
         for name, text in _TRUST:
             yield Paragraph((Emphasis((f"{name}.",)), " ", *self.phrases.words(text)))
-
-
-def _names(names: Sequence[str]) -> Text:
-    return listed([(name,) for name in names])
 
 
 _TRUST: Final = (

@@ -27,7 +27,7 @@ from kowalevski_cas.report.document import (
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
-from kowalevski_cas.report.plates import SUFFIX
+from kowalevski_cas.report.plates import SUFFIX, for_a_page
 from kowalevski_cas.report.setting import Setter
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Verdict
@@ -195,7 +195,8 @@ class HtmlWriter(Writer):
         return f'<div class="graph" tabindex="0">{svg(block.picture)}</div>'
 
     def shown(self, block: Shown) -> str:
-        image = b64encode((self.beside / f"{block.plate.place}{SUFFIX}").read_bytes()).decode()
+        picture = for_a_page(self.beside / f"{block.plate.place}{SUFFIX}")
+        image = b64encode(picture).decode()
         caption = self.text(block.caption)
         return (
             f'<figure><img alt="" src="data:image/png;base64,{image}">'
