@@ -67,7 +67,8 @@ class Contents:
         names = {c: name for s in sections for item in s.items for c, name in item.names()}
         self.phrases = Phrases(run.vocabulary, (o.claim for o in run.outcomes), names)
         self.passages = Passages(self.phrases, certified, programs)
-        self.findings = Findings(self.phrases, run.outcomes)
+        copied = any(section.copied for section in sections)
+        self.findings = Findings(self.phrases, run.outcomes, copied)
 
     def document(self, plates: Sequence[Plate]) -> Document:
         run = self.run
@@ -137,7 +138,7 @@ class Contents:
         if divided:
             named = listed([(nonzero(formula),) for formula in divided])
             yield Paragraph(
-                ("The conditions beside a formula say that what it divides by is not zero: ",
+                ("“Valid for” beside a formula names what it divides by, and nothing more: ",
                  *named, ".")
             )  # fmt: skip
 
@@ -152,10 +153,12 @@ class Contents:
         )  # fmt: skip
         if self.certified:
             known = sum(outcome.claim in self.certified for outcome in run.outcomes)
-            many = "All" if known == len(run.outcomes) else f"{known} of {len(run.outcomes)}"
+            many = f"{known} of {len(run.outcomes)} have certificates"
+            if known == len(run.outcomes):
+                many = "Each has a certificate"
             text = (
-                *text, f" {many} have a certificate, and a checker that shares no line with the "
-                "program has accepted it.",
+                *text, f" {many}, accepted by a checker that shares no line of code with the "
+                "program.",
             )  # fmt: skip
         if self.programs:
             named = listed([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])
@@ -184,7 +187,9 @@ class Contents:
         yield Graph(drawn)
         if drawn.alone:
             alone = self.phrases.links(drawn.alone)
-            yield Paragraph(("On nothing else rest, and nothing rests on: ", *alone, "."), "note")
+            yield Paragraph(
+                ("Outside the picture, since nothing rests on them: ", *alone, "."), "note"
+            )
 
     def _plates(self, plates: Sequence[Plate]) -> Iterator[Block]:
         if plates:

@@ -15,10 +15,10 @@ Slip = tuple[Outcome, ...]
 
 
 class Findings:
-    """What is wrong, each thing once."""
+    """What is wrong, each thing once; ``copied`` if the formulas are those of the print."""
 
-    def __init__(self, phrases: Phrases, outcomes: Sequence[Outcome]) -> None:
-        self.phrases, self.outcomes = phrases, outcomes
+    def __init__(self, phrases: Phrases, outcomes: Sequence[Outcome], copied: bool = True) -> None:
+        self.phrases, self.outcomes, self.copied = phrases, outcomes, copied
 
     @cached_property
     def refuted(self) -> tuple[Outcome, ...]:
@@ -48,8 +48,8 @@ class Findings:
         many = {v: sum(o.verdict is v for o in self.outcomes) for v in Verdict}
         where = many[Verdict.CONDITIONAL] - len(self.lacking)
         found = [
-            (many[Verdict.PROVED], "as printed"),
-            (where, "where the denominators that they print do not vanish"),
+            (many[Verdict.PROVED], "as printed" if self.copied else "as stated here"),
+            (where, "where their denominators do not vanish"),
             (len(self.lacking), "only under a hypothesis that the paper does not state"),
         ]
         holds = [f"{in_words(n)} {_verb('hold', n)} {how}" for n, how in found if n]
@@ -62,7 +62,7 @@ class Findings:
         wrong = []
         if spoiled:
             slips = counted(len(self.slips), "misprint")
-            wrong.append(f"{slips} {_verb('spoil', len(self.slips))} {in_words(spoiled)}")
+            wrong.append(f"{slips} {_verb('spoil', len(self.slips))} {in_words(spoiled)} of them")
         if self.false:
             wrong.append(f"{in_words(len(self.false))} {_is(len(self.false))} false")
         for verdict, what in _OPEN.items():
@@ -109,7 +109,7 @@ class Findings:
             return Claim(outcome.verdict, "", (*head, " No true statement was found near it."))
         head = (*head, " ", Emphasis(("True:",)), " ", *self.phrases.words(correction.words))
         if correction.conditions:
-            head = (*head, ", and ", *self.phrases.where(correction.conditions))
+            head = (*head, ", for ", *self.phrases.where(correction.conditions))
         return Claim(outcome.verdict, "", (*head, "."), blocks=tuple(shown))
 
     def _hypothesis(self, claims: Sequence[str], condition: Condition) -> Claim:

@@ -23,7 +23,7 @@ class Mark:
 
 MARKS: Final[dict[Verdict, Mark]] = {
     Verdict.PROVED: Mark("holds", "✓", r"$\checkmark$", "$checkmark$", "1F5C3A", "7BC99B",
-        "holds as printed"),
+        "holds"),
     Verdict.CONDITIONAL: Mark("holds if", "(✓)", r"$(\checkmark)$", "$(checkmark)$", "8A5A00",
         "E0B050", "holds under a condition that is named"),
     Verdict.PROBABLE: Mark("probable", "≈", r"$\approx$", "$approx$", "555555", "AAAAAA",

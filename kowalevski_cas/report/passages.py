@@ -29,7 +29,7 @@ _ROLES: Final = {
     "vector field": "Equations of motion",
     "definition": "Notation",
     "unit": "Notation",
-    "condition": "Assumed where it is named",
+    "condition": "We consider",
 }
 
 
@@ -108,7 +108,7 @@ class Passages:
             return (label,) if label else ()
         name: Text = (label,) if label else (Code(outcome.claim),)
         where = [c for c in outcome.conditions if not c.witness]
-        return ("for ", *self.phrases.where(where), ": ", *name) if where else name
+        return ("valid for ", *self.phrases.where(where), ": ", *name) if where else name
 
     def _alone(self, outcome: Outcome, item: Item | None = None) -> Claim:
         """A single claim, with its formula."""

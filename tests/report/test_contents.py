@@ -142,7 +142,7 @@ class TestWrong:
             ([claim("a", "1", "x=x", "", P)], "Of one formula or statement, one holds as printed."),
             (
                 [claim("a", "1", "x=x", "", P), claim("b", "1", "x=y", "", R, correction=correction("x=x", "", P, place="b"))],
-                "Of two formulas and statements, one holds as printed. One misprint spoils one.",
+                "Of two formulas and statements, one holds as printed. One misprint spoils one of them.",
             ),
             (
                 [claim("a", "1", "x=y", "", R), claim("b", "1", "x=y", "", Verdict.TIMEOUT)],
@@ -174,7 +174,7 @@ class TestEvidence:
             p.label for p in parts(under(document(*rows), "section.1")) if isinstance(p, Display)
         ]
         assert [label[-1] for label in labels] == ["(1.1)", "(1.2)", "(1.3)"]
-        assert all(label[0] == "for " for label in labels)
+        assert all(label[0] == "valid for " for label in labels)
 
     def test_a_step_that_rows_share_is_told_once(self) -> None:
         text = said(under(WHOLE, "section.2"))
@@ -201,16 +201,22 @@ class TestEvidence:
         digests = {outcome.claim: "0" * 64 for outcome in known.outcomes}
         rocq = Witness("Rocq", "8.16", frozenset([known.outcomes[0].claim]))
         text = said(under(contents(known, in_order(known), digests, (rocq,)), "holds"))
-        assert "All have a certificate" in text and "Rocq confirms 1" in text
+        assert "Each has a certificate" in text and "Rocq confirms 1" in text
         del digests["eq6"]
         text = said(under(contents(known, in_order(known), digests), "holds"))
-        assert f"{len(known.outcomes) - 1} of {len(known.outcomes)} have a certificate" in text
+        assert f"{len(known.outcomes) - 1} of {len(known.outcomes)} have certificates" in text
 
     def test_restated_formulas_are_called_so(self) -> None:
         first, *others = in_order(run())
         text = said(contents(run(), [replace(first, copied=False), *others]).subtitle)
         assert "The formulas of section 1 are restated" in text
         assert "restated" not in said(WHOLE.subtitle)
+
+    def test_what_is_restated_does_not_hold_as_printed(self) -> None:
+        one = run(claim("a", "1", "x=x", "", P))
+        (section,) = in_order(one)
+        lead = said(contents(one, [replace(section, copied=False)]).blocks[0])
+        assert "one holds as stated here" in lead and "printed" not in lead
 
 
 class TestOnPaper:
