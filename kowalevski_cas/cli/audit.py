@@ -35,7 +35,7 @@ from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import disagreement
+from kowalevski_cas.verify.teller import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -67,9 +67,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="flint",
         help="decide in this arithmetic, or in all three (flint)",
     )
-    parser.add_argument(
-        "--timeout", type=_positive, default=5.0, metavar="SECONDS", help="for each claim (5)"
-    )
+    session.add_timeout(parser, 5)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -78,27 +76,37 @@ def run(arguments: argparse.Namespace) -> int:
         source = read_source(arguments.source)
         if arguments.list:
             return _list(source, arguments.format)
-        arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-        folder, derivation = chosen(source, arguments.derivation)
-        explain = arguments.report is not None
-        base = auditing(folder, derivation, arithmetics, arguments.timeout, explain)
-        found = audit(source, base)
+        (done,) = session.watched(lambda source: _audited(arguments, source), [source])
     except SourceError as error:
         raise CommandError(str(error)) from None
+    said, note, code = done
+    if arguments.patch:
+        sys.stdout.flush()
+        sys.stdout.buffer.write(said.encode(source.encoding, "replace"))
+    else:
+        print(said, end="")
+    if note:
+        print(note, file=sys.stderr)
+    return code
+
+
+def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, str, int]:
+    """What is to be printed of an audit, what is to be noted, and the exit code."""
+    arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
+    folder, derivation = chosen(source, arguments.derivation)
+    explain = arguments.report is not None
+    base = auditing(folder, derivation, arithmetics, arguments.timeout, explain)
+    found = audit(source, base)
+    note = _written(found, arguments.report) if explain else ""
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
 
-        sys.stdout.flush()
-        sys.stdout.buffer.write(patch(found).encode(source.encoding, "replace"))
-    else:
-        print(load_format(arguments.format)(found), end="")
-    if arguments.report is not None:
-        _write(found, arguments.report)
-    return exit_code(found)
+        return patch(found), note, exit_code(found)
+    return load_format(arguments.format)(found), note, exit_code(found)
 
 
-def _write(found: Audit, folder: Path) -> None:
-    """Write the page of an audit, and say where it is."""
+def _written(found: Audit, folder: Path) -> str:
+    """Write the page of an audit; where it is."""
     from kowalevski_cas.report import render_html
     from kowalevski_cas.report.annotated import annotated
     from kowalevski_cas.report.prose import ProseError
@@ -108,7 +116,7 @@ def _write(found: Audit, folder: Path) -> None:
         write(page, render_html(annotated(found)))
     except ProseError as error:
         raise CommandError(str(error)) from None
-    print(f"{page} is written", file=sys.stderr)
+    return f"{page} is written"
 
 
 def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
@@ -179,10 +187,3 @@ def _list(source: Source, format: str) -> int:
     readable = sum(1 for formula in found if not formula.trouble)
     print(f"{len(found)} formulas, {readable} can be read")
     return AS_RECORDED if found else NOTHING
-
-
-def _positive(text: str) -> float:
-    value = float(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError("a positive number of seconds is expected")
-    return value
