@@ -138,7 +138,10 @@ class _Annotated:
         for one in self.audit.formulas:
             here = one.id.partition(".")[0] == display.id or one.id == display.id
             if here and one.wrong and not one.claims:
-                said = self.contents.phrases.sentence(f"{one.verdict}: {one.message}")
+                phrases = self.contents.phrases
+                said: Text = (f"{one.verdict.capitalize()}. ", *phrases.sentence(one.message))
+                if one.breaks:
+                    said = (*said, " Because of it, these fail: ", *phrases.links(one.breaks), ".")
                 yield Claim(Verdict.ERROR, "", said, (Code(one.id),))
 
     # -- the text -------------------------------------------------------------------

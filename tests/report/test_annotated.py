@@ -11,7 +11,7 @@ from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli import main
 from kowalevski_cas.report import render_html
 from kowalevski_cas.report.annotated import annotated
-from kowalevski_cas.report.document import Display, Document, Heading, Link, Paragraph
+from kowalevski_cas.report.document import Claim, Display, Document, Heading, Link, Paragraph
 from kowalevski_cas.verify.outcome import Verdict
 from tests.audit.material import base
 from tests.report.test_contents import parts, said
@@ -85,3 +85,12 @@ def test_the_command_writes_the_page(
     assert "some paper.html is written" in capsys.readouterr().err
     text = (tmp_path / "out" / "some paper.html").read_text(encoding="utf-8")
     assert "The source some paper.tex with a verdict beside every formula" in text
+
+
+def test_a_definition_that_spoils_what_rests_on_it_is_named() -> None:
+    document = page(r"J_1  = \omega _1^2  - \omega _2^2", r"J_1  = \omega _1^2  + \omega _2^2")
+    told = [b for b in document.blocks if isinstance(b, Claim) and b.verdict is Verdict.ERROR]
+    assert [said(b.label) for b in told] == ["J.1"]
+    assert said(told[0].head).startswith("Suspect. ")
+    blamed = [part.target for part in parts(told[0].head) if isinstance(part, Link)]
+    assert "claim.eq6" in blamed and "claim.eq7" in blamed
