@@ -24,10 +24,9 @@ class Code:
 
 @dataclass(frozen=True)
 class Sign:
-    """The sign of a verdict, with its word if ``word``."""
+    """The sign of a verdict."""
 
     verdict: Verdict
-    word: bool = False
 
 
 @dataclass(frozen=True)
@@ -98,7 +97,7 @@ class Display(Block):
 class Claim(Block):
     """A statement with its verdict beside it, and what is said of it.
 
-    ``folded`` is what a reader may skip, under the words of ``summary``.
+    ``folded`` is what the program did, which a reader may skip.
     """
 
     verdict: Verdict | None
@@ -107,7 +106,6 @@ class Claim(Block):
     label: Text = ()
     blocks: tuple[Block, ...] = ()
     folded: tuple[Block, ...] = ()
-    summary: Text = ()
 
 
 @dataclass(frozen=True)
@@ -120,9 +118,9 @@ class Items(Block):
 
 @dataclass(frozen=True)
 class Table(Block):
-    """A table with a head; ``columns`` has a letter each, l, r or c, or a part of the line."""
+    """A table with a head; ``columns`` has the part of the line that each is wide."""
 
-    columns: tuple[str | float, ...]
+    columns: tuple[float, ...]
     head: tuple[Text, ...]
     rows: tuple[tuple[Text, ...], ...]
 
@@ -144,7 +142,7 @@ class Shown(Block):
 
 @dataclass(frozen=True)
 class Document:
-    """A titled document; ``subtitle`` has a line each, ``language`` nothing but English."""
+    """A titled document: ``short`` is its title in few words, ``subtitle`` has a line each."""
 
     title: str
     short: str

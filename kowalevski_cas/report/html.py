@@ -120,12 +120,11 @@ class HtmlWriter(Writer):
     def code(self, text: str) -> str:
         return f"<code>{self.escaped(' '.join(text.split()))}</code>"
 
-    def sign(self, verdict: str, word: bool) -> str:
-        mark = MARKS[Verdict(verdict)]
-        said = f" {mark.word}" if word else ""
+    def sign(self, verdict: Verdict) -> str:
+        mark = MARKS[verdict]
         return (
             f'<span class="mark {verdict}" role="img" aria-label="{mark.word}" '
-            f'title="{mark.word}">{mark.sign}</span>{said}'
+            f'title="{mark.word}">{mark.sign}</span>'
         )
 
     def link(self, link: Link) -> str:
@@ -155,7 +154,7 @@ class HtmlWriter(Writer):
                 inner = f'<div class="wide">{wide}</div><div class="narrow">{narrow}</div>'
         if block.struck:
             inner = f"<s>{inner}</s>"
-        sign = self.sign(block.verdict, False) if block.verdict else ""
+        sign = self.sign(block.verdict) if block.verdict else ""
         place = f' id="{block.anchor}"' if block.anchor else ""
         label = f'<span class="label">{self.text(block.label)}</span>' if block.label else ""
         kind = f" {block.verdict}" if block.verdict else ""
@@ -167,13 +166,13 @@ class HtmlWriter(Writer):
         return f'<math display="block">{self.setter.display(formulas, room)}</math>'
 
     def claim(self, block: Claim) -> str:
-        sign = self.sign(block.verdict, False) if block.verdict else ""
+        sign = self.sign(block.verdict) if block.verdict else ""
         place = f' id="{block.anchor}"' if block.anchor else ""
         label = f'<span class="label">{self.text(block.label)}</span>' if block.label else ""
         head = f'<div class="head">{sign}<p>{self.text(block.head)}</p>{label}</div>'
         body = self.blocks(block.blocks)
         if block.folded:
-            summary = f"<summary>{self.text(block.summary)}</summary>"
+            summary = "<summary>What the program did</summary>"
             body += f"\n<details>{summary}\n{self.blocks(block.folded)}\n</details>"
         kind = f" {block.verdict}" if block.verdict else ""
         return f'<section class="claim{kind}"{place}>\n{head}\n{body}\n</section>'

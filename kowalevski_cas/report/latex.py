@@ -83,9 +83,8 @@ class LatexWriter(Writer):
     def code(self, text: str) -> str:
         return rf"\texttt{{{escaped(' '.join(text.split()))}}}"
 
-    def sign(self, verdict: str, word: bool) -> str:
-        said = f"~{MARKS[Verdict(verdict)].word}" if word else ""
-        return rf"\Sign{{{verdict}}}{said}"
+    def sign(self, verdict: Verdict) -> str:
+        return rf"\Sign{{{verdict}}}"
 
     def link(self, link: Link) -> str:
         text = self.text(link.text)
@@ -139,8 +138,7 @@ class LatexWriter(Writer):
 
     def table(self, block: Table) -> str:
         columns = "".join(
-            c if isinstance(c, str) else rf">{{\raggedright\arraybackslash}}p{{{c}\linewidth}}"
-            for c in block.columns
+            rf">{{\raggedright\arraybackslash}}p{{{part}\linewidth}}" for part in block.columns
         )
         rows = "\n".join(self._row(row) for row in block.rows)
         return (

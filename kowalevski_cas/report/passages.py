@@ -141,10 +141,7 @@ class Passages:
     ) -> Claim:
         told = Evidence(self.phrases, outcomes)
         folded = (*told.steps(), *self._records(outcomes))
-        return Claim(
-            verdict, place, head, label, (*shown, *told.first()), folded,
-            ("What the program did",),
-        )  # fmt: skip
+        return Claim(verdict, place, head, label, (*shown, *told.first()), folded)
 
     def _records(self, outcomes: Sequence[Outcome]) -> Iterator[Paragraph]:
         """Who confirms claims, and what they rest on; what holds of several is said once."""

@@ -83,9 +83,8 @@ class TypstWriter(Writer):
     def code(self, text: str) -> str:
         return f"#raw({_quoted(' '.join(text.split()))});"
 
-    def sign(self, verdict: str, word: bool) -> str:
-        said = f"~{MARKS[Verdict(verdict)].word}" if word else ""
-        return f'#sign("{verdict}");{said}'
+    def sign(self, verdict: Verdict) -> str:
+        return f'#sign("{verdict}");'
 
     def link(self, link: Link) -> str:
         target = _quoted(link.target) if link.outside else f"<{link.target}>"
@@ -125,14 +124,12 @@ class TypstWriter(Writer):
         return f"#{name}({', '.join(f'[{self.blocks(item)}]' for item in block.items)})"
 
     def table(self, block: Table) -> str:
-        widths = ", ".join("auto" if isinstance(c, str) else f"{c}fr" for c in block.columns)
-        sides = {"r": "right", "c": "center"}
-        align = ", ".join(sides.get(str(c), "left") for c in block.columns)
+        widths = ", ".join(f"{part}fr" for part in block.columns)
         head = ", ".join(f"[{self.text(cell)}]" for cell in block.head)
         rows = "\n".join(
             "  " + " ".join(f"[{self.text(cell)}]," for cell in row) for row in block.rows
         )
-        return f"#ruled(({widths},), ({align},), ({head},),\n{rows}\n)"
+        return f"#ruled(({widths},), ({head},),\n{rows}\n)"
 
     def graph(self, block: Graph) -> str:
         return '#image("picture.svg")'

@@ -27,6 +27,7 @@ from kowalevski_cas.report.document import (
     Text,
 )
 from kowalevski_cas.report.setting import Setter
+from kowalevski_cas.verify.outcome import Verdict
 
 
 class Writer(ABC):
@@ -69,8 +70,8 @@ class Writer(ABC):
                 return self.formula(one)
             case Code(text):
                 return self.code(text)
-            case Sign(verdict, word):
-                return self.sign(verdict, word)
+            case Sign(verdict):
+                return self.sign(verdict)
             case Link():
                 return self.link(one)
             case Emphasis(text, strong):
@@ -111,7 +112,7 @@ class Writer(ABC):
         """Letters as they are typed."""
 
     @abstractmethod
-    def sign(self, verdict: str, word: bool) -> str:
+    def sign(self, verdict: Verdict) -> str:
         """The sign of a verdict."""
 
     @abstractmethod
