@@ -65,7 +65,7 @@ class PointArithmetic(ExactArithmetic):
 
     def _answers(self, problem: Problem) -> Iterator[Answer]:
         points, of = load_points(self.name, SEED), sampled()
-        for goal in identities(problem):
+        for goal in identities(problem.goals):
             asked = residuals(Problem((goal,)), of)
             at = of(goal.space)
             yield points.answer(Question(at.programs, [at.carry(element) for element in asked]))

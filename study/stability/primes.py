@@ -65,7 +65,7 @@ def question(id: str) -> Question:
     assert claim.printed is not None
     printed = {claim.printed: paper().printed.texts.formula(claim.printed)}
     statement = Statement(claim, paper().corrected.under(texts.reading(printed)))
-    of, goal = sampled(), next(identities(statement.problem))
+    of, goal = sampled(), next(identities(statement.problem.goals))
     at = of(goal.space)
     return Question(at.programs, [at.carry(e) for e in residuals(Problem((goal,)), of)])
 
