@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import random
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, zip_longest
@@ -21,7 +21,7 @@ from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.goals import Fails, Follows, Goal, Problem
+from kowalevski_cas.problem.goals import Fails, Follows, Problem
 from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.verify.statement import Statement
 from study.near_misses import near_misses
@@ -56,9 +56,9 @@ class Labelled:
         return self.verdicts[EXACT[0]]
 
 
-def identities(goals: Iterable[Goal]) -> Iterator[Follows]:
-    """Goals that are identities; raises ``TypeError`` for any other."""
-    for goal in goals:
+def identities(problem: Problem) -> Iterator[Follows]:
+    """The goals of a problem that consists of identities; raises ``TypeError`` for any other."""
+    for goal in problem.goals:
         if not isinstance(goal, Follows) or isinstance(goal, Fails):
             raise TypeError("it is no identity")
         if goal.given or len(goal.conclusions) != 1:
@@ -71,7 +71,7 @@ def residuals(problem: Problem, of: Callable[[Setting], Evaluation]) -> Iterator
 
     Raises ``TypeError`` for any other problem.
     """
-    for goal in identities(problem.goals):
+    for goal in identities(problem):
         yield from of(goal.space).differences(goal.conclusions[0])
 
 
