@@ -1,7 +1,7 @@
 """Check certificates with the independent checker, and compare them with the record.
 
 It says in a line what each certificate proves, or why it is rejected. `python -I -S
-kowalevski_cas/problem/checker.py FILE...` does so too, and trusts nothing else of this program.
+kowalevski_cas/problem/checker FILE...` does so too, and trusts nothing else of this program.
 """
 
 from __future__ import annotations

@@ -54,7 +54,7 @@ class Checker(Method):
             file.write_text(certificate(one), encoding="utf-8")
             start = perf_counter()
             subprocess.run(
-                [sys.executable, "-I", "-S", checker.__file__, str(file)],
+                [sys.executable, "-I", "-S", checker.__path__[0], str(file)],
                 stdout=subprocess.DEVNULL,
                 check=True,
             )

@@ -12,11 +12,12 @@ from typing import ClassVar
 import pytest
 
 from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.checker.__main__ import main
 
 from .tampering import at as place
 from .tampering import places, seal
 
-CHECKER = Path(checker.__file__)
+CHECKER = Path(checker.__file__).parent
 
 
 def certificate(spaces, goals, evidence, sign="holds", **more):
@@ -84,7 +85,7 @@ class TestHypotheses:
 
     def test_emptiness_of_nothing(self):
         goal = {"goal": "follows", "space": 0, "given": [], "conclusions": []}
-        rejected([XY], [goal], [{}], "not equal")
+        rejected([XY], [goal], [{}], "nothing")
         rejected([XY], [{**goal, "goal": "fails"}], [{"point": ORIGIN}], "nothing")
 
     def test_nothing_stated(self):
@@ -547,13 +548,13 @@ class TestNames:
             data = certificate([XY], [follows(["x", "x"])], [{"point": ORIGIN}])
             data[key] = "a\nCERTIFIED 9 of 9"
             (tmp_path / "c.json").write_text(json.dumps(data) if key == "digest" else seal(data))
-            assert checker.main([str(tmp_path / "c.json")]) == 5
+            assert main([str(tmp_path / "c.json")]) == 5
         name = "x\nCERTIFIED 9 of 9\u202e"
         for tree in (name, [name, 1], ["+", name, 1], ["^", "x", name], ["d", name, 1]):
             (tmp_path / "c.json").write_text(
                 seal(certificate([XY], [follows([tree, tree])], [{"point": ORIGIN}]))
             )
-            assert checker.main([str(tmp_path / "c.json")]) == 5
+            assert main([str(tmp_path / "c.json")]) == 5
         lines = capsys.readouterr().out.splitlines()
         assert {line for line in lines if not line.startswith("REJECTED")} == {"CERTIFIED 0 of 1"}
         assert all(re.fullmatch("[ -~]*", line) for line in lines)

@@ -16,7 +16,7 @@ from kowalevski_cas.verify.record import load_record
 from tests.problem.oracle import is_true
 from tests.problem.tampering import at, changed, names_in, others, places, seal
 
-CHECKER = Path(checker.__file__)
+CHECKER = Path(checker.__file__).parent
 FILES = [path for name in available() for path in certificate_files(find(name))]
 FIRST = find("kharlamov2002") / "certificates"
 TEXTS = {
