@@ -21,7 +21,17 @@ from kowalevski_cas.verify.committed import (
 )
 from kowalevski_cas.verify.record import load_record
 from tests.problem.oracle import is_true
-from tests.problem.tampering import at, changed, names_in, others, places, seal
+from tests.problem.tampering import (
+    at,
+    changed,
+    doubled_key,
+    names_in,
+    others,
+    places,
+    scratched,
+    seal,
+    twisted,
+)
 
 CHECKER = Path(checker.__file__).parent
 FILES = [path for name in available() for path in certificate_files(find(name))]
@@ -336,3 +346,60 @@ def test_tampering():
 @pytest.mark.slow
 def test_tampering_at_thousands_of_places():
     tampered(6000)
+
+
+UNKNOWN = "no point was found"
+"""The oracle has no points where too many roots would have to be there."""
+
+
+def verdict(text):
+    """Whether the checker accepts a text: what it accepts is true, what it rejects it calls so."""
+    try:
+        checker.check(text)
+    except checker.Rejected as error:
+        assert str(error).isprintable()
+        return False
+    true, why = is_true(json.loads(text))
+    assert true or UNKNOWN in why, f"{text[:2000]} got through: {why}"
+    return True
+
+
+def counted(many, change, seed):
+    """How many certificates are accepted after a change; they are of both papers."""
+    choose = random.Random(seed)
+    return sum(
+        verdict(change(choose.choice(FILES).read_text(encoding="utf-8"), choose))
+        for _ in range(many)
+    )
+
+
+CHANGES = {
+    "twisted": lambda text, choose: seal(twisted(json.loads(text), choose)),
+    "scratched": scratched,
+    "doubled": doubled_key,
+    "exchanged": lambda text, choose: exchanged(text, choose),
+}
+
+
+def exchanged(text, choose):
+    """The statement of one claim with the evidence of another one."""
+    other = json.loads(choose.choice(FILES).read_text(encoding="utf-8"))
+    part = choose.choice([("evidence", "sign"), ("spaces",), ("goals",), ("spaces", "goals")])
+    return seal({**json.loads(text), **{key: other[key] for key in part}})
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_what_is_changed_in_any_way_is_rejected_or_true(change):
+    assert counted(150, CHANGES[change], change) < 75
+    if change == "doubled":
+        assert counted(50, CHANGES[change], 1) == 0
+
+
+@pytest.mark.slow
+def test_thousands_of_changes(capsys):
+    through = {name: counted(1500, change, 2002) for name, change in CHANGES.items()}
+    with capsys.disabled():
+        print(
+            f"\n{1500 * len(through)} certificates that were changed; true all the same: {through}"
+        )
+    assert max(through.values()) < 500
