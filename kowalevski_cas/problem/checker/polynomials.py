@@ -134,7 +134,7 @@ class Element:
 
     def generators(self) -> list[str]:
         """The generators that occur."""
-        self.ring.spend(1 + (len(self.terms) >> 4))
+        self.ring.spend(1 + (len(self.terms) + len(self.ring.at) >> 3))
         bits = reduce(int.__or__, self.terms, 0)
         return [name for name, shift in self.ring.at.items() if bits >> shift & MASK]
 
