@@ -303,6 +303,47 @@ class TestMotion:
         rejected([XY, space], [follows(["x", "x"])], [self.POINT], "a field, or a change")
 
 
+class TestConjugation:
+    """It is an involution that keeps all relations, whether a formula conjugates something or not."""
+
+    PAIR: ClassVar = {**XY, "conjugates": [["x", "y"]]}
+
+    def test_a_root_of_what_is_not_real_is_not_real(self):
+        goal, point = follows(["r", "r"]), at(x=1, y=1, r=1, s=1)
+        own = {"steps": [["root", "r", "x"]]}
+        rejected([{**self.PAIR, **own}], [goal], [{"point": point}], "r does not keep its square")
+        both = {"steps": [["root", "r", "x"], ["root", "s", "y"]]}
+        pairs = [["x", "y"], ["r", "s"]]
+        assert accepted([{**self.PAIR, **both, "conjugates": pairs}], [goal], [{"point": point}])
+
+    def test_conjugate_roots_have_conjugate_squares(self):
+        steps = [["root", "r", "x"], ["root", "s", ["*", 2, "y"]]]
+        space = {**XY, "steps": steps, "conjugates": [["x", "y"], ["r", "s"]]}
+        goal = follows(["r", "r"])
+        rejected([space], [goal], [{"point": at(x=0, y=0, r=0, s=0)}], "does not keep its square")
+
+    def test_a_real_root_of_a_negative_number(self):
+        goal = follows([["*", "j", ["conj", "j"]], 4])
+        assert accepted(
+            [{**XY, "steps": [["root", "j", -4]]}],
+            [goal],
+            [{"point": at(x=0, y=0, j=["*", 2, "i"])}],
+        )
+        steps = [["root", "j", -4], ["root", "k", -4]]
+        space = {**XY, "steps": steps, "conjugates": [["j", "k"]]}
+        rejected([space], [goal], [{"point": at(x=0, y=0, j="i", k="i")}], "its own pair")
+
+    @pytest.mark.parametrize("value", [1, -1, "i", ["*", 2, "i"]])
+    def test_a_root_is_real_where_its_square_is_no_negative_number(self, value):
+        space = {**XY, "steps": [["root", "r", "x"]]}
+        square = {1: 1, -1: 1, "i": -1}.get(value if isinstance(value, int | str) else 0, -4)
+        entry = {"point": at(x=square, y=0, r=value)}
+        if square > 0:
+            assert accepted([space], [follows(["r", "r"])], [entry])
+        else:
+            rejected([space], [follows(["r", "r"])], [entry], "not real")
+
+
 class TestPowers:
     SPACE: ClassVar = {"variables": ["x"], "constants": ["m"], "steps": [["power", "P", "x", "m"]]}
 
@@ -410,6 +451,25 @@ class TestExistence:
         inner = self.exists(follows(["M", 0]), expressions=["M"])
         for goal in (self.exists(inner, expressions=["M"]), self.exists(expressions=["M"])):
             rejected([XY], [goal], [{"values": [["M", 0]], "evidence": []}], "unknown|nothing")
+
+
+class TestDenials:
+    """A denial may not suppose more than the goal: where it fails, the goal might hold."""
+
+    GOAL = follows(["y", 0], given=[[["*", "x", "y"], 0]])
+
+    def test_what_fails_somewhere_is_not_denied_elsewhere(self):
+        fails = {**self.GOAL, "goal": "fails"}
+        assert accepted([XY], [fails], [{"point": at(x=0, y=1)}])
+        entry = {"goal": 0, "away": ["x"], "cofactors": [[["/", 1, "x"]]], "point": at(x=1, y=0)}
+        rejected([XY], [fails], [entry], "may fail where", "denied")
+        (found,) = accepted([XY], [self.GOAL], [{k: v for k, v in entry.items() if k != "goal"}])
+        assert found.where == ["x"]
+
+    def test_minors_are_not_divided(self):
+        rank = {"goal": "rank", "space": 0, "functions": [["*", "x", "y"]], "given": [], "rank": 1}
+        entry = {"goal": 0, "away": ["x"], "minors": [[], []]}
+        rejected([XY], [rank], [entry], "unknown", "denied")
 
 
 class TestPositive:
