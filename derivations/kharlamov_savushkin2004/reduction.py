@@ -11,15 +11,15 @@ section = Section("4", "Fields that are not orthogonal", copied=False)
 
 angle = section.lemma(
     "angle",
-    r"q_1^2 = \frac{r^2}{c_1}, \quad q_2^2 = \frac{r^2}{c_2}",
-    r"$q_1$ of modulus one, its angle half of $-\arctan\frac{2c}{a^2-b^2}$, and its conjugate $q_2$",
+    r"q^2 = \frac{r^2}{c_1}",
+    r"the number $q$ of modulus one whose angle is half of $-\arctan\frac{2c}{a^2-b^2}$",
 )
 
 turned = section.lemma(
     "turned",
     r"""
-X_1 = q_1^2x_1, \quad X_2 = \frac{x_2}{q_1^2}, \quad Y_1 = y_1, \quad Y_2 = y_2, \quad
-Z_1 = q_1z_1, \quad Z_2 = \frac{z_2}{q_1}, \quad W_1 = q_1w_1, \quad W_2 = \frac{w_2}{q_1}""",
+X_1 = q^2x_1, \quad X_2 = \frac{x_2}{q^2}, \quad Y_1 = y_1, \quad Y_2 = y_2, \quad
+Z_1 = qz_1, \quad Z_2 = \frac{z_2}{q}, \quad W_1 = qw_1, \quad W_2 = \frac{w_2}{q}""",
     "the axes in the body and the fields, turned by the same angle",
 )
 
@@ -30,7 +30,6 @@ rotation = (
     )
     .moving(eq10)
     .adjoining(r"\sqrt{c_1c_2}", root_of_c, angle, complex_integrals[3])
-    .having(conjugates=(("q_1", "q_2"),))
     .defining(turned)
 )
 

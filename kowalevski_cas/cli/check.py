@@ -13,9 +13,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
-from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.library import LibraryError, available, find
 from kowalevski_cas.problem.checker import printable
+from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
 from kowalevski_cas.verify.committed import (
     Checked,

@@ -70,21 +70,39 @@ class TestHypotheses:
             space = {**XY, "steps": [["root", "r", square]]}
             rejected([space], [follows(["x", "x"])], [{"point": at(x=0, y=0, r="i")}], "not real")
 
+    def test_a_root_without_a_declared_conjugate_is_real(self):
+        space = {**XY, "steps": [["root", "q", "x"]], "conjugates": [["x", "y"]]}
+        point = at(x=["*", 2, "i"], y=["*", -2, "i"], q=["+", 1, "i"])
+        rejected(
+            [space], [follows(["q", 3])], [{"goal": 0, "point": point}], "q is not real", "denied"
+        )
+        accepted([space], [follows(["q", 3])], [{"goal": 0, "point": at(x=4, y=4, q=2)}], "denied")
+
     def test_hypotheses_without_a_point(self):
         goal = follows(["x", 0], given=[["x", 0]])
         rejected([XY], [goal], [{"cofactors": [[1]]}], "key is missing")
-        accepted([XY], [follows(["x", "x"])], [{}])  # nothing is supposed
+        rejected([XY], [follows(["x", "x"])], [{}], "key is missing")
+        empty = {"goal": "follows", "space": 0, "given": [[1, 0]], "conclusions": []}
+        rejected([XY], [empty], [{"cofactors": [[1]]}], "key is missing")
+        accepted([XY], [empty], [{"cofactors": [[1]], "point": ORIGIN}])
 
-    def test_emptiness_with_a_point_or_a_condition(self):
+    def test_emptiness_with_a_condition(self):
         goal = {"goal": "follows", "space": 0, "given": [["x", 0]], "conclusions": []}
-        entry = {"cofactors": [[["/", 1, "x"]]]}
+        entry = {"cofactors": [[["/", 1, "x"]]], "point": at(x=1, y=0)}
         rejected([XY], [goal], [{**entry, "away": ["x"]}], "unknown")
-        rejected([XY], [goal], [{**entry, "point": ORIGIN}], "unknown")
         rejected([XY], [goal], [entry], "may be zero")
+
+    def test_emptiness_in_a_setting_that_is_empty(self):
+        space = {"variables": ["x"], "steps": [["root", "r", ["-", ["+", ["^", "x", 2], 1]]]]}
+        given = [[["^", "r", 2], ["+", ["-", ["^", "x", 2]], 4]]]
+        goal = {"goal": "follows", "space": 0, "given": given, "conclusions": []}
+        for r in (1, "i", ["-", "i"]):
+            entry = {"cofactors": [[["/", -1, 5]]], "point": at(x=0, r=r)}
+            rejected([space], [goal], [entry], "square|not real")
 
     def test_emptiness_of_nothing(self):
         goal = {"goal": "follows", "space": 0, "given": [], "conclusions": []}
-        rejected([XY], [goal], [{}], "nothing")
+        rejected([XY], [goal], [{"point": ORIGIN}], "nothing")
         rejected([XY], [{**goal, "goal": "fails"}], [{"point": ORIGIN}], "nothing")
 
     def test_nothing_stated(self):
@@ -304,23 +322,30 @@ class TestMotion:
 
 
 class TestConjugation:
-    """It is an involution that keeps all relations, whether a formula conjugates something or not."""
+    """It is an involution that keeps all relations, or nothing is conjugated."""
 
     PAIR: ClassVar = {**XY, "conjugates": [["x", "y"]]}
 
-    def test_a_root_of_what_is_not_real_is_not_real(self):
-        goal, point = follows(["r", "r"]), at(x=1, y=1, r=1, s=1)
-        own = {"steps": [["root", "r", "x"]]}
-        rejected([{**self.PAIR, **own}], [goal], [{"point": point}], "r does not keep its square")
-        both = {"steps": [["root", "r", "x"], ["root", "s", "y"]]}
-        pairs = [["x", "y"], ["r", "s"]]
-        assert accepted([{**self.PAIR, **both, "conjugates": pairs}], [goal], [{"point": point}])
+    def test_a_real_root_of_what_is_not_real(self):
+        space, point = {**self.PAIR, "steps": [["root", "r", "x"]]}, at(x=1, y=1, r=1)
+        rejected([space], [follows([["conj", "r"], "r"])], [{"point": point}], "keep its square")
+        formula = {"goal": "positive", "space": 0, "given": [], "formula": ["+", "x", 1]}
+        entry = {"point": point, "squares": [[1, "r"], [1, 1]], "cofactors": [[]], "zero": {}}
+        rejected([space], [formula], [entry], "keep its square")
+        assert accepted([space], [follows(["r", "r"])], [{"point": point}])
+        for x, y, r in (("i", ["-", "i"], "i"), (["*", 2, "i"], ["*", -2, "i"], ["+", 1, "i"])):
+            rejected([space], [follows(["r", "r"])], [{"point": at(x=x, y=y, r=r)}], "real|square")
 
-    def test_conjugate_roots_have_conjugate_squares(self):
-        steps = [["root", "r", "x"], ["root", "s", ["*", 2, "y"]]]
+    def test_conjugate_roots_of_conjugates(self):
+        steps = [["root", "r", "x"], ["root", "s", "y"]]
         space = {**XY, "steps": steps, "conjugates": [["x", "y"], ["r", "s"]]}
-        goal = follows(["r", "r"])
-        rejected([space], [goal], [{"point": at(x=0, y=0, r=0, s=0)}], "does not keep its square")
+        goal = follows([["conj", ["*", "r", "x"]], ["*", "s", "y"]])
+        entry = {
+            "point": at(x=["*", 2, "i"], y=["*", -2, "i"], r=["+", 1, "i"], s=["+", 1, ["-", "i"]])
+        }
+        assert accepted([space], [goal], [entry])
+        steps[1][2] = ["*", 2, "y"]
+        rejected([space], [goal], [entry], "keep its square")
 
     def test_a_real_root_of_a_negative_number(self):
         goal = follows([["*", "j", ["conj", "j"]], 4])

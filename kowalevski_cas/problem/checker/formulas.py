@@ -253,7 +253,7 @@ class Formulas:
         return conjugate
 
     def reflection(self) -> Map:
-        """The conjugation; roots and powers have to keep what they are."""
+        """The conjugation: an involution, under which roots and powers keep what they are."""
         if self.mirror is None:
             space = self.local()
             space.stating = True

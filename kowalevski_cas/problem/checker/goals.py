@@ -54,12 +54,9 @@ class Follows(Goal):
         need(stated and all(self.conclusions), "nothing is stated")
 
     def holds(self, evidence: Json) -> None:
-        if self.conclusions:
-            record(evidence, "point" if self.given else "", f"away point {PROOF}")
-            if "point" in evidence:
-                locate(self.space, evidence["point"], self.given)
-        else:  # a condition that holds nowhere on the set would be the whole proof
-            record(evidence, "", PROOF)
+        # for an empty set, a condition that holds nowhere on it would be the whole proof
+        record(evidence, "point", f"away {PROOF}" if self.conclusions else PROOF)
+        locate(self.space, evidence["point"], self.given if self.conclusions else [])
         one = self.space.ring.number(1)
         goals = [prod(choice, start=one) for choice in product(*self.conclusions)]
         settle(self.space, goals, self.given, part_of(evidence, PROOF))

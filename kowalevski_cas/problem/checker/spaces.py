@@ -46,7 +46,6 @@ class Space(Formulas):
             conditions = self._granted(conditions)
         need(not conditions, "a condition has a name that is not defined")
         self.mirror = None
-        self.reflection()
         old = self._change(before, data["change"]) if "change" in data else []
         self._move(items(data.get("field", [])), old)
         printed = [step[3] for step in steps if step[0] == "root" and len(step) == 4]
