@@ -49,7 +49,7 @@ def changed(kind):
                 except (Meaningless, NotationError, ZeroDivisionError):
                     continue
                 if isinstance(denial, Denial):
-                    judge = Judge(finder_of)
+                    judge = Judge(finder_of, statement.names)
                     judge.denies(statement.goals[denial.goal], denial.evidence)
                     yield certificate(statement, denial, judge.accepted)
 
