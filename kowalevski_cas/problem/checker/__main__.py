@@ -5,11 +5,12 @@ Exit codes: 0 all files are certified, 5 one is rejected, 6 there is none.
 
 import os
 import sys
+from types import ModuleType
 
-if not __package__:  # the folder is run: it is a package, found after the standard library
-    folder = os.path.dirname(os.path.abspath(__file__))
-    sys.path = [*sys.path[1:], os.path.dirname(folder)]
-    __package__ = os.path.basename(folder)
+if not __package__:  # the folder is run: it is a package, whatever else has its name
+    __package__ = "checker"
+    sys.modules[__package__] = ModuleType(__package__)
+    sys.modules[__package__].__path__ = [sys.path.pop(0)]
 
 from .certificate import Certificate, check
 from .reading import SIZE, Rejected, need, printable
