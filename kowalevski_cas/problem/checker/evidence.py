@@ -32,6 +32,7 @@ def locate(space: Space, data: Json, given: list[Element], numbers: Space | None
         real = (at(conjugate) - numbers.conj(at.images[name])).vanishes()
         need(real, f"{name} is not real there")
     need(all(at(e).vanishes() for e in given), "the point is not where it should be")
+    need(all(at(e).differs() for e in space.granted), "a condition fails before the change")
     for name, words in space.known.items():
         try:
             at(space.ring.generator(name))

@@ -37,6 +37,7 @@ class Space(Formulas):
         super().__init__(ring, *names)
         self.data = data
         self.old: Self | None = None
+        self.granted: list[Element] = []  # what does not vanish where a change comes from
         steps = items(data.get("steps", []))
         self._generate(steps, pairs(data.get("conjugates", [])))
         conditions = [(names_in(tree), tree) for tree in items(data.get("nonzero", []))]
@@ -162,6 +163,8 @@ class Space(Formulas):
         for name, conjugate in source.bar.items():
             both = here(conjugate) - self.conj(here.images[name])
             need(both.vanishes(), f"{name} does not keep its conjugate, it is not real")
+        granted = [*source.granted, *map(source.scalar, source.data.get("nonzero", []))]
+        self.granted = [here(e) for e in granted]
         time = here(source.scalar(data["time"]))
         self.inverse(time)
         rates = {name: here(source.derivative(e)) * time for name, e in new.items()}
