@@ -31,6 +31,9 @@ if TYPE_CHECKING:
 
 LARGEST_COUNT = 10_000_000
 
+ROUNDING = 1e-13
+"""How far from a given state a motion may begin without a word, relative to its size."""
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
@@ -101,6 +104,12 @@ def _followed(arguments: argparse.Namespace) -> Result:
     except (ValueError, OverflowError):
         raise CommandError(f"--until {arguments.until} is no finite number") from None
     motion = motion_of(arguments)
+    if motion.off > ROUNDING and arguments.method in ("closed", "ball"):
+        print(
+            f"the state is not quite on N⁴: {arguments.method} begins {motion.off:.3g} of its "
+            "size away from it; the integrators begin at it",
+            file=sys.stderr,
+        )
     times = np.linspace(0.0, until, arguments.samples)
     limit = f"t = {until:g} within {arguments.timeout:g} s"
     if sys.stderr.isatty():

@@ -24,7 +24,8 @@ class Motion:
     after t1 and t2: where an arc has two components they choose the torus, elsewhere the other
     sign is the same motion half a period later.
     ``turn`` is (cos χ, sin χ) of the rotation that brings (α, β) = c to zero. ``point`` is the
-    state at t = 0 from which integrators start, where it is not that of the closed form.
+    state at t = 0 from which integrators start, where it is not that of the closed form, which
+    is ``off`` it by so much of its size (ω and fields each of their own).
 
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` where there is no motion.
     """
@@ -34,6 +35,7 @@ class Motion:
     signs: tuple[int, int] = (1, 1)
     turn: tuple[Fraction, Fraction] = (Fraction(1), Fraction(0))
     point: tuple[float, ...] | None = None
+    off: float = 0.0
 
     def __post_init__(self) -> None:
         """Refuse constants that leave no real motion."""

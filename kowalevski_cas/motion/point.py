@@ -2,20 +2,23 @@ r"""The motion through a point of N⁴: its constants, its phases, its signs.
 
 A given state is exact for us, but hardly ever on N⁴ exactly. The constants are those of the
 printed formulas at the state, to many more digits than any float has; the phases come from
-whichever of s, S, f is the sharpest. So the closed form returns to the state within a few
-units of its last place.
+whichever of s, S, f is the sharpest. So the closed form returns to a state on N⁴ within a few
+units of its last place; a state to which it does not return has no motion here.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
 
+import numpy as np
 from flint import acb, arb, fmpq
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.compile import Function
 from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.methods.closed import states
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import (
@@ -33,9 +36,8 @@ from kowalevski_cas.motion.regimes import PHI, coordinates, extreme_ell, regime_
 BITS = 320
 """To how many bits constants and phases are found."""
 
-TOLERANCE = 1e-8
-"""How far from N⁴ a state may be, relative to its size."""
-
+TOLERANCE = Fraction(1, 10**8)
+"""How far from N⁴, and from the closed form at t = 0, a state may be, relative to its size."""
 
 LEAST_THETA = 1e-12
 """The least x1x2 over r⁴/p², that is p²/(s1 − s2)²: its root is what s2 loses in accuracy."""
@@ -46,7 +48,8 @@ def through(state: Sequence[Real]) -> Motion:
 
     The fields may have any angle and lengths that are not equal and orthogonal at once. Raises
     :class:`~kowalevski_cas.motion.parameters.Inadmissible` if the state is not on N⁴, or too
-    close to x1x2 = 0, where s1 is infinite.
+    close to x1x2 = 0, where s1 is infinite. What is left of the distance, from rounding or
+    because the state is only almost on N⁴, is the ``off`` of the motion.
     """
     given = [usable(value) for value in state]
     if len(given) != 9:
@@ -65,7 +68,29 @@ def through(state: Sequence[Real]) -> Motion:
             )
         ]
     origins, signs = zip(*starts, strict=True)
-    return Motion(parameters, origins, signs, turn, motion.point)
+    return _returning(replace(motion, origins=origins, signs=signs), given)
+
+
+def _returning(motion: Motion, given: list[Fraction]) -> Motion:
+    """The motion with its distance from the state at t = 0; refused if it is not there."""
+    start = [Fraction(x) for x in states(motion, np.zeros(1))[0].tolist()]
+    fields, whole = _sizes(given)
+    differences = _sizes([x - y for x, y in zip(start, given, strict=True)])
+    # |Δω|² is the difference of the two sizes of weight 2.
+    omega_square = (differences[1] - differences[0]) / whole
+    off = max(float(differences[0] / fields), float(omega_square) ** 0.5)
+    if off > TOLERANCE:
+        raise Inadmissible(
+            f"the closed form with the constants of the state is {off:.3g} of its size away from "
+            "it: the state is not on N⁴, or where its constants do not tell the motion"
+        )
+    return replace(motion, off=off)
+
+
+def _sizes(state: list[Fraction]) -> tuple[Fraction, Fraction]:
+    """The size of the fields and of the state, both of weight 2: ω has weight 1, fields 2."""
+    fields = max(map(abs, state[3:]))
+    return fields, max(map(abs, state[:3])) ** 2 + fields
 
 
 def _exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
@@ -75,23 +100,30 @@ def _exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
 
 
 def _check(state: list[Fraction]) -> None:
-    """Refuse a state off N⁴, and fields for which N⁴ is not separated."""
-    _, _, a_square, b_square, c, first, second = _exactly(formulas.integrals(), state)
-    if (a_square - b_square) ** 2 + 4 * c**2 == 0:
-        raise Inadmissible("the fields are orthogonal and of equal size: r = 0, nothing separates")
-    size = max(map(abs, state))
-    for number, value, degree in (1, first, 3), (2, second, 6):
-        if abs(value) > Fraction(TOLERANCE) * (1 + size) ** degree:
-            raise Inadmissible(
-                f"the state is not on N⁴: the left side of (16), equation {number}, "
-                f"is {float(value):.3g} there"
-            )
+    """Refuse a state off N⁴, and fields for which N⁴ is not separated.
+
+    The left sides of (16) are compared with |ξ|·|fields|·size and r²|ξ|²·size², which
+    bound them: so the answer is that for (νω, ν²α, ν²β), the same motion in another unit of time.
+    """
+    *_, first, second = _exactly(formulas.integrals(), state)
     theta, *_, p_square, r_fourth = _exactly(formulas.constants(), state)
+    if r_fourth == 0:
+        raise Inadmissible("the fields are orthogonal and of equal size: r = 0, nothing separates")
     if theta * p_square <= Fraction(LEAST_THETA) * r_fourth:
         raise Inadmissible(
             f"x1x2 = {float(theta):.3g} at the state: s1 is infinite or nearly so, and the state "
             "does not tell the motion; take one a moment later"
         )
+    fields, size = _sizes(state)
+    for number, value, square in (
+        (1, first, theta * fields**2 * size),
+        (2, second, r_fourth * theta**2 * size**2),
+    ):
+        if value**2 > TOLERANCE**2 * square:
+            raise Inadmissible(
+                f"the state is not on N⁴: the left side of (16), equation {number}, is "
+                f"{float(value):.3g} there, {float(value**2 / square) ** 0.5:.3g} of what it can be"
+            )
 
 
 def _turn(state: list[Fraction]) -> tuple[Fraction, Fraction]:
@@ -113,9 +145,13 @@ def _parameters(state: list[Fraction]) -> tuple[Parameters, arb]:
     ell_square = 2 * p_square * m**2 + 2 * h * m + 1
     a, b, root = (_root(square) for square in (a_square, b_square, theta))
     m = as_fraction(ball(m))
-    ell = (w_square + total * m) / root
-    if ell_square > theta:  # near x1x2 = 0 the energy gives more digits
-        ell = _root(ell_square) * (-1 if ell < 0 else 1)
+    direct = w_square + total * m  # ℓ√(x1x2)
+    # Either loses digits, the root of ℓ² near ℓ = 0 and the quotient near x1x2 = 0.
+    lost, other = 1 + abs(2 * h * m) + 2 * p_square * m**2, w_square + abs(total * m)
+    if lost**2 * theta < other**2 * ell_square:
+        ell = _root(ell_square) * (-1 if direct < 0 else 1)
+    else:
+        ell = direct / root
     ell = as_fraction(ball(ell))
     found = Parameters.of(a, b, m, ell)
     try:
@@ -123,7 +159,7 @@ def _parameters(state: list[Fraction]) -> tuple[Parameters, arb]:
     except Inadmissible:
         # A state at rest in one variable is on the boundary, but for rounding.
         bound = extreme_ell(a, b, m)
-        if abs(abs(ell) - bound) > Fraction(TOLERANCE) * (1 + abs(bound)):
+        if abs(abs(ell) - bound) > TOLERANCE * (1 + abs(bound)):
             raise
         found = Parameters.of(a, b, m, bound if ell > 0 else -bound)
     return found, ball(root)

@@ -26,14 +26,14 @@ class Result:
 
     @property
     def invariants(self) -> dict[str, object]:
-        """The constants of the motion, and by how much the states are off them."""
+        """The constants of the motion, how far it begins from a given state, and the drift."""
         known = self.motion.parameters
         values = dict(zip("abc", self._fields(), strict=True))
         for name, value in {"m": known.m, "h": known.h, "k": known.k, "g": known.g}.items():
             values[name] = float(value)
         with precision(64):
             values["l"] = float(known.ell)
-        return {**values, "drift": self.drift}
+        return {**values, "off": self.motion.off, "drift": self.drift}
 
     def _fields(self) -> tuple[float, float, float]:
         """The lengths of the two fields and their scalar product, by the turn χ."""

@@ -106,6 +106,18 @@ def test_a_point_is_returned_to_at_once(cli):
         assert json.loads(out)["invariants"]["l"] == pytest.approx(0.9, rel=1e-14)
 
 
+@pytest.mark.parametrize("power", range(-12, -8))
+def test_a_point_that_is_not_quite_returned_to_is_said(cli, power):
+    point = states(cli(*USUAL)[1])[3]
+    point[4] += 10.0**power
+    given = ["--point", *map(repr, point.tolist()), "--samples", 1]
+    code, out, err = cli(*given)
+    off = json.loads(out)["invariants"]["off"]
+    assert code == 0 and f"closed begins {off:.3g} of its size away" in err
+    assert 10.0 ** (power - 2) < off < 10.0 ** (power + 2)
+    assert cli(*given, "--method", "dop853")[2] == ""
+
+
 def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
     code, out, _ = cli(*FIELDS, "--m", "-1/3", "--h", "-1e-1", "--until", "-3", "--samples", 2)
     assert code == 0

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, load, through
@@ -49,6 +49,50 @@ def test_the_fields_may_have_any_angle(motion, angle):
     assert relative(closed(moved, START), oblique[:1]) < 1e-12
     values = np.array(integrals()(*closed(moved, LATER).T))
     assert np.ptp(values[2:5], axis=1).max() < 1e-13 * (1 + np.max(np.abs(oblique)) ** 2)
+
+
+def scaled(state, unit):
+    """The same motion in another unit of time: ω has weight 1, the fields have weight 2."""
+    return np.asarray(state) * np.repeat([unit, unit**2], (3, 6))
+
+
+units = st.floats(-12, 9).map(lambda power: 10**power)
+
+
+@given(st.lists(st.floats(-1, 1), min_size=9, max_size=9), units, st.floats(0, 12))
+def test_a_state_off_the_manifold_is_refused_in_every_unit(state, unit, weaker):
+    # However small the state, and the fields beside ω².
+    state = scaled(state, 1) * np.repeat([1, 10**-weaker], (3, 6))
+    xi_1, xi_2 = state[3] - state[7], state[4] + state[6]
+    should = 2 * (
+        xi_1 * state[:2] @ state[[5, 8]] + xi_2 * (state[0] * state[8] - state[1] * state[5])
+    )
+    size = (xi_1**2 + xi_2**2) * np.max(np.abs(state[:3]))
+    assume(abs((xi_1**2 + xi_2**2) * state[2] - should) > 1e-3 * size > 0)
+    with pytest.raises(Inadmissible):
+        through(scaled(state, unit).tolist())
+
+
+@given(motions(), units)
+def test_a_state_on_the_manifold_is_returned_to_in_every_unit(motion, unit):
+    state = closed(motion, LATER)[1]
+    assume(np.hypot(state[3] - state[7], state[4] + state[6]) > 1e-3)
+    found = through(scaled(state, unit).tolist())
+    assert relative(scaled(closed(found, START)[0], 1 / unit)[None], state[None]) < 1e-12
+    assert found.off < 1e-11
+    later = scaled(closed(found, np.array([0.5 / unit]))[0], 1 / unit)
+    assert relative(later[None], closed(motion, LATER[1:2] + 0.5)) < 1e-6
+
+
+@given(st.sampled_from(ALL[:15]), units, st.floats(-13, -10), st.integers(0, 8))
+def test_how_far_the_closed_form_is_from_a_state_is_said(region, unit, power, place):
+    state = closed(motion(*region, origins=ORIGINS), START)[0]
+    state[place] += 10**power
+    found = through(scaled(state, unit).tolist())
+    fields = np.max(np.abs(state[3:]))
+    sizes = np.repeat([np.sqrt(np.max(state[:3] ** 2) + fields), fields], (3, 6))
+    moved = (scaled(closed(found, START)[0], 1 / unit) - state) / sizes
+    assert found.off == pytest.approx(np.max(np.abs(moved)), rel=1e-2, abs=1e-15)
 
 
 def test_integrators_start_from_the_state_itself():
