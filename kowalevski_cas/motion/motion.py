@@ -12,7 +12,7 @@ from functools import cached_property
 
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import Parameters
-from kowalevski_cas.motion.regimes import Regime, regime_of
+from kowalevski_cas.motion.regimes import Arc, Regime, regime_of
 
 
 @dataclass(frozen=True)
@@ -23,6 +23,8 @@ class Motion:
     arcs (see :mod:`~kowalevski_cas.motion.oscillation`). ``signs`` are those of S1 and S2 just
     after t1 and t2: where an arc has two components they choose the torus, elsewhere the other
     sign is the same motion half a period later.
+    ``arcs`` are those that the regime does not tell: of a variable that stays on a double root,
+    or goes down from the upper of two.
     ``turn`` is (cos χ, sin χ) of the rotation that brings (α, β) = c to zero. ``point`` is the
     state at t = 0 from which integrators start, where it is not that of the closed form, which
     is ``off`` it by so much of its size (ω and fields each of their own).
@@ -33,6 +35,7 @@ class Motion:
     parameters: Parameters
     origins: tuple[Fraction, Fraction] = (Fraction(0), Fraction(0))
     signs: tuple[int, int] = (1, 1)
+    arcs: tuple[Arc | None, Arc | None] = (None, None)
     turn: tuple[Fraction, Fraction] = (Fraction(1), Fraction(0))
     point: tuple[float, ...] | None = None
     off: float = 0.0
@@ -48,7 +51,8 @@ class Motion:
 
     def oscillations(self) -> tuple[Oscillation, Oscillation]:
         """The separated equations, solved anew at the precision of FLINT's context."""
+        first, second = self.arcs
         return (
-            Oscillation(self.parameters, self.regime.s1, True),
-            Oscillation(self.parameters, self.regime.s2, False),
+            Oscillation(self.parameters, first or self.regime.s1, True),
+            Oscillation(self.parameters, second or self.regime.s2, False),
         )

@@ -28,7 +28,7 @@ from typing import Literal
 from flint import acb, arb
 
 from kowalevski_cas.motion.parameters import Parameters
-from kowalevski_cas.motion.regimes import FIELD_1, FIELD_2, PHI, Arc, compare, coordinates
+from kowalevski_cas.motion.regimes import FIELD_1, FIELD_2, PHI, Arc, compare, coordinates, gap
 
 Kind = Literal["rest", "elliptic", "separatrix", "exponential"]
 
@@ -69,8 +69,7 @@ class Oscillation:
     def gap(self, left: str, right: str) -> arb:
         """One root minus another, to full relative precision; each is computed once."""
         if (left, right) not in self._gaps:
-            (x, y), (z, w) = (coordinates(self.parameters, root) for root in (left, right))
-            found = self.parameters.value(x - z, y - w)
+            found = self.parameters.value(*gap(self.parameters, left, right))
             self._gaps[left, right], self._gaps[right, left] = found, -found
         return self._gaps[left, right]
 

@@ -42,7 +42,9 @@ class Parameters:
     ell_sign: int
 
     def __post_init__(self) -> None:
-        """Refuse lengths that do not separate, and m = 0."""
+        """Refuse lengths that do not separate, m = 0, and what floats would not hold."""
+        for value in (self.a, self.b, self.m, self.ell_square / LARGEST):
+            usable(value)
         if self.b < 0 or self.a < 0:
             short = "a" if self.a < 0 else "b"
             raise Inadmissible(f"the length {short} = {float(self.a if self.a < 0 else self.b):g}"

@@ -31,10 +31,22 @@ from kowalevski_cas.motion.parameters import (
     usable,
 )
 from kowalevski_cas.motion.phases import as_fraction
-from kowalevski_cas.motion.regimes import PHI, coordinates, extreme_ell, regime_of
+from kowalevski_cas.motion.regimes import (
+    FIELD_1,
+    FIELD_2,
+    PHI,
+    Arc,
+    coordinates,
+    extreme_ell,
+    gap,
+    regime_of,
+)
 
 BITS = 320
 """To how many bits constants and phases are found."""
+
+NOISE = Fraction(1, 2**256)
+"""What is smaller beside the rest after a turn by a rounded angle, is zero."""
 
 TOLERANCE = Fraction(1, 10**8)
 """How far from N⁴, and from the closed form at t = 0, a state may be, relative to its size."""
@@ -57,16 +69,16 @@ def through(state: Sequence[Real]) -> Motion:
     _check(given)
     with precision(BITS):
         turn = _turn(given)
-        straight = [as_fraction(ball(x)) for x in turned(given, *turn)] if turn[1] else given
+        straight = _straight(given, turn)
         parameters, root = _parameters(straight)
+        if all(turn):
+            parameters = _coinciding(parameters)
         motion = Motion(parameters, turn=turn, point=tuple(map(float, given)))
         S1, f1, S2, f2, s1, s2 = _variables(straight, parameters, root)
-        starts = [
-            _start(oscillation, *values)
-            for oscillation, values in zip(
-                motion.oscillations(), ((s1, S1, f1), (s2, S2, f2)), strict=True
-            )
-        ]
+        values = ((s1, S1, f1), (s2, S2, f2))
+        arcs = [_arc(*pair) for pair in zip(motion.oscillations(), values, strict=True)]
+        motion = replace(motion, arcs=(arcs[0], arcs[1]))
+        starts = [_start(o, *v) for o, v in zip(motion.oscillations(), values, strict=True)]
     origins, signs = zip(*starts, strict=True)
     return _returning(replace(motion, origins=origins, signs=signs), given)
 
@@ -129,11 +141,37 @@ def _check(state: list[Fraction]) -> None:
 def _turn(state: list[Fraction]) -> tuple[Fraction, Fraction]:
     """The cosine and sine of the angle χ that makes the fields orthogonal, a > b."""
     _, _, a_square, b_square, c, *_ = _exactly(formulas.integrals(), state)
-    if c == 0 and a_square > b_square:
-        return Fraction(1), Fraction(0)
+    if c == 0:
+        return Fraction(a_square > b_square), Fraction(a_square < b_square)
     twice = arb.atan2(ball(2 * c), ball(a_square - b_square))
     sine, cosine = (twice / 2).sin_cos()
     return as_fraction(cosine), as_fraction(sine)
+
+
+def _straight(state: list[Fraction], turn: tuple[Fraction, Fraction]) -> list[Fraction]:
+    """The state in fields at right angles."""
+    if not all(turn):
+        return turned(state, *turn)
+    fields, size = _sizes(state)
+    return [
+        x if (x**2 > NOISE**2 * size if place < 3 else abs(x) > NOISE * fields) else Fraction(0)
+        for place, x in enumerate(turned(state, *turn))
+    ]
+
+
+def _coinciding(rounded: Parameters) -> Parameters:
+    """The constants for which roots that differ by rounding are the same."""
+    ends = {
+        root: coordinates(rounded, end)[1]
+        for root in PHI
+        for end in (*FIELD_1, *FIELD_2)
+        if abs(rounded.value(*gap(rounded, root, end))) < ball(NOISE * rounded.a)
+    }
+    if not ends:
+        return rounded
+    m = 1 / (ends["A"] - ends["C"]) if len(ends) == 2 else rounded.m
+    ell = 2 * m * ends["A"] - 1 if "A" in ends else 2 * m * ends["C"] + 1
+    return Parameters.of(rounded.a, rounded.b, m, ell)
 
 
 def _parameters(state: list[Fraction]) -> tuple[Parameters, arb]:
@@ -144,24 +182,22 @@ def _parameters(state: list[Fraction]) -> tuple[Parameters, arb]:
     m = (2 * g - p_square * h) / r_fourth
     ell_square = 2 * p_square * m**2 + 2 * h * m + 1
     a, b, root = (_root(square) for square in (a_square, b_square, theta))
-    m = as_fraction(ball(m))
     direct = w_square + total * m  # ℓ√(x1x2)
-    # Either loses digits, the root of ℓ² near ℓ = 0 and the quotient near x1x2 = 0.
+    # Either loses digits, the root of ℓ² near ℓ = 0 and the quotient near x1x2 = 0. On N⁴
+    # exactly they agree, and ℓ² is rational.
     lost, other = 1 + abs(2 * h * m) + 2 * p_square * m**2, w_square + abs(total * m)
-    if lost**2 * theta < other**2 * ell_square:
-        ell = _root(ell_square) * (-1 if direct < 0 else 1)
+    if direct**2 == theta * ell_square or lost**2 * theta < other**2 * ell_square:
+        found = Parameters(a, b, m, ell_square, _sign(direct) if ell_square else 0)
     else:
-        ell = direct / root
-    ell = as_fraction(ball(ell))
-    found = Parameters.of(a, b, m, ell)
+        found = Parameters.of(a, b, m, as_fraction(ball(direct) / ball(root)))
     try:
         regime_of(found)
     except Inadmissible:
         # A state at rest in one variable is on the boundary, but for rounding.
         bound = extreme_ell(a, b, m)
-        if abs(abs(ell) - bound) > TOLERANCE * (1 + abs(bound)):
+        if abs(abs(found.ell) - ball(bound)) > ball(TOLERANCE * (1 + abs(bound))):
             raise
-        found = Parameters.of(a, b, m, bound if ell > 0 else -bound)
+        found = Parameters.of(a, b, m, bound if found.ell_sign > 0 else -bound)
     return found, ball(root)
 
 
@@ -198,6 +234,21 @@ def _fitted(*equations: tuple[arb, arb]) -> arb:
     return above / below if below > 0 else arb(0)
 
 
+def _arc(oscillation: Oscillation, values: tuple[arb, arb, arb]) -> Arc | None:
+    """The arc of a motion that the regime does not tell: at rest on a double root, or downwards."""
+    s, S, f = values
+    p, q, u, v = oscillation.roots
+    if oscillation.kind not in ("separatrix", "exponential"):
+        return None
+    if S == 0 and f == 0:
+        if abs(s - oscillation.root(p)) < abs(s - oscillation.root(q)):
+            p, q, u, v = q, p, v, u
+        return Arc((q, u, v, p), infinite=False)
+    if oscillation.kind == "exponential" and S * f * oscillation.orientation < 0:
+        return Arc((q, p, v, u), oscillation.arc.infinite)
+    return None
+
+
 def _start(oscillation: Oscillation, s: arb, S: arb, f: arb) -> tuple[Fraction, int]:
     """The time t_j and the sign with which a variable has these values at t = 0."""
     if oscillation.kind == "rest":
@@ -209,16 +260,11 @@ def _start(oscillation: Oscillation, s: arb, S: arb, f: arb) -> tuple[Fraction, 
     weight = _sign(sum(weighted, arb(0)))  # Δ is negative beyond infinity
     first, second = (_positive(weight * value).sqrt() for value in weighted)
     S_sign, f_sign = _sign(weight * S), _sign(weight * oscillation.orientation * f)
-    sign = 1
-    if oscillation.components == 1:
-        by_field = next(place for place in oscillation.field_roots if place < 2)
-        first_sign, second_sign = (S_sign, f_sign) if by_field == 0 else (f_sign, S_sign)
-    else:
-        sign = S_sign if oscillation.field_roots == (2, 3) else f_sign
-        first_sign, second_sign = S_sign * f_sign, 1
-    argument = _argument(oscillation, first, second) * first_sign * second_sign
-    if second_sign < 0:
-        argument += 2 * oscillation.quarter
+    # sn carries the product of both signs, the other functions are positive from −K to K.
+    sign = f_sign if 0 in oscillation.field_roots else S_sign
+    argument = _argument(oscillation, first, second)
+    if oscillation.kind != "exponential":
+        argument *= S_sign * f_sign
     return as_fraction(-argument / oscillation.rate), sign
 
 
@@ -226,10 +272,6 @@ def _argument(oscillation: Oscillation, first: arb, second: arb) -> arb:
     """The argument at which the first two of the quadruple have this quotient, both positive."""
     if oscillation.kind == "exponential":
         return (first / second).log()
-    if second == 0 and oscillation.kind == "separatrix":
-        raise Inadmissible(
-            "the state rests on a double root: it is the limit of the asymptotic motions"
-        )
     if oscillation.kind == "separatrix":
         return (first / second).asinh()
     amplitude = arb.atan2(first, second)
@@ -252,7 +294,7 @@ def _distance(oscillation: Oscillation, root: str, s: arb, S: arb, f: arb) -> ar
     return -sign * f * f / (4 * ball(parameters.m) * further)
 
 
-def _sign(value: arb) -> int:
+def _sign(value: arb | Fraction) -> int:
     return -1 if value < 0 else 1
 
 

@@ -136,8 +136,13 @@ def coordinates(parameters: Parameters, root: str) -> tuple[Fraction, Fraction]:
 
 def compare(parameters: Parameters, left: str, right: str) -> int:
     """The sign of one root minus another, exactly."""
+    return parameters.sign(*gap(parameters, left, right))
+
+
+def gap(parameters: Parameters, left: str, right: str) -> tuple[Fraction, Fraction]:
+    r"""One root minus another as a linear expression in :math:`\ell`: slope and constant."""
     (x, y), (z, w) = coordinates(parameters, left), coordinates(parameters, right)
-    return parameters.sign(x - z, y - w)
+    return x - z, y - w
 
 
 def _orders(sign: int) -> Iterator[tuple[str, ...]]:
