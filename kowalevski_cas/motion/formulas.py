@@ -5,7 +5,10 @@ It is that of the first derivation in the library that offers one.
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import cache
+
+from flint import fmpq
 
 from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
@@ -65,6 +68,12 @@ def across() -> tuple[Function, Function, Function]:
     form = _closed_form()
     first, second, third = form.complex_variables, form.across, form.across_rates
     return _compiled(first), _compiled(second), _compiled(third)
+
+
+def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
+    """The values of compiled formulas, by FLINT's rational numbers."""
+    values = compiled(*(fmpq(x.numerator, x.denominator) for x in state))
+    return [Fraction(int(value.p), int(value.q)) for value in values]
 
 
 @cache

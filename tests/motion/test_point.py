@@ -116,7 +116,8 @@ def test_integrators_start_from_the_state_itself():
     [
         ([0, 0, 0, 1, 0, 0, 0, 1, 0], "nothing separates"),
         ([0.3, 0, 0.4, 1, 0, 0, 0, 0, 0.4], "not on N⁴: the left side of (16), equation 1, is 0.4"),
-        ([0, 0, 0, 1, 0, 0, 0, 1, 0.5], "x1x2 = 0 at the state"),
+        ([0, 0, 0, 1, 0, 0, 0, 1, 0.5], "m = 0: the roots (ℓ±1)/2m are at infinity"),
+        ([1, 0, 0, 1, 0, 0.5, 0, 1, 0], "is not on N⁴, or so close to x1x2 = 0"),
         ([1, 2, 3], "nine numbers, ω, α, β; 3 are given"),
         (["x"] * 9, "“x” is no finite number"),
         ([float("nan")] * 9, "“nan” is no finite number"),
