@@ -14,8 +14,8 @@ and (m, ℓ), (m, −ℓ) denote the same motions.
 
 An arc whose ends are roots of the same radicand (both ±a, or both A and C) has two components,
 on which the other root keeps its sign; an arc with mixed ends has one. A torus is a product of
-components. (On ℓ = 0 itself, m < 0, the mirror leads back to the same level: four tori stay where
-A < −a, and meet in pairs, two being left, elsewhere.)
+components. On ℓ = 0 itself, m < 0, the mirror leads back to the same level: four tori stay where
+A < −a, and are the same in pairs, two being left, elsewhere.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class Regime:
 
     @property
     def tori(self) -> int:
-        """The number of two-dimensional tori on which m and ℓ have given values."""
+        """The number of two-dimensional tori on which m and ℓ ≠ 0 have given values."""
         return self.s1.components * self.s2.components
 
     @property
@@ -107,6 +107,18 @@ def regime_of(parameters: Parameters) -> Regime:
         ):
             return regime
     raise Inadmissible(_why_not(parameters))
+
+
+def tori(parameters: Parameters) -> int:
+    """The number of tori on which the constants have these values, also ℓ = 0.
+
+    There the mirror, (s1, s2, S1, S2) → −(s1, s2, S1, S2), leads to the same level. Through
+    infinity it is f1/s1 or S1/s1 that keeps its sign; the mirror changes the first, and so makes
+    pairs of tori the same where s1 runs from a through ∞ to −a.
+    """
+    regime = regime_of(parameters)
+    meeting = parameters.ell_sign == 0 and set(regime.s1.roots[:2]) == set(FIELD_1)
+    return regime.tori // 2 if meeting else regime.tori
 
 
 def extreme_ell(a: Fraction, b: Fraction, m: Fraction) -> Fraction:

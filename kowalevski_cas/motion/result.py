@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import precision
-from kowalevski_cas.motion.regimes import coincidences
+from kowalevski_cas.motion.regimes import coincidences, tori
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Result:
             "order": str(regime),
             "s1": str(regime.s1),
             "s2": str(regime.s2),
-            "tori": regime.tori,
+            "tori": tori(self.motion.parameters),
             "k1_squared": squares[0],
             "k2_squared": squares[1],
             "separating": coincidences(self.motion.parameters),

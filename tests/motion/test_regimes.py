@@ -5,7 +5,6 @@ from fractions import Fraction
 from itertools import pairwise
 
 import numpy as np
-import pytest
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
@@ -22,7 +21,7 @@ from kowalevski_cas.motion import (
 )
 from kowalevski_cas.motion.formulas import constants, integrals
 from kowalevski_cas.motion.parameters import ball, precision
-from kowalevski_cas.motion.regimes import coordinates, extreme_ell
+from kowalevski_cas.motion.regimes import coordinates, extreme_ell, tori
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
 
 A, B = Fraction(1), Fraction(2, 5)
@@ -85,37 +84,53 @@ def test_three_regimes_for_positive_m_and_nine_for_negative():
     assert [r.tori for r in regimes if r.sign < 0] == [1, 2, 4, 2, 4, 2, 4, 2, 1]
 
 
-def labels(region, signs):
+def labels(parameters, signs):
     """The signs that states along a motion tell, where they matter: the names of its torus."""
-    moved = motion(*region, signs=signs, origins=(Fraction(1, 3), Fraction(-1, 7)))
+    moved = Motion(parameters, (Fraction(1, 3), Fraction(-1, 7)), signs)
     found = set()
     for state in load("closed")(moved, np.linspace(0, 9, 10)):
         told = through(state.tolist())
         # Where s1 < 0 a state tells −ℓ, the same motion by the other root of x1x2.
-        if moved.parameters.ell_sign in (0, told.parameters.ell_sign):
+        if parameters.ell_sign in (0, told.parameters.ell_sign):
             arcs = (told.regime.s1, told.regime.s2)
             pairs = zip(told.signs, arcs, strict=True)
             found.add(tuple(sign for sign, arc in pairs if arc.components == 2))
     return frozenset(found)
 
 
-def tori(region):
-    every = itertools.product((1, -1), repeat=2)
-    return {labels(region, signs) for signs in every}
+def named(parameters):
+    """The tori by all the names that their states tell."""
+    return {labels(parameters, signs) for signs in itertools.product((1, -1), repeat=2)}
 
 
-@pytest.mark.parametrize("region", [r for r in EVERY_REGIME if r[1] > "0"])
-def test_each_torus_has_signs_of_its_own_and_keeps_them(region):
-    found = tori(region)
+@given(signed, signed, st.sampled_from([B, Fraction(0), Fraction(3, 4)]))
+@example(Fraction(-1), Fraction(1, 10), Fraction(0))
+def test_each_torus_has_signs_of_its_own_and_keeps_them(m, ell, b):
+    assume(abs(m) > Fraction(1, 10) and abs(ell) > Fraction(1, 20))
+    if m > 0:
+        m, ell = m / 4, abs(ell)
+    else:
+        ell /= 4
+    try:
+        parameters = Parameters.of(A, b, m, ell)
+        regime_of(parameters)
+    except Inadmissible:
+        assume(False)
+    assume(not coincidences(parameters))
+    found = named(parameters)
     assert all(len(names) == 1 for names in found)
-    assert len(found) == motion(*region).regime.tori
+    assert len(found) == tori(parameters)
 
 
-@pytest.mark.parametrize("m, count", [("-0.3", 4), ("-0.6", 2), ("-2", 2)])
-def test_on_the_curve_where_ell_vanishes_tori_meet_in_pairs_or_each_itself(m, count):
-    # s1, s2 → −s1, −s2 there leads back to the same level: to the same torus or to another.
-    assert motion(m, "0").regime.tori == 4
-    assert len(tori((m, "0"))) == count
+@given(st.fractions(-3, Fraction(-1, 10), max_denominator=40), st.sampled_from([B, 0]))
+@example(Fraction(-3, 10), B)
+@example(Fraction(-3, 5), B)
+@example(Fraction(-2), B)
+def test_on_the_curve_where_ell_vanishes_tori_are_the_same_in_pairs_or_not(m, b):
+    parameters = Parameters.of(A, b, m, 0)
+    assume(coincidences(parameters) == ["ℓ = 0"])
+    assert regime_of(parameters).tori == 4
+    assert len(named(parameters)) == tori(parameters)
 
 
 # -- real points of N⁴ ---------------------------------------------------------------
