@@ -9,9 +9,12 @@ the derivation), and per unit of :math:`t`
 
 .. math:: \lambda=\sqrt{-m}\,\bigl(\langle s_1\rangle-\langle s_2\rangle\bigr)
 
-with the means of :math:`s_1`, :math:`s_2` over their periods: tori with m > 0 are
-elliptic, and with m < 0 hyperbolic. For m < 0 the mean of :math:`s_1` is a principal
-value, for the motion passes :math:`x_1x_2=0`, where the root changes its sign.
+with the means of :math:`s_1`, :math:`s_2` over their periods. Tori with m > 0 are elliptic;
+those with m < 0 are hyperbolic, except on the curves where :math:`\lambda=0`: on
+:math:`\ell=0`, and on one inside each of the regimes :math:`A<-a<-b<b<C<a` and
+:math:`-a<A<-b<C<b<a`. For m < 0 the mean of :math:`s_1` is a principal value, for the motion
+passes :math:`x_1x_2=0`, where the root changes its sign; so the sign of
+:math:`\lambda` has no meaning.
 """
 
 from __future__ import annotations
@@ -53,16 +56,16 @@ def distance(states: Array) -> Array:
 
 
 def exponent(parameters: Parameters) -> complex:
-    r"""The transverse exponent :math:`\lambda` of a motion, per unit of time.
+    r"""The transverse exponent :math:`|\lambda|` or :math:`i|\lambda|`, per unit of time.
 
-    Real where the motion is unstable (m < 0), imaginary where it is stable (m > 0).
+    Real for m < 0, where the motion is unstable unless it is zero, and imaginary for m > 0.
     """
     regime = regime_of(parameters)
     means = [
         mean(Oscillation(parameters, arc, first))
         for arc, first in ((regime.s1, True), (regime.s2, False))
     ]
-    return complex(np.sqrt(complex(-parameters.m))) * (means[0] - means[1])
+    return complex(np.sqrt(complex(-parameters.m))) * abs(means[0] - means[1])
 
 
 def mean(oscillation: Oscillation) -> float:

@@ -1,10 +1,23 @@
 """Across N⁴: the cofactor matrix along motions, and how fast motions near N⁴ leave it."""
 
+from collections import defaultdict
+from fractions import Fraction
+from itertools import product
+
 import numpy as np
 import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
 from scipy.optimize import brentq
 
-from kowalevski_cas.motion import load
+from kowalevski_cas.motion import (
+    Inadmissible,
+    Motion,
+    Parameters,
+    coincidences,
+    load,
+    regime_of,
+)
 from kowalevski_cas.motion.methods.closed import Closed
 from kowalevski_cas.motion.methods.integrators import initial_state, integrate
 from kowalevski_cas.motion.transverse import distance, exponent, mean, transverse
@@ -94,3 +107,27 @@ def test_motions_near_elliptic_tori_stay_near(m, ell):
     state[2] += 1e-9
     far = distance(integrate("DOP853", state, np.linspace(0, 200, 500), 1e-13))
     np.testing.assert_allclose(far, far[0], rtol=1e-2)
+
+
+@given(st.fractions(-3, Fraction(-1, 10), max_denominator=30), st.fractions(0, Fraction(9, 10)))
+def test_tori_on_which_ell_vanishes_are_not_hyperbolic(m, b):
+    # The mirror s1, s2 → −s1, −s2 leads back to the same level: both means are zero.
+    parameters = Parameters.of(1, b, m, 0)
+    assume(coincidences(parameters) == ["ℓ = 0"])
+    assert abs(exponent(parameters)) < 1e-12
+
+
+def test_inside_two_regimes_the_exponent_vanishes_on_a_curve_and_in_no_others():
+    found = defaultdict(set)
+    for m, ell in product(range(-60, 0), range(1, 40)):
+        parameters = Parameters.of(1, "0.4", Fraction(m, 20), Fraction(ell, 20))
+        try:
+            regime = regime_of(parameters)
+        except Inadmissible:
+            continue
+        if not coincidences(parameters):
+            first, second = (mean(o) for o in Motion(parameters).oscillations())
+            found[regime].add(first > second)
+    changing = {" < ".join(regime.order) for regime, signs in found.items() if len(signs) == 2}
+    assert len(found) == 6
+    assert changing == {"A < -a < -b < b < C < a", "-a < A < -b < C < b < a"}
