@@ -8,6 +8,7 @@ when the energy is given, the square root of a rational number; so these signs a
 from __future__ import annotations
 
 from dataclasses import dataclass
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 from functools import cached_property
 from math import isqrt
@@ -78,10 +79,9 @@ class Parameters:
         first = Parameters.of(a, b, m, 0)
         square = 2 * first.p_square * first.m**2 + 2 * usable(h) * first.m + 1
         if square < 0:
-            bound = float(-(2 * first.p_square * first.m**2 + 1) / (2 * first.m))
-            sign = "≥" if first.m > 0 else "≤"
             raise Inadmissible(
-                f"ℓ² = 2p²m²+2hm+1 = {float(square):.6g} is negative; h {sign} {bound:.6g} would do"
+                f"ℓ² = 2p²m²+2hm+1 = {float(square):.6g} is negative; "
+                f"{energies(first.a, first.b, first.m)} would do"
             )
         return Parameters(first.a, first.b, first.m, square, int(square > 0))
 
@@ -145,6 +145,28 @@ class Parameters:
     def g(self) -> Fraction:
         """The constant of the third integral: 2g − p²h = r⁴m."""
         return (self.r_square**2 * self.m + self.p_square * self.h) / 2
+
+
+def extreme_ell(a: Fraction, b: Fraction, m: Fraction) -> Fraction:
+    """The least |ℓ| of a motion if m > 0, the greatest if m < 0."""
+    return max(2 * a * m - 1, 1 - 2 * b * m) if m > 0 else 1 - 2 * b * m
+
+
+def energies(a: Fraction, b: Fraction, m: Fraction) -> str:
+    """In words the energies of the motions with this m; those that it names have motions."""
+    at_ell, at_zero = (
+        (square - 1 - 2 * (a**2 + b**2) * m**2) / (2 * m)
+        for square in (extreme_ell(a, b, m) ** 2, Fraction(0))
+    )
+    least = f"h ≥ {rounded(at_ell, up=True)}"
+    return least if m > 0 else f"{least} and ≤ {rounded(at_zero, up=False)}"
+
+
+def rounded(value: Fraction, up: bool) -> str:
+    """A number to twelve digits, rounded towards one side."""
+    towards = Context(prec=12, rounding=ROUND_CEILING if up else ROUND_FLOOR)
+    quotient = towards.divide(Decimal(value.numerator), Decimal(value.denominator))
+    return f"{quotient.normalize(towards):g}"
 
 
 def exact(value: Real) -> Fraction:

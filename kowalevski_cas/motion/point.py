@@ -25,6 +25,7 @@ from kowalevski_cas.motion.parameters import (
     Parameters,
     Real,
     ball,
+    extreme_ell,
     precision,
     rational_root,
     usable,
@@ -35,7 +36,6 @@ from kowalevski_cas.motion.regimes import (
     FIELD_2,
     PHI,
     coordinates,
-    extreme_ell,
     gap,
     regime_of,
 )

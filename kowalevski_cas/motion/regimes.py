@@ -26,7 +26,13 @@ from fractions import Fraction
 from functools import cache
 from itertools import pairwise
 
-from kowalevski_cas.motion.parameters import Inadmissible, Parameters
+from kowalevski_cas.motion.parameters import (
+    Inadmissible,
+    Parameters,
+    energies,
+    extreme_ell,
+    rounded,
+)
 
 FIELD_1, FIELD_2, PHI = ("-a", "a"), ("-b", "b"), ("C", "A")
 """The roots of the radicands S1², S2² and f²."""
@@ -121,11 +127,6 @@ def tori(parameters: Parameters) -> int:
     return regime.tori // 2 if meeting else regime.tori
 
 
-def extreme_ell(a: Fraction, b: Fraction, m: Fraction) -> Fraction:
-    """The least |ℓ| of a motion if m > 0, the greatest if m < 0."""
-    return max(2 * a * m - 1, 1 - 2 * b * m) if m > 0 else 1 - 2 * b * m
-
-
 def coincidences(parameters: Parameters) -> list[str]:
     """Which roots coincide: the separating curves on which the constants lie."""
     found = [
@@ -191,8 +192,7 @@ def _why_not(parameters: Parameters) -> str:
     else:
         words = "f2² = φ(s2) is negative for all |s2| ≤ b"
     sign = "≥" if m > 0 else "≤"
-    energy = (bound**2 - 1 - 2 * parameters.p_square * m**2) / (2 * m)
     return (
         f"{ell} with m = {float(m):.6g}: {words}; "
-        f"|ℓ| {sign} {float(bound):.6g}, that is h ≥ {float(energy):.6g}, would do"
+        f"|ℓ| {sign} {rounded(bound, up=m > 0)}, that is {energies(a, b, m)}, would do"
     )

@@ -140,7 +140,10 @@ def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
             "f2² = φ(s2) is negative for all |s2| ≤ b; |ℓ| ≥ 0.84",
         ),
         ([*FIELDS, "--m", "-1", "--l", "3"], "φ(s2) is negative for all |s2| ≤ b; |ℓ| ≤ 1.8"),
-        ([*FIELDS, "--m", "-1", "--h", "99"], "ℓ² = 2p²m²+2hm+1 = -194.68 is negative; h ≤"),
+        (
+            [*FIELDS, "--m", "-1", "--h", "99"],
+            "ℓ² = 2p²m²+2hm+1 = -194.68 is negative; h ≥ 0.04 and ≤ 1.66",
+        ),
         ([*FIELDS, "--m", "0", "--l", "1"], "m = 0"),
         (["--a", "1", "--b", "2", "--m", "1", "--l", "1"], "a > b ≥ 0 is needed"),
         ([*FIELDS, "--m", "x", "--l", "1"], "“x” is no finite number"),

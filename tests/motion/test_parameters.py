@@ -61,7 +61,7 @@ def test_constants_that_do_not_separate_are_refused(values, words):
         Parameters.of(*values)
 
 
-@pytest.mark.parametrize("m, h, bound", [(1, -10, "h ≥ -1.75"), (-1, 10, "h ≤ 1.75")])
+@pytest.mark.parametrize("m, h, bound", [(1, -10, "h ≥ -1.25"), (-1, 10, "h ≥ -0.25 and ≤ 1.75")])
 def test_an_energy_without_ell_is_refused_with_its_bound(m, h, bound):
     with pytest.raises(Inadmissible, match=f"is negative; {bound} would do"):
         Parameters.at_energy(1, "0.5", m, h)

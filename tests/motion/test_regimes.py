@@ -1,6 +1,7 @@
 """The regimes: which there are, where the radicands are non-negative, and how many tori."""
 
 import itertools
+import re
 from fractions import Fraction
 from itertools import pairwise
 
@@ -20,8 +21,8 @@ from kowalevski_cas.motion import (
     through,
 )
 from kowalevski_cas.motion.formulas import constants, integrals
-from kowalevski_cas.motion.parameters import ball, precision
-from kowalevski_cas.motion.regimes import coordinates, extreme_ell, tori
+from kowalevski_cas.motion.parameters import ball, extreme_ell, precision
+from kowalevski_cas.motion.regimes import coordinates, tori
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
 
 A, B = Fraction(1), Fraction(2, 5)
@@ -220,9 +221,22 @@ def test_the_least_and_the_greatest_ell(m, ell):
         Motion(Parameters.of(A, B, m, ell))
     except Inadmissible as error:
         assert not allowed
-        assert f"{float(bound):.6g}" in str(error)
+        said = re.search(r"\|ℓ\| [≥≤] (\S+),", str(error))
+        assert Motion(Parameters.of(A, B, m, said[1]))
+        assert abs(Fraction(said[1]) - bound) < Fraction(1, 10**9) * (1 + abs(bound))
     else:
         assert allowed
+
+
+@given(signed.filter(bool), st.fractions(-50, 50, max_denominator=40), st.sampled_from([B, 0]))
+def test_the_energies_that_are_proposed_have_motions(m, h, b):
+    try:
+        Motion(Parameters.at_energy(A, b, m, h))
+    except Inadmissible as error:
+        bounds = re.findall(r"(?:h ≥|and ≤) ([-+.e\d]*\d)", str(error))
+        assert len(bounds) == (1 if m > 0 else 2)
+        for bound in bounds:
+            assert Motion(Parameters.at_energy(A, b, m, bound))
 
 
 def test_the_modulus_is_between_zero_and_one_and_its_complement_is_exact():
