@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from dataclasses import field as default
 
 from kowalevski_cas.notation import Vocabulary
-from kowalevski_cas.paper.texts import Display, Printed, statements
+from kowalevski_cas.paper.texts import Display, Printed, check_attributes, statements
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,6 +29,10 @@ class Change:
     formulas: tuple[Printed, ...]
     time: Printed
 
+    def __post_init__(self) -> None:
+        """Refuse displays where statements are expected."""
+        check_attributes(self, "a change of variables")
+
 
 @dataclass(frozen=True, eq=False)
 class Locus:
@@ -38,6 +42,10 @@ class Locus:
     equations: tuple[str, ...]
     condition: str
     """The expression that is non-zero away from the locus."""
+
+    def __post_init__(self) -> None:
+        """Refuse an equation where a tuple of them is expected."""
+        check_attributes(self, f"the locus “{self.words}”")
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,6 +103,34 @@ class Scene:
     conjugates: tuple[tuple[str, str], ...] = ()
     nonzero: tuple[str, ...] = ()
     loci: tuple[Locus, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Refuse names that are given twice; raises ``ValueError`` or ``TypeError``."""
+        owner = f"the scene “{self.name}”"
+        check_attributes(self, owner)
+        known: dict[str, str] = {}
+        for kind, name in self._given():
+            if name in known and {kind, known[name]} not in FREE:
+                raise ValueError(
+                    f"{owner}: {name} has a meaning already, {known[name]}: "
+                    f"it cannot be {kind} as well; choose another name, or leave one out"
+                )
+            known[name] = kind
+
+    def _given(self) -> Iterator[tuple[str, str]]:
+        """Every name with what the scene says that it is."""
+        yield from (("a variable", name) for name in self.variables)
+        yield from (("a constant", name) for name in (*self.constants, *self.undefined))
+        if self.unit is not None:
+            yield "the imaginary unit", "i"
+        yield from (("a root", name) for name in self.roots)
+        yield from (("a power", f"{base}^{exponent}") for base, exponent in self.powers)
+        for name in self.definitions:
+            function, arguments = head(name)
+            if function != BRACKET and not is_bold(name):
+                yield "a function" if arguments else "defined", function
+        for components in self.vectors.values():
+            yield from (("a component", name) for name in components)
 
     # -- verbs -------------------------------------------------------------------
 
@@ -260,6 +296,17 @@ class Scene:
             if vector in self.definitions and name in components:
                 return vector, components.index(name)
         return None
+
+
+FREE = (
+    {"a variable", "a root"},  # a coordinate, by an equation for its square
+    {"a constant", "a root"},
+    {"a variable", "a component"},
+    {"a constant", "a component"},
+    {"a root", "a component"},
+    {"defined", "a component"},
+)
+"""What a name may be at the same time."""
 
 
 def is_bold(name: str) -> bool:

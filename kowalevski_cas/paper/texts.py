@@ -9,8 +9,9 @@ with other texts.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache
+from typing import Any
 
 from kowalevski_cas.notation import (
     Edit,
@@ -96,6 +97,30 @@ def statements(*printed: Display | Printed) -> Iterator[Printed]:
             yield from one
         else:
             yield one
+
+
+def check_attributes(one: Any, owner: str) -> None:
+    """Refuse a display or a single value where an attribute is declared as a tuple, and the like.
+
+    Raises ``TypeError``, which says what to write.
+    """
+    for field in fields(one):
+        value, kind = getattr(one, field.name), str(field.type)
+        if isinstance(value, Display):
+            write = f"(*{value.id},)" if kind.startswith("tuple") else f"{value.id}[1]"
+            raise TypeError(
+                f"{owner}: {field.name} is to hold statements, not the display {value.id}: "
+                f"write its variable as in {write}"
+            )
+        if not kind.startswith("tuple"):
+            continue
+        if not isinstance(value, tuple) and "|" not in kind:
+            raise TypeError(f"{owner}: {field.name} is to be a tuple, not {value!r}: add a comma")
+        entries = value if isinstance(value, tuple) else ()
+        if kind.startswith("tuple[Printed") and not all(isinstance(e, Printed) for e in entries):
+            raise TypeError(
+                f"{owner}: {field.name} is to hold statements: write (*display,), or display[1]"
+            )
 
 
 class Texts:

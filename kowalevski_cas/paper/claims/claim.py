@@ -10,7 +10,7 @@ from typing import Any
 from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Printed, Texts, check_attributes
 from kowalevski_cas.problem.evidence import Evidence
 from kowalevski_cas.problem.goals import Goal
 from kowalevski_cas.problem.space import Meaningless, Setting
@@ -53,6 +53,10 @@ class Claim(ABC):
     scene: Scene
     printed: Printed | None
     words: str
+
+    def __post_init__(self) -> None:
+        """Refuse displays and single values where tuples are expected."""
+        check_attributes(self, f"the claim {self.id}")
 
     @property
     def own(self) -> Printed:
