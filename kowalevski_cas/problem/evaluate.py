@@ -203,6 +203,8 @@ class Evaluation:
     def polynomial(self, formula: Sum) -> Element | None:
         """The value of a sum of monomials in generators, which is what searches find."""
         places = self._places
+        if not places:
+            return None
         terms: Terms = {}
         for term in formula.terms:
             monomial = _monomial(term, places)
@@ -229,6 +231,10 @@ class Evaluation:
             self._moving = True
             try:
                 self._rates = self._found_rates()
+                _ = self.time_sign
+            except Meaningless:
+                self._rates = None  # whoever asks again is refused again
+                raise
             finally:
                 self._moving = False
         return self._rates
@@ -256,6 +262,21 @@ class Evaluation:
             found[name] = rate * self.scalar(Name(step.exponent)) * self.ring.generator(name)
         return found
 
+    @cached_property
+    def time_sign(self) -> int:
+        """1 if the time is real, −1 if it is imaginary, by what the motion makes of conjugates.
+
+        Raises :class:`Meaningless` for a motion that does not keep the conjugation.
+        """
+        if not self.setting.conjugates and "i" not in self.setting.roots:
+            return 1
+        names = [(name, self.scalar(Name(name), True)) for name in self.setting.variables]
+        for sign in (1, -1):
+            rates = {name: rate * self.ring.number(sign) for name, rate in self.rates.items()}
+            if all((conjugated(rates[n], self) - along(b, self.rates)).is_zero for n, b in names):
+                return sign
+        raise Meaningless("the equations of motion do not agree with the conjugation")
+
     def _moving_roots(self, rates: Mapping[str, Element]) -> Iterator[str]:
         return (name for name in rates if name in self.setting.roots)
 
@@ -282,19 +303,6 @@ class Evaluation:
         if self._others is None:
             return Evaluation(setting, self.polynomials).adjoin_roots()
         return self._others(setting)
-
-    @cached_property
-    def time_sign(self) -> int:
-        """1 if the time of the space is real, −1 if a change has made it imaginary."""
-        change = self.setting.change
-        if change is None:
-            return 1
-        old = self.other(change.old)
-        time, bar = old.scalar(change.time), old.scalar(change.time, True)
-        for sign in (1, -1):
-            if (bar - time * old.ring.number(sign)).is_zero:
-                return sign
-        raise Meaningless("the time of a change is neither real nor imaginary")
 
     def _rate_of_generator(self, name: str, rates: Field) -> Element:
         """The derivative of the generator that gives a moving root, perhaps over a divisor."""

@@ -83,3 +83,8 @@ class Sampled(Evaluation):
         if self._rates is None:
             self._rates = {name: self.carry(rate) for name, rate in self.exact.rates.items()}
         return self._rates
+
+    @property
+    def time_sign(self) -> int:
+        """Whether the time is real, as the exact evaluation finds it."""
+        return self.exact.time_sign
