@@ -290,6 +290,12 @@ class Scene:
         if self.unit is not None:
             yield "i"
 
+    def branches(self) -> Iterator[Printed]:
+        """The places that print a value for a root: they choose one of two values."""
+        for name, place in self.roots.items():
+            if place is not None and name.startswith(r"\sqrt"):
+                yield place
+
     def component(self, name: str) -> tuple[str, int] | None:
         """The vector with a definition of which a name is a component, and which one."""
         for vector, components in self.vectors.items():

@@ -36,6 +36,8 @@ class Section:
     total: int
     granted: tuple[Formula, ...]
     """What the scenes of the section suppose not to vanish."""
+    branches: tuple[Formula, ...]
+    """The equations by which they choose one of the two values of a root."""
 
 
 def sections(run: Run) -> tuple[Section, ...]:
@@ -52,6 +54,7 @@ def sections(run: Run) -> tuple[Section, ...]:
             count(outcomes),
             len(outcomes),
             tuple(dict.fromkeys(f for outcome in outcomes for f in outcome.granted)),
+            tuple(dict.fromkeys(f for outcome in outcomes for f in outcome.branches)),
         )
         for number, outcomes in by_number.items()
         if outcomes

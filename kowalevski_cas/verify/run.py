@@ -240,10 +240,13 @@ class Session(Bench):
         """An outcome that says what the claim is, and no more than the verdict."""
         places = [claim.printed] if claim.printed else list(claim.establishes())
         formulas: tuple[Formula, ...] = ()
+        branches: tuple[Formula, ...] = ()
         sources = []
         try:
             sources = [on.texts.statement(place).source for place in places]
             formulas = claim.formulas(on.texts)
+            chosen = dict.fromkeys(place for s in claim.scenes() for place in s.branches())
+            branches = tuple(map(on.texts.formula, chosen))
         except NotationError:
             pass
         granted = dict.fromkeys(tex for scene in claim.scenes() for tex in scene.nonzero)
@@ -258,6 +261,7 @@ class Session(Bench):
             message=message,
             digest="" if statement is None else statement.digest,
             granted=tuple(map(on.texts.expression, granted)),
+            branches=branches,
             verdicts={name: verdict for name in self.arithmetics},
         )
 
