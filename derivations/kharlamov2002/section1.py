@@ -196,7 +196,6 @@ section.claim(
         None,
         "the zero level of $K$ is invariant",
         relations=(*eq7,),
-        names=("J_1", "J_2"),
     )
 )
 section.states(

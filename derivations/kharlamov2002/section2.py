@@ -312,7 +312,6 @@ N4 = InvariantRelations(
     None,
     "$F_1=0$, $F_2=0$ defines an invariant manifold",
     relations=(*eq15,),
-    names=("F_1", "F_2"),
 )
 section.claim(
     N4,
@@ -425,7 +424,6 @@ section.claim(
         None,
         "the system (16), read literally with (4), is an invariant set",
         relations=(*eq16,),
-        names=("E_1", "E_2"),
         main=((r"\omega_3",),),
     )
 )

@@ -13,7 +13,7 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.paper.derivation import Locus, Scene, Section
 
 from .section1 import eq4, kowalevski
-from .section2 import F1, F2, N4, c, eq9, eq11, eq13, eq16, eq17, tau, unit, xi
+from .section2 import F1, F2, N4, c, eq9, eq10, eq11, eq13, eq16, eq17, tau, unit, xi
 
 section = Section("3", "The classical analogue")
 
@@ -265,17 +265,27 @@ separation_variables = section.lemma(
     "S. Kowalevski, Acta Math. 12 (1889): $s_1$, $s_2$ less a constant are the roots",
 )
 
+third_component = section.lemma(
+    "appelrot-field",
+    r"""
+\alpha_3^2=1-x_1x_2, \quad z_1=\alpha_3, \quad z_2=\alpha_3, \quad
+\omega_3=\frac{(x_1w_2+x_2w_1)\alpha_3}{x_1x_2}""",
+    r"the norm, $\beta=0$ and (18) in the variables (9)",
+)
+
 appelrot = (
     Scene(
         "Appelrot's motions",
         "the set (18), (20) by $x_1$, $x_2$ and $\\sqrt{k}$: $w_1$, $w_2$ are square roots on it",
         variables=("x_1", "x_2", "w_1", "w_2"),
         constants=("k", "s"),
+        time=r"\tau",
     )
-    .adjoining(r"\sqrt{k}")
+    .moving(*(eq10[k] for k in (1, 2, 7, 8)))
+    .adjoining(r"\sqrt{k}", third_component[1])
     .solving("w_1", squares[1])
     .solving("w_2", squares[2])
-    .defining(area_on_set, h_on_set, separation)
+    .defining(*(third_component[k] for k in (2, 3, 4)), area_on_set, h_on_set, separation)
 )
 
 section.states(
@@ -311,7 +321,6 @@ section.claim(
             None,
             "the relations (18), (19) by themselves",
             relations=(*eq18, *eq19),
-            names=("E_1", "E_2"),
             main=((r"\omega_3",),),
         ),
     )

@@ -177,8 +177,8 @@ class Scene:
         """The scene where printed statements define all names that are new in them.
 
         These are the bare names, heads of functions and brackets among their members that are
-        no variables or constants. Raises ``ValueError`` if a name is defined already, or if a
-        statement defines none.
+        no variables, constants or roots. Raises ``ValueError`` if a name is defined already, or if
+        a statement defines none.
         """
         return self._defining(by, again=False)
 
@@ -237,7 +237,7 @@ class Scene:
         )
 
     def _defining(self, by: tuple[Display | Printed, ...], again: bool) -> Scene:
-        known = {*self.variables, *self.constants}
+        known = {*self.variables, *self.constants, *self.roots}
         definitions = dict(self.definitions)
         for place in statements(*by):
             names = [name for name in place.heads.names if name not in known]

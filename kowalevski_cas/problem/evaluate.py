@@ -252,8 +252,11 @@ class Evaluation:
             if not (along(self.scalar(Name(name)), found) - found[name]).is_zero:
                 raise Meaningless(f"{name} does not move as its equation of motion says", name)
             del found[name]
-        for name in [name for name in found if name in setting.roots]:
+        moving = [name for name in found if name in setting.roots]
+        for name in moving:
             found[name] = self._rate_of_generator(name, found)
+        for name in moving:
+            self._check_root(name, found)
         for name in setting.powers:
             step = setting.step(name)
             assert isinstance(step, Raised)
@@ -276,6 +279,14 @@ class Evaluation:
             if all((conjugated(rates[n], self) - along(b, self.rates)).is_zero for n, b in names):
                 return sign
         raise Meaningless("the equations of motion do not agree with the conjugation")
+
+    def _check_root(self, name: str, rates: Field) -> None:
+        """Refuse an equation of motion of a root that is not that of its square."""
+        step, root = self.setting.step(name), self.scalar(Name(name))
+        assert isinstance(step, Adjoined)
+        twice = root * self.ring.number(2)
+        if not (along(self.scalar(step.square), rates) - twice * along(root, rates)).is_zero:
+            raise Meaningless(f"{name} does not move as its square does", name)
 
     def _moving_roots(self, rates: Mapping[str, Element]) -> Iterator[str]:
         return (name for name in rates if name in self.setting.roots)
