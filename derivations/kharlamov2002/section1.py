@@ -7,7 +7,7 @@ from kowalevski_cas.paper.claims import (
     InvariantRelations,
     Scaling,
 )
-from kowalevski_cas.paper.derivation import Scene, Section
+from kowalevski_cas.paper.derivation import Locus, Scene, Section
 
 section = Section("1", "Main equations")
 
@@ -206,10 +206,23 @@ section.states(
     given=(*eq7,),
     main=((r"\alpha_1", r"\alpha_2"),),
 )
+PARALLEL = Locus("parallel fields", ("a^2b^2-c^2=0",), "a^2b^2-c^2")
+AS_LARGE = Locus("$a=b$, $c=0$", ("a^2-b^2=0", "c=0"), "(a^2-b^2)^2+4c^2")
+
+real_variables = (
+    kowalevski.described(
+        "initial variables, real",
+        "the Kowalevski case, where $a$, $b$, $c$ abbreviate the integrals (4)",
+    )
+    .having(loci=(AS_LARGE, PARALLEL))
+    .adjoining(eq4[1], eq4[2])
+    .defining(eq4[3])
+)
+
 section.claim(
     Dimension(
         "M4-dimension",
-        kowalevski,
+        real_variables,
         None,
         "with (4), the relations (7) define a four-dimensional manifold",
         levels=(*eq4,),

@@ -19,7 +19,7 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.derivation import Locus, Section
 
-from .section1 import FRAME, OMEGA, eq4, kowalevski
+from .section1 import AS_LARGE, FRAME, OMEGA, PARALLEL, eq4, kowalevski, real_variables
 
 section = Section("2", "New solution with two invariant relations")
 
@@ -299,11 +299,14 @@ all_constants = (
     )
     .having(
         vectors=FRAME,
-        loci=(Locus("$c_1=c_2=0$, that is $a=b$, $c=0$", ("c_1=0", "c_2=0"), "c_1 c_2"),),
+        loci=(
+            Locus("$c_1=c_2=0$, that is $a=b$, $c=0$", ("c_1=0", "c_2=0"), "c_1 c_2"),
+            PARALLEL,
+        ),
     )
     .with_unit(unit[1])
-    .adjoining(r"\sqrt{x_1x_2}")
-    .defining(c, F1, eq13[1], eq13[2], F2)
+    .adjoining(r"\sqrt{x_1x_2}", eq4[1], eq4[2])
+    .defining(eq4[3], c, F1, eq13[1], eq13[2], F2)
 )
 
 N4 = InvariantRelations(
@@ -403,24 +406,19 @@ section.states(
     to=real_form[2],
 )
 
-AS_LARGE = Locus("$a=b$, $c=0$", ("a^2-b^2=0", "c=0"), "(a^2-b^2)^2+4c^2")
-
-real_variables = (
-    kowalevski.described(
-        "initial variables, real",
+xi_variables = (
+    real_variables.described(
+        "initial variables, real, with $\\xi_1$ and $\\xi_2$",
         "the Kowalevski case with $a$, $b$, $c$ and the abbreviations $\\xi_1$, $\\xi_2$",
     )
-    .having(
-        loci=(Locus(r"$\xi_1=\xi_2=0$", (r"\xi_1=0", r"\xi_2=0"), r"\xi_1^2+\xi_2^2"), AS_LARGE)
-    )
-    .adjoining(eq4[1], eq4[2])
-    .defining(eq4[3], xi)
+    .having(loci=(Locus(r"$\xi_1=\xi_2=0$", (r"\xi_1=0", r"\xi_2=0"), r"\xi_1^2+\xi_2^2"),))
+    .defining(xi)
 )
 
 section.claim(
     InvariantRelations(
         "eq16.invariance",
-        real_variables,
+        xi_variables,
         None,
         "the system (16), read literally with (4), is an invariant set",
         relations=(*eq16,),

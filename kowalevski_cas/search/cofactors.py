@@ -26,7 +26,7 @@ def cofactors(
     first; then come all variables together (this division needs no condition),
     and each of the sets in ``main``.
     """
-    flat = _Flat(target.ring)
+    flat = Flat(target.ring)
     contents, numerators = zip(*(flat.without_roots(g) for g in generators), strict=True)
     dividend = flat.polynomial(target)
     sets = [tuple(range(flat.size)), *(flat.indices(names) for names in main)]
@@ -50,7 +50,7 @@ def cofactors(
     ]
 
 
-class _Flat:
+class Flat:
     """The ring of a tower with its roots as ordinary variables.
 
     The roots come first, the last one foremost, so that in lexicographic order

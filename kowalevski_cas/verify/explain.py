@@ -55,9 +55,8 @@ def conditions(statement: Statement, accepted: Accepted, explain: bool) -> tuple
         if locus is not None and explain:
             condition = _where_it_fails(statement, setting, locus, condition)
         found.append(condition)
-    known = {condition.expression for condition in found}
-    found += [one for one in _larger_sets(statement) if one.expression not in known]
-    return tuple(found)
+    larger = {condition.expression: condition for condition in _larger_sets(statement)}
+    return tuple(larger.get(condition.expression, condition) for condition in found)
 
 
 def _needed(statement: Statement, conditions: list[Divided]) -> list[Divided]:

@@ -1,23 +1,39 @@
-"""Dimension and independence, by independent differentials at a point."""
+"""Dimension and independence: manifolds by independent differentials, at each of their points."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
-from kowalevski_cas.paper.claims.claim import Claim, Neighbour
-from kowalevski_cas.paper.claims.forms import equations, first_member
+from kowalevski_cas.notation import Conjugate, Formula, Name, Partial
+from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
+from kowalevski_cas.paper.claims.forms import (
+    equations,
+    first_member,
+    minus,
+    times,
+    total,
+    vanishes,
+)
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.goals import Goal, Rank
+from kowalevski_cas.problem.evidence import Evidence
+from kowalevski_cas.problem.goals import Follows, Goal, Rank
+from kowalevski_cas.problem.space import Meaningless
 
 
 @dataclass(frozen=True, eq=False)
 class Dimension(Claim):
-    """Near a point of it, the set has this dimension: its equations are independent there.
+    r"""The set is a manifold of this dimension, on each level of some integrals.
 
     ``levels`` are printed integrals whose values are fixed, ``equations`` the printed
-    equations of the set.
+    equations of the set. At a real point of it the differentials of all these are independent,
+    and so many that the dimension is left; and at every point they are independent: a
+    combination :math:`\sum\lambda_k\,df_k=0` has no coefficients but zero. The real dimension
+    is meant: a complex equation has to come with its conjugate.
     """
 
     levels: tuple[Printed, ...]
@@ -27,8 +43,77 @@ class Dimension(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         levels = tuple(first_member(on, space, printed) for printed in self.levels)
-        rank = len(space.variables) - self.dimension
-        yield Rank(space, levels, equations(on, space, self.equations), rank)
+        given = equations(on, space, self.equations)
+        functions = [*levels, *map(minus, given)]
+        self._check_conjugates(functions, space)
+        yield Rank(space, levels, given, len(space.variables) - self.dimension)
+        multipliers = [Name(name) for name in self._multipliers]
+        combined = (
+            vanishes(
+                total(
+                    times(m, Partial(f, name)) for m, f in zip(multipliers, functions, strict=True)
+                )
+            )
+            for name in space.variables
+        )
+        yield Follows(
+            on(self._with_multipliers),
+            (tuple(map(vanishes, multipliers)),),
+            (*given, *combined),
+        )
+
+    def search(
+        self, goals: Sequence[Goal], on: Elaborations, names: Names
+    ) -> Mapping[int, Evidence]:
+        """That no combination of the differentials vanishes, by a Gröbner basis."""
+        from kowalevski_cas.search.regular import regular
+
+        rank, everywhere = goals
+        assert isinstance(rank, Rank) and isinstance(everywhere, Follows)
+        at = on(self._with_multipliers).finder
+        found = regular(
+            everywhere,
+            at,
+            (*rank.functions, *map(minus, rank.given)),
+            self._multipliers,
+            [at.scalar(condition) for _, condition in at.setting.loci],
+            names,
+        )
+        return {} if found is None else {1: found}
+
+    def scenes(self) -> Iterator[Scene]:
+        yield from (self.scene, self._with_multipliers)
+
+    @property
+    def _multipliers(self) -> tuple[str, ...]:
+        count = len(self.levels) + len(self.equations)
+        return tuple(rf"\lambda_{k}" for k in range(1, count + 1))
+
+    @property
+    def _with_multipliers(self) -> Scene:
+        return _having(self.scene, self._multipliers)
+
+    @staticmethod
+    def _check_conjugates(functions: Sequence[Formula], space: Elaboration) -> None:
+        """Refuse a function whose conjugate is none of the others, up to the sign."""
+        values = [space.finder.scalar(function) for function in functions]
+        for function in functions:
+            bar = space.finder.scalar(Conjugate(function))
+            if not any((bar - value).is_zero or (bar + value).is_zero for value in values):
+                raise Meaningless(
+                    "a function of the set is complex, and its conjugate is not among the others: "
+                    "give the equations for both, for the real dimension counts both"
+                )
+
+
+@cache
+def _having(scene: Scene, multipliers: tuple[str, ...]) -> Scene:
+    """The scene with more constants: complex ones, if it has complex variables."""
+    if not scene.conjugates:
+        return scene.having(constants=multipliers)
+    bars = tuple(rf"\mu_{k}" for k, _ in enumerate(multipliers, 1))
+    pairs = tuple(zip(multipliers, bars, strict=True))
+    return scene.having(constants=(*multipliers, *bars), conjugates=pairs)
 
 
 @dataclass(frozen=True, eq=False)
