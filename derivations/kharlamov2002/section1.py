@@ -209,20 +209,32 @@ section.states(
 PARALLEL = Locus("parallel fields", ("a^2b^2-c^2=0",), "a^2b^2-c^2")
 AS_LARGE = Locus("$a=b$, $c=0$", ("a^2-b^2=0", "c=0"), "(a^2-b^2)^2+4c^2")
 
+# On M4 the relations (7) are singular there only at rest in the plane, and then c1 c2 vanishes.
+PLANAR = Locus(
+    "$a=b$, $c=0$",
+    (r"\omega_1=0", r"\omega_2=0", r"\alpha_3=0", r"\beta_3=0"),
+    AS_LARGE.condition,
+)
+
 real_variables = (
     kowalevski.described(
         "initial variables, real",
         "the Kowalevski case, where $a$, $b$, $c$ abbreviate the integrals (4)",
     )
-    .having(loci=(AS_LARGE, PARALLEL))
     .adjoining(eq4[1], eq4[2])
     .defining(eq4[3])
+)
+
+over_M4 = section.lemma(
+    "over-M4",
+    r"\alpha_1=\beta_2-\omega_1^2+\omega_2^2, \quad \alpha_2=-\beta_1-2\omega_1\omega_2",
+    "the relations (7) solved for two variables",
 )
 
 section.claim(
     Dimension(
         "M4-dimension",
-        real_variables,
+        real_variables.having(loci=(PLANAR, PARALLEL)),
         None,
         "with (4), the relations (7) define a four-dimensional manifold",
         levels=(*eq4,),
@@ -237,5 +249,6 @@ section.claim(
         levels=(*eq4,),
         equations=(*eq7,),
         functions=(*eq8,),
+        graph=(*over_M4,),
     ),
 )

@@ -411,7 +411,9 @@ xi_variables = (
         "initial variables, real, with $\\xi_1$ and $\\xi_2$",
         "the Kowalevski case with $a$, $b$, $c$ and the abbreviations $\\xi_1$, $\\xi_2$",
     )
-    .having(loci=(Locus(r"$\xi_1=\xi_2=0$", (r"\xi_1=0", r"\xi_2=0"), r"\xi_1^2+\xi_2^2"),))
+    .having(
+        loci=(Locus(r"$\xi_1=\xi_2=0$", (r"\xi_1=0", r"\xi_2=0"), r"\xi_1^2+\xi_2^2"), AS_LARGE)
+    )
     .defining(xi)
 )
 
@@ -448,6 +450,14 @@ with_integrals = all_constants.described(
     "the same with $H$ and $K$",
 ).defining(eq17)
 
+over_N4 = section.lemma(
+    "over-N4",
+    r"""
+\omega_3 = \frac{x_2z_1w_1+x_1z_2w_2}{x_1x_2}, \quad
+y_2 = \frac{1}{x_1}\left[\frac{x_1^2(z_2^2+x_2y_1)(w_2^2+x_2)}{x_2^2(w_1^2+x_1)}-z_1^2\right]""",
+    "the relations (15) solved for two variables",
+)
+
 at_rest = kowalevski.described(
     "constants of the fields",
     "the Kowalevski case with $a$, $b$, $c$ as numbers, for fields that are not parallel",
@@ -462,6 +472,7 @@ section.claim(
         levels=(*eq4,),
         equations=(*eq15,),
         functions=(*eq17,),
+        graph=(*over_N4,),
     ),
     Equilibria(
         "equilibria",

@@ -304,10 +304,10 @@ class Elaboration(Meaning):
             if not isinstance(left, Name):
                 raise Meaningless(f"the formula at {printed.place} gives no variable")
             new[left.name] = self.source.plain(right)
-        kept = [n for n in self.scene.variables if n in self.source.variables]
+        own = (*self.scene.variables, *self.scene.definitions)
         formulas = [
-            *((n, f) for n, f in new.items() if n in self.scene.variables),
-            *((n, Name(n)) for n in kept if n not in new),
+            *((n, f) for n, f in new.items() if n in own),
+            *((n, Name(n)) for n in own if n in self.source.variables and n not in new),
         ]
         check_time(self.source, change.time)
         time = Quotient(Number(1), self.source.plain(self.texts.time_scale(change.time)))

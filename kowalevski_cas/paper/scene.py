@@ -220,6 +220,25 @@ class Scene:
         kept = tuple(name for name in self.variables if name not in names)
         return replace(self, variables=kept, zero=(*self.zero, *zero))
 
+    def solved(self, *by: Display | Printed) -> Scene:
+        """The scene where printed statements give some of its variables by the others.
+
+        All other names may be any complex numbers there: nothing is conjugated. Raises
+        ``ValueError`` for a statement that does not give one variable.
+        """
+        definitions = dict(self.definitions)
+        for place in statements(*by):
+            found = [name for name in place.heads.names if name in self.variables]
+            if len(found) != 1 or found[0] in definitions:
+                raise ValueError(f"{place.place} does not give one variable of “{self.name}”")
+            definitions[found[0]] = place
+        return replace(
+            self,
+            variables=tuple(name for name in self.variables if name not in definitions),
+            definitions=definitions,
+            conjugates=(),
+        )
+
     def changed(self, by: Display, time: Printed, keeping: tuple[str, ...] = ()) -> Scene:
         """The scene in the variables that a display gives, with those that are kept.
 

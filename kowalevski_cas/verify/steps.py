@@ -201,8 +201,9 @@ def _rank(goal: Rank, evidence: At) -> Step:
     count, setting = len(goal.space.variables), finder_of(goal.space).setting
     words = (
         f"{goal.rank} differentials are independent in the space of dimension {count}, so that "
-        f"near this point the common level is a manifold of dimension {count - goal.rank}."
+        f"near this point the common level is a manifold of dimension {count - goal.rank}"
     )
+    words += "." if goal.given else ", and so they are on a dense part of the space."
     return Step(words, point=point(evidence.point.values, setting))
 
 

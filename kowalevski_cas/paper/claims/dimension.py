@@ -22,6 +22,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.evidence import Evidence
 from kowalevski_cas.problem.goals import Follows, Goal, Rank
+from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Meaningless
 
 
@@ -118,23 +119,47 @@ def _having(scene: Scene, multipliers: tuple[str, ...]) -> Scene:
 
 @dataclass(frozen=True, eq=False)
 class Independence(Claim):
-    """Functions are independent on the set: their differentials and those of the set are.
+    """Functions are independent on a dense part of the set, on each level of some integrals.
 
-    ``functions`` are the first members of printed equations.
+    ``functions`` are the first members of printed equations. The set has to be a graph: its
+    ``equations`` say the same as those in ``graph``, which give some variables by the others. So
+    it is irreducible, and a minor that does not vanish at one point vanishes on no open part.
     """
 
     levels: tuple[Printed, ...]
     equations: tuple[Printed, ...]
     functions: tuple[Printed, ...]
+    graph: tuple[Printed, ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        space = on(self.scene)
-        places = (*self.levels, *self.functions)
-        functions = tuple(first_member(on, space, printed) for printed in places)
-        rank = len(places) + len(self.equations)
-        yield Rank(space, functions, equations(on, space, self.equations), rank)
+        space, others = on(self.scene), on(_over(self.scene, self.graph))
+        given, graph = (equations(on, space, places) for places in (self.equations, self.graph))
+        if given or graph:
+            yield Follows(space, (graph,), given)
+            yield Follows(space, (given,), graph)
+        functions = tuple(first_member(on, others, p) for p in (*self.levels, *self.functions))
+        reach = Reach(others)
+        for function in functions:
+            reach.formula(function)
+        roots = reach.names & {*others.roots} - {"i"}
+        if roots:
+            raise Meaningless(
+                f"the set is not known to be one piece: the functions involve the root "
+                f"{min(roots)}; choose a scene on which they do not",
+                min(roots),
+            )
+        yield Rank(others, functions, (), len(functions))
+
+    def scenes(self) -> Iterator[Scene]:
+        yield from (self.scene, _over(self.scene, self.graph))
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         first, *_ = self.functions
         claim = replace(self, functions=(*self.functions, first))
         yield Neighbour("with one of the functions taken twice", claim, texts)
+
+
+@cache
+def _over(scene: Scene, graph: tuple[Printed, ...]) -> Scene:
+    """The scene over which a set is a graph."""
+    return scene.solved(*graph) if graph else scene
