@@ -136,7 +136,7 @@ def linear_cofactors(
     """
     ring = targets[0].ring
     flat = Flat(ring)
-    context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.degrevlex)
+    context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
 
     def graded(element: Element) -> fmpq_mpoly:
         return context.from_dict(flat.polynomial(element).to_dict())

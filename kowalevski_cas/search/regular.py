@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from kowalevski_cas.algebra.linear import solve
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula
-from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.notation import Formula, Quotient
+from kowalevski_cas.problem.evaluate import Evaluation, divisors_of
 from kowalevski_cas.problem.evidence import Proof, Shown
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.space import Setting
@@ -57,8 +57,22 @@ def regular(
     ]
     finder = PointFinder(lambda setting: at, names)
     point = finder.point(at, [*known, *targets], [*known, *(e for row in rows for e in row)])
-    proof = Proof(tuple(tuple(map(formula_in, row)) for row in rows))
+    proof = Proof(tuple(tuple(map(_in_turn, row)) for row in rows))
     return None if point is None else Shown(proof, point)
+
+
+def _in_turn(element: Element) -> Formula:
+    """The formula of an element that is divided by one factor after another.
+
+    Of a product of known divisors the checker knows each, but not each product of them.
+    """
+    formula = formula_in(element)
+    if isinstance(formula, Quotient):
+        divisors = [f for f, exponent in divisors_of(formula.denominator) for _ in range(exponent)]
+        formula = formula.numerator
+        for divisor in divisors:
+            formula = Quotient(formula, divisor)
+    return formula
 
 
 def _changed(

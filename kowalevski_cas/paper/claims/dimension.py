@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Conjugate, Formula, Name, Partial
 from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
 from kowalevski_cas.paper.claims.forms import (
@@ -46,7 +47,8 @@ class Dimension(Claim):
         levels = tuple(first_member(on, space, printed) for printed in self.levels)
         given = equations(on, space, self.equations)
         functions = [*levels, *map(minus, given)]
-        self._check_conjugates(functions, space)
+        values = [space.finder.scalar(function) for function in functions]
+        self._check_conjugates(functions, values, space)
         yield Rank(space, levels, given, len(space.variables) - self.dimension)
         multipliers = [Name(name) for name in self._multipliers]
         combined = (
@@ -56,6 +58,7 @@ class Dimension(Claim):
                 )
             )
             for name in space.variables
+            if any(not space.finder.partial(value, name).is_zero for value in values)
         )
         yield Follows(
             on(self._with_multipliers),
@@ -95,9 +98,10 @@ class Dimension(Claim):
         return _having(self.scene, self._multipliers)
 
     @staticmethod
-    def _check_conjugates(functions: Sequence[Formula], space: Elaboration) -> None:
+    def _check_conjugates(
+        functions: Sequence[Formula], values: Sequence[Element], space: Elaboration
+    ) -> None:
         """Refuse a function whose conjugate is none of the others, up to the sign."""
-        values = [space.finder.scalar(function) for function in functions]
         for function in functions:
             bar = space.finder.scalar(Conjugate(function))
             if not any((bar - value).is_zero or (bar + value).is_zero for value in values):
