@@ -243,6 +243,8 @@ class Judge:
         known = at.differences(goal.given)
         columns = combinations(range(len(goal.space.variables)), len(rows))
         minors = [determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
+        if len(evidence.rows) != len(minors):
+            raise Unproved("there is not a row for each minor")
         used = list(self._settle(minors, known, Proof(evidence.rows), at))
         self.accepted.uses(used)
         self._unconditional(at)

@@ -35,7 +35,7 @@ class Place:
         zero = self.numbers.ring.zero
         generators = {name: given.get(name, zero) for name in at.ring.polynomials.generators}
         self._value = Substitution(at.ring, generators, self.numbers.ring, roots={})
-        self._unknown = [name not in given for name in generators]
+        self._unknown = [k for k, name in enumerate(generators) if name not in given]
         self._unknown_roots = sum(1 << k for k, n in enumerate(at.ring.roots) if n not in given)
         for bit, name in enumerate(at.ring.roots):
             below = at.ring.below[bit]
@@ -48,9 +48,9 @@ class Place:
         ring = element.ring
         divisors = (ring.divisors[index] for index in element.denominator)
         for polynomial in (*element.parts.values(), *divisors):
-            for exponents in ring.polynomials.terms(polynomial):
-                if any(e and missing for e, missing in zip(exponents, self._unknown, strict=True)):
-                    raise Misplaced("the point leaves a value out")
+            degrees = ring.polynomials.degrees(polynomial)
+            if any(degrees[k] > 0 for k in self._unknown):
+                raise Misplaced("the point leaves a value out")
         if any(mask & self._unknown_roots for mask in element.parts):
             raise Misplaced("the point leaves the value of a root out")
         return self._value(element)

@@ -29,7 +29,7 @@ class FollowsFinder(PointFinder):
         """A proof by cofactors, and a point of the hypotheses."""
         known = at.differences(goal.given)
         goals = alternatives(goal, at)
-        found = self.rows(goals, known, goal.main)
+        found = rows_of(goals, known, goal.main)
         if found is None:
             return None
         rows, power = found
@@ -95,24 +95,11 @@ class FollowsFinder(PointFinder):
                 )
         return None
 
-    @staticmethod
-    def rows(
-        goals: Sequence[Element], known: Sequence[Element], main: Sequence[tuple[str, ...]] = ()
-    ) -> tuple[list[list[Element]], int] | None:
-        """Rows of cofactors for the goals, or for a power of them; none if they vanish."""
-        if all(goal.is_zero for goal in goals):
-            return [], 1
-        for power in range(1, LARGEST_POWER + 1 if len(known) > 1 else 2):
-            rows = [combined(goal**power, known, main) for goal in goals]
-            if None not in rows:
-                return [row for row in rows if row is not None], power
-        return None
-
     def failure(self, goal: Follows, at: Evaluation) -> At | None:
         """A point where the given equations hold and in each conclusion one fails."""
         known = at.differences(goal.given)
         failing = [[e for e in at.differences(one) if not e.is_zero] for one in goal.conclusions]
-        if not all(failing):
+        if any(all(_vanishes_on(e, known) for e in one) for one in failing):
             return None
 
         def good(candidate: Candidate) -> bool:
@@ -123,10 +110,29 @@ class FollowsFinder(PointFinder):
         return None if point is None else At(point)
 
 
+def _vanishes_on(element: Element, known: Sequence[Element]) -> bool:
+    """Whether an element is seen, without a division, to vanish wherever known ones do."""
+    row = combined(element, known, ())
+    return row is not None and not any(entry.denominator for entry in row)
+
+
 def alternatives(goal: Follows, at: Evaluation) -> list[Element]:
     """What has to vanish: the products of one difference from each conclusion."""
     conclusions = [at.differences(one) for one in goal.conclusions]
     return [reduce(mul, choice, at.ring.one) for choice in product(*conclusions)]
+
+
+def rows_of(
+    goals: Sequence[Element], known: Sequence[Element], main: Sequence[tuple[str, ...]] = ()
+) -> tuple[list[list[Element]], int] | None:
+    """Rows of cofactors for the goals, or for a power of them; none if they vanish."""
+    if all(goal.is_zero for goal in goals):
+        return [], 1
+    for power in range(1, LARGEST_POWER + 1 if len(known) > 1 else 2):
+        rows = [combined(goal**power, known, main) for goal in goals]
+        if None not in rows:
+            return [row for row in rows if row is not None], power
+    return None
 
 
 def combined(

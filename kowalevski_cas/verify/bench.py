@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.notation import Formula
@@ -14,12 +15,14 @@ from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Denial
-from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.verify.certificate import CORRECTED, Stored
 from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import Screened, Verdict
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+
+if TYPE_CHECKING:
+    from kowalevski_cas.problem.sampled import Sampled
 
 
 @dataclass

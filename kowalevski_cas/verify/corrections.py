@@ -28,7 +28,13 @@ def recorded_correction(claim: Claim, on: Elaborations, recorded: str) -> Neighb
         wanted = on.texts.expression(recorded)
     except NotationError:
         return None
-    return next((n for n in claim.neighbours(on.texts) if printed_of(n) == (wanted,)), None)
+    return next((n for n in claim.neighbours(on.texts) if _prints(n, wanted)), None)
+
+
+def _prints(neighbour: Neighbour, formula: Formula) -> bool:
+    if neighbour.edit is not None:
+        return neighbour.edit.gives(formula)
+    return printed_of(neighbour) == (formula,)
 
 
 def correction(claim: Claim, on: Elaborations) -> Neighbour | None:

@@ -32,7 +32,6 @@ from kowalevski_cas.verify.outcome import (
     Verdict,
 )
 from kowalevski_cas.verify.statement import Statement
-from kowalevski_cas.verify.steps import steps
 
 Progress = Callable[[str, int, int], None]
 
@@ -221,6 +220,8 @@ class Session(Bench):
                 outcome = replace(outcome, message=why(denied, decided.verdicts.evidence))
         told: tuple[Step, ...] = ()
         if self.explain and decided.verdicts is not None:
+            from kowalevski_cas.verify.steps import steps  # a verdict needs none
+
             told = steps(statement, decided.verdicts)
         return replace(
             outcome,
@@ -306,15 +307,14 @@ class Session(Bench):
             verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
         except TimeoutError:
             return None
-        exact = [a for a in self.arithmetics if a not in POINTS] or ["flint"]
+        exact = dict.fromkeys(("flint", *(a for a in self.arithmetics if a not in POINTS)))
         decided = [self._judged(statement, verdicts, arithmetic) for arithmetic in exact]
         for one in decided:
             if one.verdict is Verdict.ERROR:
                 raise Unproved(one.message)
         if any(one.verdict is not Verdict.PROVED for one in decided):
             return None
-        accepted = self._judged(statement, verdicts, "flint").accepted
-        needed = conditions(statement, accepted, self.explain)
+        needed = conditions(statement, decided[0].accepted, self.explain)
         return (Verdict.CONDITIONAL if needed else Verdict.PROVED), needed
 
     def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:

@@ -320,8 +320,9 @@ class TestRank:
 
     def test_dependence_everywhere(self):
         goal = Rank(XY, row(SQUARE, "x"), (), 2)
-        accepted(goal, Minors(()), sign=False)
-        denial_rejected(replace(goal, functions=row(SUM, "x")), Minors(()), "not equal")
+        accepted(goal, Minors(((),)), sign=False)
+        denial_rejected(goal, Minors(()), "a row for each minor")
+        denial_rejected(replace(goal, functions=row(SUM, "x")), Minors(((),)), "not equal")
 
     def test_dependence_but_where_something_vanishes(self):
         """On x y = 0 the minor is x: it vanishes where y does not."""
