@@ -1,6 +1,7 @@
 """Write the record of verdicts, and the certificates behind them, anew.
 
-Every search is made again. What changed against the old record is shown.
+Every search is made again. What changed against the old record is shown. A claim that is undecided
+is recorded as such, and named at the end.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
+    code = AS_RECORDED
     for folder, derivation in session.derivations(arguments.derivations):
         texts, _ = session.certificates(folder, derivation, anew=True)
         stored = {
@@ -37,8 +39,6 @@ def run(arguments: argparse.Namespace) -> int:
                 raise CommandError(f"{outcome.claim}: {outcome.message}", DISAGREEMENT)
             if outcome.verdict is Verdict.ERROR:
                 raise CommandError(f"{outcome.claim}: {outcome.message}", USAGE)
-            if outcome.verdict in (Verdict.UNDECIDED, Verdict.TIMEOUT):
-                raise CommandError(f"{outcome.claim} is {outcome.verdict}", UNDECIDED)
         for change in record.differences(found, session.recorded(folder)):
             print(f"{change.claim}: {change.recorded} -> {change.found}")
         write_all(
@@ -47,4 +47,8 @@ def run(arguments: argparse.Namespace) -> int:
         )
         session.remove_others(folder, texts)
         print(f"{folder / record.FILE}: {len(found.outcomes)} claims recorded")
-    return AS_RECORDED
+        for outcome in found.outcomes:
+            if outcome.verdict is Verdict.UNDECIDED:
+                print(f"{outcome.claim}: recorded as undecided; {outcome.message}")
+                code = UNDECIDED
+    return code

@@ -105,6 +105,8 @@ def drop_on(
     statement: Statement, goal: Rank, setting: Elaboration, locus: Locus
 ) -> tuple[int, Point] | None:
     """A point of a set on a locus where fewer differentials are independent, and how many."""
+    from kowalevski_cas.search.find import Finder
+
     at = setting.finder
     finder = Finder(finder_of, statement.names)
     known = [*at.differences(goal.given), *at.differences(setting.equations(locus.equations))]

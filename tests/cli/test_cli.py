@@ -150,7 +150,20 @@ def test_3_undecided(cli, write):
     )
     code, out, _ = cli("verify", write(f's_ = None\ne = s.display("e", "x=v, 2x=2v")\n{relations}'))
     assert code == 3
-    assert "undecided" in out and "neither a proof nor a point where it fails was found" in out
+    assert "what would prove it is false, which does not refute it" in out
+
+
+def test_3_an_undecided_claim_does_not_keep_the_others_from_the_record(cli, write):
+    claims = (
+        'e = s.display("e", "x=v, 2x=2v")\n'
+        's.claim(Dimension("d", osc, None, "", levels=(), equations=(*e,), dimension=1))\n'
+    )
+    folder = write(TRUE + claims)
+    code, out, _ = cli("record", folder)
+    assert code == 3 and "d: recorded as undecided" in out
+    recorded = json.loads(Path(folder, "record.json").read_text(encoding="utf-8"))["claims"]
+    assert recorded["d"]["verdict"] == "undecided"
+    assert "proved" in {claim["verdict"] for claim in recorded.values()}
 
 
 def test_3_timed_out(cli, write):

@@ -173,10 +173,6 @@ def test_dimension_and_independence(top):
         "refuted",
     ]
     top = Top()
-    assert verdicts(top.section, dimension(2, r"\omega_1=\omega_2", r"2\omega_1=2\omega_2")) == [
-        "undecided"
-    ]
-    top = Top()
     assert verdicts(
         top.section, independence(TWICE_ENERGY, MOMENTUM), independence(TWICE_ENERGY, rf"({TWICE_ENERGY})^2")
     ) == ["proved", "refuted"]  # fmt: skip

@@ -11,7 +11,7 @@ from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts, check_attributes
-from kowalevski_cas.problem.evidence import Evidence
+from kowalevski_cas.problem.evidence import Denial, Evidence
 from kowalevski_cas.problem.goals import Goal
 from kowalevski_cas.problem.space import Meaningless, Setting
 
@@ -77,6 +77,10 @@ class Claim(ABC):
         It is made with FLINT; ``names`` are those to which a point of a space gives values.
         """
         return {}
+
+    def refuted_by(self, denial: Denial) -> bool:
+        """Whether what denies a goal denies the claim; a goal may be more than what is claimed."""
+        return True
 
     def places(self) -> Iterator[Printed]:
         """The places of the paper that the claim names, its own first; not those of its scenes."""

@@ -21,7 +21,7 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.evidence import Evidence
+from kowalevski_cas.problem.evidence import At, Denial, Evidence, Minors
 from kowalevski_cas.problem.goals import Follows, Goal, Rank
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Meaningless
@@ -84,6 +84,13 @@ class Dimension(Claim):
             names,
         )
         return {} if found is None else {1: found}
+
+    def refuted_by(self, denial: Denial) -> bool:
+        """Only by a point near which the dimension is another one.
+
+        A set may be a manifold where the differentials of its equations are dependent.
+        """
+        return denial.goal == 0 and isinstance(denial.evidence, At)
 
     def scenes(self) -> Iterator[Scene]:
         yield from (self.scene, self._with_multipliers)
@@ -153,6 +160,10 @@ class Independence(Claim):
                 min(roots),
             )
         yield Rank(others, functions, (), len(functions))
+
+    def refuted_by(self, denial: Denial) -> bool:
+        """Only if the functions are dependent; the set need not be this graph."""
+        return isinstance(denial.evidence, Minors)
 
     def scenes(self) -> Iterator[Scene]:
         yield from (self.scene, _over(self.scene, self.graph))
