@@ -278,7 +278,9 @@ class Evaluation:
             rates = {name: rate * self.ring.number(sign) for name, rate in self.rates.items()}
             if all((conjugated(rates[n], self) - along(b, self.rates)).is_zero for n, b in names):
                 return sign
-        raise Meaningless("the equations of motion do not agree with the conjugation")
+        raise Meaningless(
+            "the equations of motion do not agree with the conjugation: mend the pairs, or the time"
+        )
 
     def _check_root(self, name: str, rates: Field) -> None:
         """Refuse an equation of motion of a root that is not that of its square."""

@@ -147,6 +147,8 @@ def linear_cofactors(
             units_at.add(place)
     known = [*map(graded, generators)]
     kept = [k for k, polynomial in enumerate(known) if not polynomial.is_zero()]
+    if not kept:
+        return None
     contents = [_content(known[k], units_at) for k in kept]
     used = {k for p in (*known, *map(graded, (*units, *conditions))) for k in _variables(p)}
     relations = [

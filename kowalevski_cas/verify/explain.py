@@ -107,7 +107,7 @@ def _singular(statement: Statement) -> Iterator[Condition]:
     for locus in goal.space.scene.loci:
         expression = goal.space.texts.expression(locus.condition)
         found = rank_on(statement, goal, goal.space, locus)
-        if found is not None and found[0] != goal.rank:
+        if found is not None and found[0] < goal.rank:
             count = len(goal.space.variables)
             own, claimed = count - found[0], count - goal.rank
             words = "the dimension of the set near this point, and the one claimed"
