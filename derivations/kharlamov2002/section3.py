@@ -282,6 +282,7 @@ appelrot = (
         time=r"\tau",
     )
     .moving(*(eq10[k] for k in (1, 2, 7, 8)))
+    .having(conjugates=(("x_1", "x_2"), ("w_1", "w_2")))
     .adjoining(r"\sqrt{k}", third_component[1])
     .solving("w_1", squares[1])
     .solving("w_2", squares[2])

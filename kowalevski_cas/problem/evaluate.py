@@ -276,7 +276,13 @@ class Evaluation:
         names = [(name, self.scalar(Name(name), True)) for name in self.setting.variables]
         for sign in (1, -1):
             rates = {name: rate * self.ring.number(sign) for name, rate in self.rates.items()}
-            if all((conjugated(rates[n], self) - along(b, self.rates)).is_zero for n, b in names):
+            if all(
+                (
+                    self.image(rates[n], lambda name: self.scalar(Name(name), True))
+                    - along(b, self.rates)
+                ).is_zero
+                for n, b in names
+            ):
                 return sign
         raise Meaningless(
             "the equations of motion do not agree with the conjugation: mend the pairs, or the time"
@@ -372,11 +378,6 @@ class Evaluation:
                     product = product * value_of(name) ** exponent
             total = total + product
         return total
-
-
-def conjugated(element: Element, at: Evaluation) -> Element:
-    """The conjugate of an element, by those of the generators."""
-    return at.image(element, lambda name: at.scalar(Name(name), True))
 
 
 def _monomial(

@@ -88,7 +88,9 @@ def rank_on(
     names = statement.names(setting)
     avoid = [at.scalar(formula) for formula in setting.nonzero]
     best: tuple[int, Point] | None = None
-    for point in islice(real_points(at, zero, [*avoid, *at.ring.divided_by(functions)]), TRIES):
+    for point in islice(
+        real_points(at, names, zero, [*avoid, *at.ring.divided_by(functions)]), TRIES
+    ):
         try:
             candidate = Candidate(at, point)
             if not candidate.vanish(zero):

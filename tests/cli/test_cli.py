@@ -153,24 +153,11 @@ def test_3_undecided(cli, write):
     assert "what would prove it is false, which does not refute it" in out
 
 
-def test_3_an_undecided_claim_does_not_keep_the_others_from_the_record(cli, write):
-    claims = (
-        'e = s.display("e", "x=v, 2x=2v")\n'
-        's.claim(Dimension("d", osc, None, "", levels=(), equations=(*e,), dimension=1))\n'
-    )
-    folder = write(TRUE + claims)
-    code, out, _ = cli("record", folder)
-    assert code == 3 and "d: recorded as undecided" in out
-    recorded = json.loads(Path(folder, "record.json").read_text(encoding="utf-8"))["claims"]
-    assert recorded["d"]["verdict"] == "undecided"
-    assert "proved" in {claim["verdict"] for claim in recorded.values()}
-
-
 def test_3_timed_out(cli, write):
     slow = "class Slow(Identity):\n    def search(self, *_):\n        import time\n        time.sleep(3)\n"
     code, out, _ = cli("verify", write(f'{slow}t = s.display("t", "x=x")\ns.claim(Slow("slow", osc, t[1], ""))'), "--timeout", "0.05")  # fmt: skip
     assert code == 3
-    assert "not decided within 0.05 s by the search" in out
+    assert "not decided within 0.05 s" in out
 
 
 def test_4_the_arithmetics_disagree(cli, write, monkeypatch):
