@@ -10,7 +10,7 @@ from kowalevski_cas.verify.record import RecordError, differences, dump_record, 
 
 @pytest.fixture
 def recorded(run, tmp_path):
-    (tmp_path / "record.json").write_text(dump_record(run), encoding="utf-8")
+    (tmp_path / "record.json").write_text(dump_record(run, {}), encoding="utf-8")
     return load_record(tmp_path)
 
 
