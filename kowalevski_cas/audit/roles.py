@@ -58,25 +58,27 @@ class Roles:
 
 def undefined(role: Role, formula: Formula) -> list[str]:
     """The names that a place should define, and does not print as a member of its equation."""
-    members = formula.members if isinstance(formula, Relation) else ()
+    is_equality = isinstance(formula, Relation) and formula.is_equality
+    members = tuple(formula.children()) if is_equality else ()
     printed = {member.name for member in members if isinstance(member, Name)}
     return sorted(role.defines - printed)
 
 
 def unused(derivation: Derivation, before: Texts, after: Texts, printed: Printed) -> list[str]:
     """The constants of scenes that nothing depends on, now that a place has lost them."""
-    gone = _names(before.formula(printed)) - _names(after.formula(printed))
+    gone = _names(before, printed) - _names(after, printed)
     found: dict[str, None] = {}
     for scene in derivation.scenes():
         places = set(scene.places())
         if printed in places:
             places.update(*(c.places() for c in derivation.claims if scene in c.scenes()))
-            left = {name for place in places for name in _names(after.formula(place))}
+            left = {name for place in places for name in _names(after, place)}
             found.update(dict.fromkeys(sorted(gone & set(scene.constants) - left)))
     return list(found)
 
 
-def _names(formula: Formula) -> set[str]:
+def _names(texts: Texts, printed: Printed) -> set[str]:
+    formula = texts.statement(printed).formula
     return {found.name for found in mentions(formula) if isinstance(found, Name)}
 
 

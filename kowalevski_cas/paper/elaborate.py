@@ -261,7 +261,7 @@ class Elaboration(Meaning):
         return () if isinstance(rows, ChangeOfScene) else tuple(map(self._motion, rows))
 
     def _motion(self, printed: Printed) -> Motion:
-        left, right = self.texts.relation(printed).members[:2]
+        left, right = self.texts.sides(printed)
         factors = left.factors if isinstance(left, Product) else (left,)
         moving = [f.argument for f in factors if isinstance(f, Derivative)]
         if len(moving) != 1 or not isinstance(moving[0], Name):
@@ -283,7 +283,7 @@ class Elaboration(Meaning):
         assert self.source is not None
         new: dict[str, Formula] = {}
         for printed in change.formulas:
-            left, right = self.texts.relation(printed).members[:2]
+            left, right = self.texts.sides(printed)
             if not isinstance(left, Name):
                 raise Meaningless(f"the formula at {printed.place} gives no variable")
             new[left.name] = self.source.plain(right)
