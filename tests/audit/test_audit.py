@@ -74,7 +74,7 @@ def test_the_formulas_stand_in_the_order_of_the_source():
         ),
         (r"\tau=it", r"\tau=-it", "tau.1", {"eq10.1", "eq12"}),
         (r"F_2  = U_1  -", r"F_2  = U_1  +", "F2.1", {"F1-prime", "eq15"}),
-        (r"{\bs \beta} = 0$", r"{\bs \beta} = 3$", "beta.1", {"eq18", "eq19"}),
+        (r"{\bs \beta} = 0$", r"{\bs \beta} = {\bs \alpha}$", "beta.1", {"eq18", "eq19"}),
     ],
 )
 def test_a_changed_definition_is_the_cause(old, new, cause, false):
