@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 
-from kowalevski_cas.notation import Formula, Name, Relation
+from kowalevski_cas.notation import Formula, Name, NotationError, Relation
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.scene import Change, Scene
@@ -65,15 +66,19 @@ def undefined(role: Role, formula: Formula) -> list[str]:
 
 
 def unused(derivation: Derivation, before: Texts, after: Texts, printed: Printed) -> list[str]:
-    """The constants of scenes that nothing depends on, now that a place has lost them."""
-    gone = _names(before, printed) - _names(after, printed)
+    """The constants of scenes that nothing depends on, now that a place has lost them.
+
+    There are none that can be told where a text cannot be read: it may depend on them.
+    """
     found: dict[str, None] = {}
-    for scene in derivation.scenes():
-        places = set(scene.places())
-        if printed in places:
-            places.update(*(c.places() for c in derivation.claims if scene in c.scenes()))
-            left = {name for place in places for name in _names(after, place)}
-            found.update(dict.fromkeys(sorted(gone & set(scene.constants) - left)))
+    with suppress(NotationError):
+        gone = _names(before, printed) - _names(after, printed)
+        for scene in derivation.scenes():
+            places = set(scene.places())
+            if printed in places:
+                places.update(*(c.places() for c in derivation.claims if scene in c.scenes()))
+                left = {name for place in places for name in _names(after, place)}
+                found.update(dict.fromkeys(sorted(gone & set(scene.constants) - left)))
     return list(found)
 
 

@@ -118,7 +118,9 @@ class AuditSession(Session):
         """Whether a claim holds under other texts."""
         try:
             return Statement(claim, self.on(claim, texts)).holds()
-        except (NotationError, Meaningless, ZeroDivisionError):
+        except TimeoutError:
+            raise
+        except Exception:  # what an author types must not end the audit of the rest
             return False
 
     def _elsewhere(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
@@ -257,7 +259,9 @@ class AuthorSession(AuditSession):
             return self._true(claim, texts.edited(proposed.printed, proposed.edit))
         try:
             return Statement(claim, self.on(claim, texts)).digest == known.digest
-        except (NotationError, Meaningless):
+        except TimeoutError:
+            raise
+        except Exception:  # as above
             return False
 
 

@@ -34,9 +34,10 @@ from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.plain import Plain
 from kowalevski_cas.paper.roots import solved
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
-from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.scene import Scene, is_bold
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.prune import mentions
 from kowalevski_cas.problem.space import (
     Adjoined,
     Change,
@@ -181,7 +182,15 @@ class Elaboration(Meaning):
 
     def _let(self, name: str, formula: Formula, *places: Printed) -> Let:
         self.places[name] = places
-        return Let(name, self.plain(formula))
+        let = Let(name, self.plain(formula))
+        for other in mentions(let.formula):  # vectors stay as they are, and may run in a circle
+            if (
+                isinstance(other, Name)
+                and is_bold(other.name)
+                and other.name in self.scene.definitions
+            ):
+                self.step(other.name)
+        return let
 
     def _unit(self) -> Step:
         printed = self.scene.unit
