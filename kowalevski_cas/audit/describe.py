@@ -52,8 +52,7 @@ class Describer:
         if typed is None:
             yield Audited(
                 display.id, _label(display), 0, 0, display.tex.strip(), self._role(display),
-                MISSING, claims=tuple(self._claims(display)),
-                message="the derivation has this formula and the source has not",
+                MISSING, claims=tuple(self._claims(display)), message=self.refused[display],
             )  # fmt: skip
             return
         try:
@@ -131,7 +130,9 @@ class Describer:
         audited.formula = self.texts.statement(printed).formula
         audited.role = role.name
         audited.claims = tuple(role.claims)
-        outcomes = [self.outcomes[claim] for claim in role.claims]
+        outcomes = [self.outcomes[claim] for claim in role.own or role.claims]
+        if len(role.own) == 1:
+            (audited.id,) = role.own
         if outcomes:
             worst = min(outcomes, key=lambda outcome: WORST.index(outcome.verdict))
             audited.verdict = str(worst.verdict)

@@ -18,11 +18,12 @@ ORDER = ("unit", "vector field", "definition", "claim", "condition")
 
 @dataclass
 class Role:
-    """The roles of one place, and the claims that are about it."""
+    """The roles of one place, the claims that are about it, and those of just this formula."""
 
     roles: set[str] = field(default_factory=set)
     defines: set[str] = field(default_factory=set)
     claims: dict[str, None] = field(default_factory=dict)
+    own: dict[str, None] = field(default_factory=dict)
 
     @property
     def name(self) -> str:
@@ -48,6 +49,8 @@ class Roles:
                 role = self.at(printed.place)
                 role.roles.add("claim")
                 role.claims[claim.id] = None
+                if printed == claim.printed:
+                    role.own[claim.id] = None
             for printed in claim.places():
                 if printed not in own:
                     self.at(printed.place).roles.add("condition")

@@ -135,15 +135,24 @@ class AuditSession(Session):
 class AuthorSession(AuditSession):
     """A run over ``sources``, the displays that an author has typed otherwise than the derivation.
 
-    Nothing of it is kept in ``base``, the run over the derivation's own texts.
+    What rests on displays that are ``refused``, and claims in ``other`` words than the derivation
+    quotes, gets no verdict, but the reason. Nothing of it is kept in ``base``, the run over the
+    derivation's own texts.
     """
 
-    def __init__(self, base: AuditSession, sources: Mapping[Display, str]) -> None:
+    def __init__(
+        self,
+        base: AuditSession,
+        sources: Mapping[Display, str],
+        refused: Mapping[Display, str],
+        other: Mapping[str, str],
+    ) -> None:
         super().__init__(
             base.derivation, base.arithmetics, base.stored, base.timeout, base.record, base.patience
         )
         self.base = base
         self.known = base.outcomes
+        self.refused, self.other = refused, other
         self.causes = {**base.causes}
         self.misprints = {**base.misprints}
         self._places = base._places
@@ -168,6 +177,8 @@ class AuthorSession(AuditSession):
 
     def decide(self, claim: Claim) -> Outcome:
         """The outcome for a claim: that of the derivation, if its problem is the same."""
+        if why := self.other.get(claim.id) or self._refusal(claim):
+            return self._unread(claim, self.on(claim), Verdict.UNDECIDED, why)
         known = self.known[claim.id]
         if not self.places(claim) & self.changed or self._same(claim, known):
             return known
@@ -181,6 +192,15 @@ class AuthorSession(AuditSession):
         if unclear and not self._blame_changes(claim):
             outcome = replace(outcome, correction=self._restored(claim, self.on(claim)))
         return outcome
+
+    def _refusal(self, claim: Claim) -> str:
+        """Why nothing is said about a claim that rests on a display which is refused."""
+        ids = {
+            p.display.id: self.refused[p.display]
+            for p in self.places(claim)
+            if p.display in self.refused
+        }
+        return "; ".join(f"{id}: {ids[id]}" for id in sorted(ids))
 
     def _unexplained(self, claim: Claim, outcome: Outcome) -> bool:
         return outcome is not self.known[claim.id] and super()._unexplained(claim, outcome)

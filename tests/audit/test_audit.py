@@ -33,6 +33,17 @@ def test_an_audit_says_what_verify_says():
     }
 
 
+def test_every_claim_of_verify_is_shown_by_its_id_once_with_its_verdict():
+    shown = {f.id: f.verdict for f in audited().formulas if f.id in f.claims}
+    in_words = {outcome.claim: outcome.verdict for outcome in audited().statements}
+    assert not shown.keys() & in_words.keys()
+    run = verify(
+        base().derivation, ["flint"], certificates=base().stored, record=base().record
+    )  # fmt: skip
+    assert shown | in_words == {outcome.claim: outcome.verdict for outcome in run.outcomes}
+    assert [outcome.claim for outcome in audited().false] == ["critical-set"]
+
+
 def test_the_misprints_of_the_paper():
     wrong = [formula.id for formula in audited().formulas if formula.wrong]
     rows = [f"eq10.{k}" for k in (1, 2, 3, 4, 7, 8)]
