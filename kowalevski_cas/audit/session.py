@@ -178,7 +178,7 @@ class AuthorSession(AuditSession):
     def decide(self, claim: Claim) -> Outcome:
         """The outcome for a claim: that of the derivation, if its problem is the same."""
         if why := self.other.get(claim.id) or self._refusal(claim):
-            return self._unread(claim, self.on(claim), Verdict.UNDECIDED, why)
+            return self.unread(claim, self.on(claim), Verdict.UNDECIDED, why)
         known = self.known[claim.id]
         if not self.places(claim) & self.changed or self._same(claim, known):
             return known
@@ -187,7 +187,7 @@ class AuthorSession(AuditSession):
             outcome = super().decide(claim)
         except Exception as error:  # what an author types must not end the audit of the rest
             message = f"it cannot be decided as it is typed ({type(error).__name__}: {error})"
-            outcome = self._unread(claim, self.on(claim), Verdict.ERROR, message)
+            outcome = self.unread(claim, self.on(claim), Verdict.ERROR, message)
         unclear = outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT)
         with suppress(TimeoutError), time_limit(self.timeout):
             if unclear and not self._blame_changes(claim):
@@ -220,15 +220,15 @@ class AuthorSession(AuditSession):
         except Exception:  # then deciding it says why
             return False
 
-    def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
+    def with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
         """Nothing is wrong with the derivation where the author has caused what is."""
-        return outcome if claim.id in self.causes else super()._with_acceptance(claim, outcome)
+        return outcome if claim.id in self.causes else super().with_acceptance(claim, outcome)
 
-    def _correct(self, claim: Claim, on: Elaborations) -> Correction | None:
+    def correct(self, claim: Claim, on: Elaborations) -> Correction | None:
         if self._blame_changes(claim):
             return None
         try:
-            return self._restored(claim, on) or super()._correct(claim, on)
+            return self._restored(claim, on) or super().correct(claim, on)
         except Exception:  # candidates are made of what an author types
             return None
 
@@ -245,7 +245,7 @@ class AuthorSession(AuditSession):
         with suppress(NotationError):
             for neighbour in claim.neighbours(on.texts):
                 if printed_of(neighbour) == good.formulas:
-                    return self._proposed(neighbour, on)
+                    return self.proposed(neighbour, on)
         return Correction(good.formulas, AS_BEFORE, good.verdict, good.conditions)
 
     def _blame_changes(self, claim: Claim) -> bool:
