@@ -45,10 +45,9 @@ class AuditSession(Session):
         timeout: float | None = None,
         record: Mapping[str, Mapping[str, object]] | None = None,
         patience: float | None = PATIENCE,
+        explain: bool = False,
     ) -> None:
-        super().__init__(
-            derivation, arithmetics, certificates=certificates, timeout=timeout, record=record
-        )
+        super().__init__(derivation, arithmetics, explain, certificates, timeout, record=record)
         self.patience = patience
         self.causes: dict[str, tuple[Printed, ...]] = {}
         self.misprints: dict[Printed, Edit] = {}
@@ -148,8 +147,9 @@ class AuthorSession(AuditSession):
         other: Mapping[str, str],
     ) -> None:
         super().__init__(
-            base.derivation, base.arithmetics, base.stored, base.timeout, base.record, base.patience
-        )
+            base.derivation, base.arithmetics, base.stored, base.timeout, base.record,
+            base.patience, base.explain,
+        )  # fmt: skip
         self.base = base
         self.known = base.outcomes
         self.refused, self.other = refused, other

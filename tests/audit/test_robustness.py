@@ -4,10 +4,11 @@ import random
 
 import pytest
 
-from kowalevski_cas.audit.audit import Audit, audit
+from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.listing import listing
 from kowalevski_cas.audit.source import Source, SourceError, decode
 from kowalevski_cas.cli.audit_formats import FORMATS, load_format
+from kowalevski_cas.processes import each
 from kowalevski_cas.verify.outcome import Verdict
 from tests.audit.material import base, source
 
@@ -43,33 +44,47 @@ def survives(data: bytes) -> None:
         assert load_format(name)(result)
 
 
+def survive(sources: list[bytes]) -> None:
+    """Audit sources in a process of its own, where limits of time hold."""
+    base().outcomes  # noqa: B018
+    assert [*each(survives, sources, 1)] == [None] * len(sources)
+
+
 @pytest.mark.parametrize("seed", range(3))
 def test_a_byte_mutated_paper(seed):
-    survives(mutated(random.Random(seed)))
+    survive([mutated(random.Random(seed))])
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(1000, 1200))
 def test_more_byte_mutated_papers(seed):
-    survives(mutated(random.Random(seed)))
+    survive([mutated(random.Random(seed))])
 
 
-def body(change) -> Audit:
-    """The audit of the source with a change of what stands behind the preamble."""
+def verdicts(change) -> tuple[dict[str, Verdict], bool]:
+    """The verdicts on the source with a changed text, and whether a formula is wrong."""
     head, begin, rest = source().text.partition(r"\begin{document}")
-    return audit(Source("paper.tex", head + begin + change(rest)), base())
+
+    def audited(text: str) -> tuple[dict[str, Verdict], bool]:
+        found = audit(Source("paper.tex", text), base())
+        wrong = any(formula.wrong for formula in found.formulas)
+        return {id: outcome.verdict for id, outcome in found.outcomes.items()}, wrong
+
+    base().outcomes  # noqa: B018
+    (found,) = each(audited, [head + begin + change(rest)], 1)
+    return found
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("sign", [r"\ne ", "<", r"\le ", r"\approx ", r"\equiv\ne "])
 def test_no_inequality_is_proved_as_an_equality(sign):
-    found = body(lambda text: text.replace("=", sign))
+    found, _ = verdicts(lambda text: text.replace("=", sign))
     printed = {display.id for display in base().derivation.displays() if not display.source}
     for claim in base().derivation.claims:
         if any(
             place.display.id in printed and "=" in place.display.tex for place in claim.places()
         ):
-            assert not found.outcomes[claim.id].verdict.green, claim.id
+            assert not found[claim.id].green, claim.id
 
 
 def test_rows_without_commas_are_the_same_rows():
@@ -83,11 +98,8 @@ def test_rows_without_commas_are_the_same_rows():
         second = text[text.index("J_2", start) : stop].replace("=", "&=&", 1)
         return text[: text.index("J_2", start)] + second + r" \end{array}" + text[stop:]
 
-    found = body(change)
-    assert r"\begin{array}{rcl} J_1" in found.source.text
-    assert {id: o.verdict for id, o in found.outcomes.items()} == {
-        id: o.verdict for id, o in base().outcomes.items()
-    }
+    assert r"\begin{array}{rcl} J_1" in change(source().text)
+    assert verdicts(change)[0] == {id: o.verdict for id, o in base().outcomes.items()}
 
 
 @pytest.mark.parametrize(
@@ -100,8 +112,6 @@ def test_rows_without_commas_are_the_same_rows():
     ],
 )
 def test_a_name_that_is_a_variable_and_defined_at_once(old, new):
-    found = body(
-        lambda text: text.replace(old, new).replace(r"{\bf e}_2  =\n(0", r"{\bf e}_2  = (0")
-    )
-    assert any(formula.wrong for formula in found.formulas)
-    assert all(outcome.verdict in Verdict for outcome in found.outcomes.values())
+    found, wrong = verdicts(lambda text: text.replace(old, new))
+    assert wrong
+    assert found.keys() == base().outcomes.keys()
