@@ -34,10 +34,11 @@ from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.plain import Plain
 from kowalevski_cas.paper.roots import solved
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
-from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.scene import Scene, is_bold
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.validation import check_time, validate
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.prune import mentions
 from kowalevski_cas.problem.space import (
     Adjoined,
     Change,
@@ -189,7 +190,15 @@ class Elaboration(Meaning):
 
     def _let(self, name: str, formula: Formula, *places: Printed) -> Let:
         self.places[name] = places
-        return Let(name, self.plain(formula))
+        let = Let(name, self.plain(formula))
+        for other in mentions(let.formula):  # vectors stay as they are, and may run in a circle
+            if (
+                isinstance(other, Name)
+                and is_bold(other.name)
+                and other.name in self.scene.definitions
+            ):
+                self.step(other.name)
+        return let
 
     def _unit(self) -> Step:
         printed = self.scene.unit
@@ -278,7 +287,7 @@ class Elaboration(Meaning):
         return tuple(motions)
 
     def _motion(self, printed: Printed) -> Motion:
-        left, right = self.texts.relation(printed).members[:2]
+        left, right = self.texts.sides(printed)
         factors = left.factors if isinstance(left, Product) else (left,)
         moving = [f.argument for f in factors if isinstance(f, Derivative)]
         if len(moving) != 1 or not isinstance(moving[0], Name):
@@ -300,7 +309,7 @@ class Elaboration(Meaning):
         assert self.source is not None
         new: dict[str, Formula] = {}
         for printed in change.formulas:
-            left, right = self.texts.relation(printed).members[:2]
+            left, right = self.texts.sides(printed)
             if not isinstance(left, Name):
                 raise Meaningless(f"the formula at {printed.place} gives no variable")
             new[left.name] = self.source.plain(right)

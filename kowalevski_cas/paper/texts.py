@@ -14,6 +14,7 @@ from functools import cache
 from typing import Any
 
 from kowalevski_cas.notation import (
+    EQUALITIES,
     Edit,
     Formula,
     Heads,
@@ -172,21 +173,40 @@ class Texts:
         return self._expressions[tex]
 
     def formula(self, printed: Printed) -> Formula:
-        """The formula at a place; raises ``NotationError`` if it cannot be read."""
-        edited = self.edits.get(printed)
-        return self.statement(printed).formula if edited is None else edited
+        """The formula at a place.
+
+        Raises ``NotationError`` if it cannot be read, or if it says that things differ: an
+        inequality is never taken for the equality that may have been meant.
+        """
+        statement = self.statement(printed)
+        formula = self.edits.get(printed, statement.formula)
+        if isinstance(formula, Relation) and not formula.is_equality:
+            before = [formula.signs.index(sign) for sign in formula.signs if sign not in EQUALITIES]
+            end = statement.spans.get((before[0],), (0, statement.start))[1]
+            message = f"{printed.place}: an equality is expected, not {formula.signs[before[0]]}"
+            raise NotationError(message, statement.tex, end)
+        return formula
 
     def relation(self, printed: Printed) -> Relation:
         """The chain of equalities at a place; raises ``NotationError`` if there is none."""
         formula = self.formula(printed)
-        if not isinstance(formula, Relation) or not formula.is_equality:
+        if not isinstance(formula, Relation):
             source = self.source(printed.display)
             raise NotationError(f"an equation is expected at {printed.place}", source, 0)
         return formula
 
+    def sides(self, printed: Printed) -> tuple[Formula, Formula]:
+        """Both sides of an equation; raises ``NotationError`` if it has more, or is none."""
+        members = self.relation(printed).members
+        if len(members) != 2:
+            statement = self.statement(printed)
+            message = f"{printed.place}: an equation with two sides is expected"
+            raise NotationError(message, statement.tex, statement.start)
+        return members[0], members[1]
+
     def time_scale(self, printed: Printed) -> Formula:
         r"""The factor :math:`\kappa` of a printed change of time, :math:`\tau=\kappa t`."""
-        scale = _scale(self.relation(printed).members[1])
+        scale = _scale(self.sides(printed)[1])
         if scale is None:
             source = self.source(printed.display)
             raise NotationError(f"a multiple of t is expected at {printed.place}", source, 0)

@@ -45,7 +45,7 @@ class Teller(Bench):
             if open_ones:
                 verdict, message = open_ones[0].verdict, open_ones[0].message
         outcome = replace(
-            self._unread(claim, on, verdict, message, statement),
+            self.unread(claim, on, verdict, message, statement),
             verdicts=verdicts,
             corrected=self.corrected(statement),
         )
@@ -92,7 +92,7 @@ class Teller(Bench):
             rests_on=self.rests_on(statement) if self.explain else (),
         )
 
-    def _unread(
+    def unread(
         self,
         claim: Claim,
         on: Elaborations,
