@@ -73,7 +73,7 @@ class PointFinder:
     ) -> Point | None:
         """A real point where elements vanish, nothing is divided by zero, and all is good.
 
-        It is sought among points in general position, and then where one or two variables vanish.
+        It is sought among points in general position, and then where some variables vanish.
         """
         avoid = [at.scalar(formula) for formula in at.setting.nonzero]
         avoid += at.ring.divided_by(divided)
@@ -92,7 +92,7 @@ class PointFinder:
         return None
 
     def _sections(self, at: Evaluation) -> Iterator[Sequence[Element]]:
-        """Nothing more, then one or two variables that vanish; powers are 1 where known."""
+        """Nothing more, then all variables, one or two that vanish; powers are 1 where known."""
         setting = at.setting
         one = at.ring.one
         fixed: list[Element] = []
@@ -102,7 +102,7 @@ class PointFinder:
             assert base is not None
             fixed += [at.ring.generator(name) - one, at.scalar(base) - one]
         variables = [at.ring.generator(name) for name in setting.variables]
-        for size in range(3):
+        for size in (0, len(variables), 1, 2):
             for chosen in combinations(variables, size):
                 yield [*fixed, *chosen]
 

@@ -18,9 +18,10 @@ class DoubleZero(Claim):
     """The printed expression vanishes with all its partial derivatives where ``given`` hold."""
 
     given: tuple[Printed, ...]
+    main: tuple[tuple[str, ...], ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         value = expression(on, space, self.own)
         gradient = (vanishes(Partial(value, name)) for name in space.variables)
-        yield Follows(space, ((vanishes(value), *gradient),), equations(on, space, self.given))
+        yield Follows(space, ((vanishes(value), *gradient),), equations(on, space, self.given), self.main)
