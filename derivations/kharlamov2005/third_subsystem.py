@@ -75,8 +75,6 @@ section.states(
     given=(*O4,),
 )
 
-# O^4 by x1, x2, y1, y2, z1, z2 and s: there the velocity is rational in a square root.
-
 polynomial = section.lemma(
     "polynomial",
     r"""
@@ -94,37 +92,57 @@ section.states(
     main=(("x_1", "x_2", "y_1", "y_2", "z_1", "z_2", r"\omega_3"),),
 )
 
-velocity = section.lemma(
-    "velocity-on-O4",
+# O^4 by the velocity, z1, z2, a real number and s: there all is rational.
+
+fields = section.lemma(
+    "fields-on-O4",
     r"""
-w_1 = \frac{x_1z_2-(y_1+2s)z_1}{2s\omega_3}, \quad w_2 = \frac{x_2z_1-(y_2+2s)z_2}{2s\omega_3}""",
-    "the last two lines above solved for the velocity",
+x_1 = \frac{i\eta-\frac12\omega_3(z_1z_2-2sw_1w_2)}{w_2z_2}, \quad
+x_2 = -\frac{i\eta+\frac12\omega_3(z_1z_2-2sw_1w_2)}{w_1z_1}, \quad
+y_1 = \frac{i\eta-\frac12\omega_3(z_1z_2+2sw_1w_2)}{w_2z_1}-2s, \quad
+y_2 = -\frac{i\eta+\frac12\omega_3(z_1z_2+2sw_1w_2)}{w_1z_2}-2s""",
+    "the lines above solved for the fields, with a real number $\\eta$",
+)
+
+solved_eta = section.lemma(
+    "eta",
+    r"i\eta = w_2z_1(y_1+2s)+\frac12\omega_3(z_1z_2+2sw_1w_2)",
+    "the third of these formulas solved for $\\eta$",
+)
+
+eta_motion = section.lemma(
+    "eta-motion",
+    r"""
+i\eta' = \frac12\left[(w_2\omega_3+z_2)z_1+(x_1w_2-y_2w_1)w_2\right](y_1+2s)
++w_2z_1(z_2w_1-y_1\omega_3)+\frac14(y_2-y_1)(z_1z_2+2sw_1w_2)
++\frac14\omega_3\left[(x_1w_2-y_2w_1)z_2+(y_1w_2-x_2w_1)z_1+2s(w_1z_2-w_2z_1)\right]""",
+    "the derivative of the line above by (10)",
 )
 
 on_O4 = (
     Scene(
         "O⁴",
-        "$O^4$ by $x_1$, $x_2$, $y_1$, $y_2$, $z_1$, $z_2$ and the constant $s$, where $s$ and "
-        "$\\omega_3$ are not zero",
-        variables=("x_1", "x_2", "y_1", "y_2", "z_1", "z_2", r"\omega_3"),
+        "$O^4$ by $w_1$, $w_2$, $z_1$, $z_2$, $\\omega_3$, $\\eta$ and the constant $s$",
+        variables=("w_1", "w_2", "z_1", "z_2", r"\omega_3", r"\eta"),
         constants=("s",),
-        nonzero=("s", r"\omega_3^2"),
+        nonzero=("w_1", "w_2", "z_1", "z_2"),
+        conjugates=(("w_1", "w_2"), ("z_1", "z_2")),
         time=r"\tau",
     )
-    .moving(*(eq10[k] for k in range(1, 7)))
+    .moving(*(eq10[k] for k in range(5, 10)), eta_motion)
     .with_unit(unit[1], tau[1])
-    .solving(r"\omega_3", polynomial[3])
-    .defining(velocity, forces)
+    .defining(fields, forces)
 )
 
-for k in (7, 8, 9):
+for k in range(1, 5):
     section.states(
-        Identity, eq10[k], on=on_O4, says="the velocity on $O^4$ moves by (10)", ids=(f"O4.{k}",)
+        Identity, eq10[k], on=on_O4, says="the fields on $O^4$ move by (10)", ids=(f"O4.{k}",)
     )
 
 section.states(
     Identity,
-    section.lemma("O4-again", r"A = -2sw_1, \quad B = -2sw_2", "the first two lines above"),
+    polynomial,
     on=on_O4,
     says="these points obey the relations, with the constant $s$",
+    ids=[f"O4.point.{k}" for k in range(1, 6)],
 )

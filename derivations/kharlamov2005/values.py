@@ -33,7 +33,8 @@ g = \frac{p^4-r^4}{4s}+\frac{(p^2-\tau_3)s}{2}""",
 )
 
 with_integrals = (
-    on_O4.described("O⁴ with integrals", "the same with the integrals")
+    on_O4.described("O⁴ with integrals", "the same with the integrals, where $s$ is not zero")
+    .having(nonzero=("s",))
     .adjoining(r"\sqrt{c_1c_2}", root_of_c, complex_integrals[3])
     .defining(c, complex_integrals[1], complex_integrals[2], complex_G, partial[2])
 )
