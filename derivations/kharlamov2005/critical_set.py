@@ -32,7 +32,9 @@ def turns(function: str) -> tuple[str, ...]:
 
 def derivatives(function: str) -> str:
     """That a function has no derivative along the levels of the integrals (4)."""
-    velocity = (rf"\frac{{\partial {function}}}{{\partial {n}}}" for n in ("w_1", "w_2", r"\omega_3"))
+    velocity = (
+        rf"\frac{{\partial {function}}}{{\partial {n}}}" for n in ("w_1", "w_2", r"\omega_3")
+    )
     return r",\quad ".join(f"{side} = 0" for side in (*velocity, *turns(function)))
 
 
@@ -87,7 +89,9 @@ section.states(
 
 # -- and there are no other critical points -----------------------------------------------------
 
-with_G = section.lemma("with-G", r"F = 2g-p^2h+\lambda h+\mu k", "a combination in which $G$ occurs")
+with_G = section.lemma(
+    "with-G", r"F = 2g-p^2h+\lambda h+\mu k", "a combination in which $G$ occurs"
+)
 
 critical = section.lemma("critical", derivatives("F"), "what it means that the point is critical")
 

@@ -4,7 +4,7 @@ from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Scene, Section
 
 from ..kharlamov2002.section2 import c
-from ..kharlamov_savushkin2004.setting import complex_integrals, inverse, root_of_c
+from ..kharlamov_savushkin2004.setting import complex_integrals, root_of_c
 from ..kharlamov_savushkin2004.third_integral import everything
 from .third_subsystem import on_O4, partial
 

@@ -6,10 +6,10 @@ from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Scene, Section
 
 from ..kharlamov2002.section1 import eq3, eq4, eq5
-from ..kharlamov_savushkin2004.phase_point import no_c, p_without_c, r
+from ..kharlamov_savushkin2004.phase_point import no_c
+from ..kharlamov_savushkin2004.separation import any_c
 from ..kharlamov_savushkin2004.third_integral import VECTORS
-from .phase_point import fields, kappa, parts, radicals, velocity
-from .separation import abbreviations
+from .phase_point import fields, kappa, p_of_sigma, parts, radicals, velocity
 
 section = Section("3", "Quotients of roots, and infinity", copied=False)
 
@@ -58,7 +58,10 @@ for k in (1, 2):
         ids=(f"one-variable.mu{k}",),
     )
 section.states(
-    Identity, quotient, on=with_P, says=("the square of $E$, times $\\varepsilon$", "two forms of it")
+    Identity,
+    quotient,
+    on=with_P,
+    says=("the square of $E$, times $\\varepsilon$", "two forms of it"),
 )
 
 # With v = 1/u2 the formulas keep their form; what has a hat is regular where v = 0.
@@ -87,7 +90,8 @@ hatted_parts = section.display(
 \hat{\Pi} = (u_1+\tau_3)(1+\tau_3v)-r^4v, \quad
 \hat{Y} = \tau_3(1+v(u_1+2\tau_3-2p^2)+\mu_1\hat{\mu}_2), \quad
 \hat{V} = 4s^2v-\mu_1\hat{\mu}_2, \quad \hat{d} = v\mu_1-\hat{\mu}_2, \quad
-""" + ", \\quad ".join(in_chart(parts[k].tex) for k in (4, 5, 7)),
+"""
+    + ", \\quad ".join(in_chart(parts[k].tex) for k in (4, 5, 7)),
 )
 
 hatted_fields = section.display("hatted-fields", in_chart(fields.tex))
@@ -106,13 +110,10 @@ chart = (
         "the phase space by $u_1$ and $v=1/u_2$, where $v^2u_1^2\\ne1$",
         vectors=VECTORS,
         variables=("u_1", "v"),
-        constants=("s", r"\tau_3", "r", "b"),
+        constants=("s", r"\tau_3", "r", r"\sigma"),
         nonzero=("s", r"\tau_3", "r", r"\sigma", "vu_1-1", "vu_1+1"),
     )
-    .solving("a", r[1])
-    .adjoining(p_without_c)
-    .defining(abbreviations[1])
-    .adjoining(kappa, radicals[1], radicals[3], radicals[4], radicals[7], hats)
+    .adjoining(p_of_sigma, any_c, kappa, radicals[1], radicals[3], radicals[4], radicals[7], hats)
     .defining(hatted_parts, hatted_fields, hatted_velocity)
     .moving(hatted_rates)
     .restricted(no_c)

@@ -1,22 +1,32 @@
-r"""2. The whole phase point on O^4 by u_1, u_2, for c = 0 and both signs of u_2+\tau_3."""
+r"""2. The whole phase point on O^4 by u_1, u_2, for c = 0 and both signs of u_2+\tau_3.
+
+The point is on O^4 with the constants s, \tau_3 and p, r, so the values of H, K, G there are known.
+"""
 
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Scene, Section
 
 from ..kharlamov2002.section1 import eq3, eq4, eq5
-from ..kharlamov2002.section2 import c, eq9, eq17, unit
+from ..kharlamov2002.section2 import eq9, eq17, unit
 from ..kharlamov2005.third_subsystem import forces, partial, polynomial
 from ..kharlamov2005.values import on_O4_values
-from ..kharlamov_savushkin2004.phase_point import no_c, p_without_c, r
+from ..kharlamov_savushkin2004.phase_point import no_c
+from ..kharlamov_savushkin2004.separation import any_c
 from ..kharlamov_savushkin2004.setting import p
 from ..kharlamov_savushkin2004.third_integral import VECTORS, G
-from .separation import abbreviations, quadratic, separated, xi
+from .separation import abbreviations, separated, xi
 
 section = Section("2", "The phase point", copied=False)
 
 epsilon = section.inline("epsilon", r"\varepsilon^2 = 1")
 
 kappa = section.display("kappa", r"\kappa^2 = \sigma+4s^2\tau_3")
+
+p_of_sigma = section.lemma(
+    "p-of-sigma",
+    r"p^2 = \frac{\tau_3^2+r^4-\sigma}{2\tau_3}",
+    r"the definition of $\sigma$ solved for $p^2$",
+)
 
 radicals = section.display(
     "radicals-O4",
@@ -67,13 +77,10 @@ by_u = (
         "",
         "",
         variables=("u_1", "u_2"),
-        constants=("s", r"\tau_3", "r", "b"),
+        constants=("s", r"\tau_3", "r", r"\sigma"),
         nonzero=("s", r"\tau_3", "r", r"\sigma", "u_1-u_2", "u_1+u_2"),
     )
-    .solving("a", r[1])
-    .adjoining(p_without_c, epsilon)
-    .defining(abbreviations[1])
-    .adjoining(kappa, radicals)
+    .adjoining(p_of_sigma, any_c, epsilon, kappa, radicals)
     .defining(parts, fields, velocity)
 )
 
@@ -92,7 +99,9 @@ point = (
 section.states(
     Identity,
     separated,
-    on=by_u.described("separated by u", "the same, where $k$ is the constant of $O^4$").moving(rates).defining(on_O4_values[2]),
+    on=by_u.described("separated by u", "the same, where $k$ is the constant of $O^4$")
+    .moving(rates)
+    .defining(on_O4_values[2]),
     says=("the first separated equation", "the second separated equation"),
 )
 section.states(
@@ -121,14 +130,6 @@ section.states(
     ids=("point.omega_1", "point.omega_2", "point.omega_3"),
 )
 section.states(Identity, p, on=point, says="the constant $p$", ids=("point.p",))
-section.states(
-    Identity,
-    on_O4_values,
-    on=point,
-    says=("the value of the energy", "the value of $K$", "the value of $G$"),
-    ids=("point.h", "point.k", "point.g"),
-)
-
 with_unit = (
     by_u.described(
         "phase point on O⁴ with the unit", "the same with the complex variables as abbreviations"
@@ -201,6 +202,4 @@ section.states(
 section.states(
     Identity, partial[2], on=short, says=r"the value of $\tau_3$ at the point", ids=("point.tau",)
 )
-section.states(
-    Identity, xi, on=short, says=r"$\xi$ by the velocity", ids=("point.xi",)
-)
+section.states(Identity, xi, on=short, says=r"$\xi$ by the velocity", ids=("point.xi",))

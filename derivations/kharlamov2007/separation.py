@@ -80,10 +80,9 @@ cubic = section.lemma(
 section.states(
     Identity,
     cubic,
-    on=plane.described(
-        "O⁴ with the discriminant", "the same with a root of the discriminant"
-    )
-    .redefining(known[1], known[2], known[3], xi).having(constants=("a","b","c"))
+    on=plane.described("O⁴ with the discriminant", "the same with a root of the discriminant")
+    .redefining(known[1], known[2], known[3], xi)
+    .having(constants=("a", "b", "c"))
     .adjoining(root)
     .defining(speed),
     says="how fast the variables of the plane are on $O^4$",

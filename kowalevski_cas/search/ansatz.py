@@ -25,9 +25,7 @@ MOST = 600
 """How many unknown coefficients are solved for."""
 
 
-def combination(
-    target: fmpq_mpoly, generators: Sequence[fmpq_mpoly]
-) -> list[fmpq_mpoly] | None:
+def combination(target: fmpq_mpoly, generators: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly] | None:
     """Polynomials c with ``target`` = sum of c[k] ``generators[k]``; ``None`` if none is found."""
     goal, terms = _terms(target), [_terms(generator) for generator in generators]
     columns = _columns(goal, terms)

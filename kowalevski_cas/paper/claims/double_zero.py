@@ -24,4 +24,6 @@ class DoubleZero(Claim):
         space = on(self.scene)
         value = expression(on, space, self.own)
         gradient = (vanishes(Partial(value, name)) for name in space.variables)
-        yield Follows(space, ((vanishes(value), *gradient),), equations(on, space, self.given), self.main)
+        yield Follows(
+            space, ((vanishes(value), *gradient),), equations(on, space, self.given), self.main
+        )
