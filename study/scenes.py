@@ -24,8 +24,8 @@ from kowalevski_cas.pictures import FAINT, new_figure
 from kowalevski_cas.problem.accept import Judge, Unproved
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.space import generators as names_of
-from kowalevski_cas.verify.run import DECIDED
 from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.teller import DECIDED
 from study.charts import list_cases, marked, names, split
 from study.paper import paper
 from study.step import Measured, Row, Task
@@ -164,7 +164,7 @@ def prove(question: Mapping[str, Any]) -> Measured:
 
 def _decided(statement: Statement) -> str:
     """The verdict for which what a search finds is accepted; conditions are not told."""
-    verdicts, judge = statement.search(), Judge(finder_of)
+    verdicts, judge = statement.search(), Judge(finder_of, statement.names)
     if verdicts is None:
         return "undecided"
     try:

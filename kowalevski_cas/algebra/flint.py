@@ -42,6 +42,9 @@ class Arithmetic(Polynomials):
     def is_zero(self, polynomial: fmpq_mpoly) -> bool:
         return bool(polynomial.is_zero())
 
+    def degrees(self, polynomial: fmpq_mpoly) -> Sequence[int]:
+        return polynomial.degrees()
+
     def terms(self, polynomial: fmpq_mpoly) -> Terms:
         return {
             tuple(map(int, exponents)): Fraction(int(value.p), int(value.q))

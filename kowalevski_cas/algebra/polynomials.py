@@ -62,6 +62,10 @@ class Polynomials(ABC):
     def is_zero(self, polynomial: Polynomial) -> bool:
         """Whether the polynomial vanishes identically; the answer is exact."""
 
+    def degrees(self, polynomial: Polynomial) -> Sequence[int]:
+        """The degree in each generator of a polynomial that is not zero."""
+        return tuple(map(max, zip(*self.terms(polynomial), strict=True)))
+
     @abstractmethod
     def terms(self, polynomial: Polynomial) -> Terms:
         """The neutral form of a polynomial."""

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import multiprocessing
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from time import perf_counter
 
@@ -13,6 +12,7 @@ from kowalevski_cas.audit.equivalence import equivalence
 from kowalevski_cas.audit.mutants import Mutant
 from kowalevski_cas.audit.session import AS_BEFORE
 from kowalevski_cas.audit.source import Source
+from kowalevski_cas.processes import each, tell
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 
@@ -154,37 +154,15 @@ def _of(outcome: Outcome) -> object:
     )
 
 
-def measure(
-    base: Audit,
-    mutants: Sequence[Mutant],
-    jobs: int = 1,
-    progress: Callable[[Caught], None] = lambda caught: None,
-) -> Measurement:
-    """Audit mutants of an audited source, in several processes if asked to."""
+def measure(base: Audit, mutants: Sequence[Mutant], jobs: int = 1) -> Measurement:
+    """Audit mutants of an audited source, so many at once; it tells how far it has come.
+
+    Their processes share what the audit of the source has computed.
+    """
     start = perf_counter()
     found = Measurement()
-    for result in _results(Measure(base), mutants, jobs):
+    for result in each(Measure(base), mutants, jobs):
         found.results.append(result)
-        progress(result)
+        tell("mutants", len(found.results), len(mutants))
     found.seconds = perf_counter() - start
     return found
-
-
-_WORK: list[Measure] = []
-
-
-def _one(mutant: Mutant) -> Caught:
-    return _WORK[-1](mutant)
-
-
-def _results(work: Measure, mutants: Iterable[Mutant], jobs: int) -> Iterator[Caught]:
-    if jobs <= 1 or "fork" not in multiprocessing.get_all_start_methods():
-        yield from map(work, mutants)
-        return
-    _WORK.append(work)
-    try:
-        # Processes made by forking share what the audit of the source has computed.
-        with multiprocessing.get_context("fork").Pool(jobs) as pool:
-            yield from pool.imap(_one, mutants, chunksize=4)
-    finally:
-        _WORK.pop()

@@ -20,9 +20,9 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.processes import time_limit
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.corrections import printed_of, true_ones
-from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
@@ -59,7 +59,7 @@ class AuditSession(Session):
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim."""
         claims = self.derivation.claims
-        found = {claim.id: self.decide(claim) for claim in claims}
+        found = {claim.id: self.outcome(claim) for claim in claims}
         for claim in claims:
             if self._unexplained(claim, found[claim.id]):
                 for id in self._misprint(claim, found):
@@ -176,9 +176,14 @@ class AuthorSession(AuditSession):
             message = f"it cannot be decided as it is typed ({type(error).__name__}: {error})"
             outcome = self._unread(claim, self.on(claim), Verdict.ERROR, message)
         unclear = outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT)
-        if unclear and not self._blame_changes(claim):
-            outcome = replace(outcome, correction=self._restored(claim, self.on(claim)))
+        with suppress(TimeoutError), time_limit(self.timeout):
+            if unclear and not self._blame_changes(claim):
+                outcome = replace(outcome, correction=self._restored(claim, self.on(claim)))
         return outcome
+
+    def stands(self, id: str) -> bool:
+        """What the derivation accepts, it has to prove on its own texts."""
+        return self.base.stands(id)
 
     def _unexplained(self, claim: Claim, outcome: Outcome) -> bool:
         return outcome is not self.known[claim.id] and super()._unexplained(claim, outcome)
@@ -186,9 +191,10 @@ class AuthorSession(AuditSession):
     def _same(self, claim: Claim, known: Outcome) -> bool:
         """Whether a claim that is true in the derivation is typed as the same problem."""
         try:
-            on = self.on(claim)
-            said = claim.formulas(on.texts) == known.formulas
-            return known.verdict.green and said and Statement(claim, on).digest == known.digest
+            with time_limit(self.timeout):
+                on = self.on(claim)
+                said = claim.formulas(on.texts) == known.formulas
+                return known.verdict.green and said and Statement(claim, on).digest == known.digest
         except Exception:  # then deciding it says why
             return False
 

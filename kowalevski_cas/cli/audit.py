@@ -34,7 +34,7 @@ from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import disagreement
+from kowalevski_cas.verify.teller import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -60,9 +60,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="flint",
         help="decide in this arithmetic, or in all three (flint)",
     )
-    parser.add_argument(
-        "--timeout", type=_positive, default=5.0, metavar="SECONDS", help="for each claim (5)"
-    )
+    session.add_timeout(parser, 5)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -71,19 +69,28 @@ def run(arguments: argparse.Namespace) -> int:
         source = read_source(arguments.source)
         if arguments.list:
             return _list(source, arguments.format)
-        arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-        folder, derivation = chosen(source, arguments.derivation)
-        found = audit(source, auditing(folder, derivation, arithmetics, arguments.timeout))
+        (done,) = session.watched(lambda source: _audited(arguments, source), [source])
     except SourceError as error:
         raise CommandError(str(error)) from None
+    said, code = done
+    if arguments.patch:
+        sys.stdout.flush()
+        sys.stdout.buffer.write(said.encode(source.encoding, "replace"))
+    else:
+        print(said, end="")
+    return code
+
+
+def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, int]:
+    """What is to be printed of an audit, and the exit code."""
+    arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
+    folder, derivation = chosen(source, arguments.derivation)
+    found = audit(source, auditing(folder, derivation, arithmetics, arguments.timeout))
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
 
-        sys.stdout.flush()
-        sys.stdout.buffer.write(patch(found).encode(source.encoding, "replace"))
-    else:
-        print(load_format(arguments.format)(found), end="")
-    return exit_code(found)
+        return patch(found), exit_code(found)
+    return load_format(arguments.format)(found), exit_code(found)
 
 
 def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
@@ -150,10 +157,3 @@ def _list(source: Source, format: str) -> int:
     readable = sum(1 for formula in found if not formula.trouble)
     print(f"{len(found)} formulas, {readable} can be read")
     return AS_RECORDED if found else NOTHING
-
-
-def _positive(text: str) -> float:
-    value = float(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError("a positive number of seconds is expected")
-    return value

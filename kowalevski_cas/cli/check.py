@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
-from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.library import LibraryError, available, find
+from kowalevski_cas.processes import each
 from kowalevski_cas.verify.committed import Checked, check_committed, check_files
 from kowalevski_cas.verify.record import RecordError, load_record
 
@@ -66,7 +66,7 @@ def _checked(names: list[str]) -> list[Checked]:
         files.setdefault(path.parent.resolve(), []).append(path)
     folders = [name for name in names if not name.endswith(".json")] if names else available()
     try:
-        found = each(_committed, [find(name) for name in folders])
+        found = list(each(_committed, [find(name) for name in folders]))
     except (LibraryError, RecordError) as error:
         raise CommandError(str(error)) from None
     return [*map(check_files, files.values()), *found]

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field
+from itertools import count
 
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula, Name, Negative, Sum
@@ -38,6 +39,14 @@ class Edit:
     def formula(self) -> Formula:
         """The whole statement after the change."""
         return replace(self.statement.formula, self.path, self.replacement)
+
+    def gives(self, formula: Formula) -> bool:
+        """Whether the statement is this formula after the change."""
+        try:
+            changed = subtree(formula, self.path)
+        except IndexError:
+            return False
+        return changed == self.replacement and self.formula == formula
 
     @property
     def tex(self) -> str:
@@ -131,23 +140,13 @@ def replace(formula: Formula, path: Path, new: Formula) -> Formula:
     """The formula with another subtree at the end of the path."""
     if not path:
         return new
-    first, rest = path[0], path[1:]
-    values: list[object] = []
-    count = 0
-    for entry in fields(formula):
-        value = getattr(formula, entry.name)
-        items = value if isinstance(value, tuple) else (value,)
-        changed = []
-        for item in items:
-            if isinstance(item, Formula):
-                changed.append(replace(item, rest, new) if count == first else item)
-                count += 1
-            else:
-                changed.append(item)
-        values.append(tuple(changed) if isinstance(value, tuple) else changed[0])
-    if first >= count:
+    first, *rest = path
+    if first >= len([*formula.children()]):
         raise IndexError(f"no child {first} in {type(formula).__name__}")
-    return type(formula)(*values)
+    places = count()
+    return formula.mapped(
+        lambda child: replace(child, tuple(rest), new) if next(places) == first else child
+    )
 
 
 def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:

@@ -828,12 +828,9 @@ def follows(space: Space, goal: Json, evidence: Json) -> None:
         given = space.differences(goal["given"])
         conclusions = [space.differences(one) for one in items(goal["conclusions"])]
     need(all(conclusions), "nothing is stated")
-    if conclusions:
-        record(evidence, "point" if given else "", f"away point {PROOF}")
-        if "point" in evidence:
-            locate(space, evidence["point"], given)
-    else:  # a condition that holds nowhere on the set would be the whole proof
-        record(evidence, "", PROOF)
+    # for an empty set, a condition that holds nowhere on it would be the whole proof
+    record(evidence, "point", f"away {PROOF}" if conclusions else PROOF)
+    locate(space, evidence["point"], given if conclusions else [])
     goals = [prod(choice, start=space.ring.number(1)) for choice in product(*conclusions)]
     settle(space, goals, given, part_of(evidence, PROOF))
 

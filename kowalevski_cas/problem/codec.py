@@ -45,7 +45,7 @@ from kowalevski_cas.problem.space import (
     Space,
     Step,
 )
-from kowalevski_cas.problem.trees import FormatError, Tree, decode, encode
+from kowalevski_cas.problem.trees import FormatError, Tree, decode, encode, whole
 
 Data = dict[str, Any]
 
@@ -266,7 +266,7 @@ def read_evidence(data: Data, goal: Goal, holds: bool = True) -> Evidence:
     """
     try:
         return _read_evidence(data, goal, holds)
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         raise FormatError(f"it is no evidence: {error}") from None
 
 
@@ -280,8 +280,7 @@ def _read_evidence(data: Data, goal: Goal, holds: bool) -> Evidence:
             weighted = ((decode(number), _read_point(point)) for number, point in data["points"])
             return Regardless(_index(data["inner"]), tuple(weighted))
         case Follows() if isinstance(goal, Fails) != holds:
-            point = _read_point(data["point"]) if "point" in data else None
-            return Shown(_read_proof(data), point)
+            return Shown(_read_proof(data), _read_point(data["point"]))
         case Rank() if not holds and "minors" in data:
             return Minors(_read_rows(data["minors"]))
         case Positive() if holds:
@@ -392,7 +391,9 @@ def _read_roots(data: Data) -> Roots:
             )
             for entry in data["factors"]
         ),
-        minors=tuple((decode(number), tuple(powers)) for number, powers in data["minors"]),
+        minors=tuple(
+            (decode(number), tuple(map(whole, powers))) for number, powers in data["minors"]
+        ),
         point=_read_point(data["point"]),
     )
 

@@ -353,11 +353,6 @@ class Evaluation:
         return total
 
 
-def conjugated(element: Element, at: Evaluation) -> Element:
-    """The conjugate of an element, by those of the generators."""
-    return at.image(element, lambda name: at.scalar(Name(name), True))
-
-
 def _monomial(
     formula: Formula, places: Mapping[str, int]
 ) -> tuple[tuple[int, ...], Fraction] | None:

@@ -247,7 +247,9 @@ class Critical:
         sections: Iterator[list[Element]] | tuple[list[Element], ...],
     ) -> Point | None:
         for section in sections:
-            for point in islice(real_points(self.at, [*zero, *section], self.granted), TRIES):
+            for point in islice(
+                real_points(self.at, self.names, [*zero, *section], self.granted), TRIES
+            ):
                 candidate = Candidate(self.at, point)
                 if good(candidate) and not any(candidate(g).is_zero for g in self.granted):
                     try:

@@ -12,9 +12,8 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.accept import is_real
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Proof, Shown
-from kowalevski_cas.problem.goals import (
-    Follows,
-)
+from kowalevski_cas.problem.goals import Follows
+from kowalevski_cas.problem.place import Place
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.place import Candidate, PointFinder
 
@@ -26,26 +25,40 @@ class FollowsFinder(PointFinder):
     """Evidence that equations follow from others, or fail where these hold."""
 
     def shown(self, goal: Follows, at: Evaluation) -> Shown | None:
-        """A proof by cofactors, and a point of the hypotheses."""
+        """A point of the hypotheses at which the goal holds, and a proof by cofactors.
+
+        Without a point nobody looks for a proof, nor where the goal fails at all points in
+        general position: at the first one, if nothing is given.
+        """
         known = at.differences(goal.given)
-        goals = alternatives(goal, at)
-        found = self.rows(goals, known, goal.main)
+        conclusions = [at.differences(one) for one in goal.conclusions]
+        here = known if conclusions else ()
+        divided = [*known, *(e for one in goal.conclusions for p in at.pairs(one) for e in p)]
+
+        def holds(there: Candidate | Place) -> bool:
+            return not conclusions or any(map(there.vanish, conclusions))
+
+        point = self.point(at, here, divided)
+        if point is None:
+            return Shown()
+        if not holds(Place(at, point)):
+            point = self.point(at, here, divided, holds, 0) if goal.given else None
+            if point is None:
+                return None
+        found = rows_of(alternatives(goal, at), known, goal.main)
         if found is None:
             return None
         rows, power = found
         proof = self._everywhere(goal, at, rows) if power == 1 else None
         if proof is not None:
-            rows = []
-        else:
-            proof = Proof(tuple(tuple(map(formula_in, row)) for row in rows), power=power)
+            return Shown(proof, point)
+        proof = Proof(tuple(tuple(map(formula_in, row)) for row in rows), power=power)
         if not goal.conclusions and self._divides(Shown(proof), goal):
             return None
-        if not (goal.conclusions and goal.given):
-            return Shown(proof)
-        divided = [e for row in rows for e in row]
-        divided += [e for one in goal.conclusions for p in at.pairs(one) for e in p]
-        point = self.point(at, known, [*divided, *known])
-        return None if point is None else Shown(proof, point)
+        entries = [entry for row in rows for entry in row]
+        if not Place(at, point).defines(entries):
+            point = self.point(at, here, [*divided, *entries])
+        return Shown(proof, point)
 
     def _divides(self, shown: Shown, goal: Follows) -> bool:
         """Whether a proof divides by something, and so shows nothing where that vanishes."""
@@ -95,24 +108,11 @@ class FollowsFinder(PointFinder):
                 )
         return None
 
-    @staticmethod
-    def rows(
-        goals: Sequence[Element], known: Sequence[Element], main: Sequence[tuple[str, ...]] = ()
-    ) -> tuple[list[list[Element]], int] | None:
-        """Rows of cofactors for the goals, or for a power of them; none if they vanish."""
-        if all(goal.is_zero for goal in goals):
-            return [], 1
-        for power in range(1, LARGEST_POWER + 1 if len(known) > 1 else 2):
-            rows = [combined(goal**power, known, main) for goal in goals]
-            if None not in rows:
-                return [row for row in rows if row is not None], power
-        return None
-
     def failure(self, goal: Follows, at: Evaluation) -> At | None:
         """A point where the given equations hold and in each conclusion one fails."""
         known = at.differences(goal.given)
         failing = [[e for e in at.differences(one) if not e.is_zero] for one in goal.conclusions]
-        if not all(failing):
+        if any(all(_vanishes_on(e, known) for e in one) for one in failing):
             return None
 
         def good(candidate: Candidate) -> bool:
@@ -123,10 +123,29 @@ class FollowsFinder(PointFinder):
         return None if point is None else At(point)
 
 
+def _vanishes_on(element: Element, known: Sequence[Element]) -> bool:
+    """Whether an element is seen, without a division, to vanish wherever known ones do."""
+    row = combined(element, known, ())
+    return row is not None and not any(entry.denominator for entry in row)
+
+
 def alternatives(goal: Follows, at: Evaluation) -> list[Element]:
     """What has to vanish: the products of one difference from each conclusion."""
     conclusions = [at.differences(one) for one in goal.conclusions]
     return [reduce(mul, choice, at.ring.one) for choice in product(*conclusions)]
+
+
+def rows_of(
+    goals: Sequence[Element], known: Sequence[Element], main: Sequence[tuple[str, ...]] = ()
+) -> tuple[list[list[Element]], int] | None:
+    """Rows of cofactors for the goals, or for a power of them; none if they vanish."""
+    if all(goal.is_zero for goal in goals):
+        return [], 1
+    for power in range(1, LARGEST_POWER + 1 if len(known) > 1 else 2):
+        rows = [combined(goal**power, known, main) for goal in goals]
+        if None not in rows:
+            return [row for row in rows if row is not None], power
+    return None
 
 
 def combined(

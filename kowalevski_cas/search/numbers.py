@@ -54,7 +54,7 @@ def _samples(goal: Exists, finder: PointFinder) -> Iterator[tuple[list[Fraction]
     at = finder.of(one.space)
     collected = collect(Sum((sides[0], Negative(sides[1]))), goal.bound)
     elements = {monomial: at.scalar(c) for monomial, c in collected.items()}
-    for point in real_points(at):
+    for point in real_points(at, finder.names(one.space)):
         candidate = Candidate(at, point)
         try:
             values = {m: rational_terms(candidate(e)) for m, e in elements.items()}

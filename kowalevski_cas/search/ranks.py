@@ -29,8 +29,8 @@ class RankFinder(PointFinder):
             return self._independent(goal, at)
         rows = self._gradients(goal, at)
         columns = combinations(range(len(goal.space.variables)), len(rows))
-        minors = (determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns)
-        return Minors(()) if all(minor.is_zero for minor in minors) else None
+        minors = [determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
+        return Minors(((),) * len(minors)) if all(minor.is_zero for minor in minors) else None
 
     def _count(self, goal: Rank, at: Evaluation) -> int:
         return len(goal.functions) + len(at.differences(goal.given))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from kowalevski_cas.algebra.tower import Element
@@ -12,6 +12,7 @@ from kowalevski_cas.problem.accept import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.factors import irreducible_factors
+from kowalevski_cas.search.follows import rows_of
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.shown import shown
 
@@ -42,10 +43,8 @@ def _not_implied(goal: Simple, elements: Sequence[Element], setting: Elaboration
     found = [one.inverse() for one in at.ring.divided_by(elements)]
     if not setting.powers or not isinstance(goal, Follows) or not goal.given:
         return found
-    from kowalevski_cas.search.find import Finder  # most proofs are read, and search nothing
-
     known, one = at.differences(goal.given), at.ring.one
-    return [inverse for inverse in found if Finder.rows([one], [inverse.inverse(), *known]) is None]
+    return [inverse for inverse in found if rows_of([one], [inverse.inverse(), *known]) is None]
 
 
 def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula]:
@@ -54,7 +53,7 @@ def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula
     divisors = ring.divided_by(elements)
     if not divisors:
         return []
-    granted = {_shape(setting.finder.scalar(formula)) for formula in setting.nonzero}
+    granted = {_shape(one) for one in _granted(setting)}
     landmarks = [setting.texts.expression(locus.condition) for locus in setting.scene.loci]
     names = {_shape(setting.finder.scalar(setting.plain(f))): f for f in landmarks}
     found: dict[Formula, None] = {}
@@ -73,6 +72,14 @@ def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula
             del found[second]
             found = {(Product((first, second)) if f == first else f): None for f in found}
     return list(found)
+
+
+def _granted(setting: Elaboration) -> Iterator[Element]:
+    """What a setting takes for granted not to vanish, and what one over it is divided by."""
+    for formula in setting.nonzero:
+        element = setting.finder.scalar(formula)
+        yield element
+        yield from setting.finder.ring.divided_by([element.inverse()])
 
 
 def _without(divisor: Element, known: set[Shape]) -> Element:

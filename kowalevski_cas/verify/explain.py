@@ -90,7 +90,7 @@ def _where_it_fails(
     if found is None:
         return condition
     goal, evidence = found
-    judge = Judge(finder_of)
+    judge = Judge(finder_of, statement.names)
     try:
         judge.holds(goal, evidence) if isinstance(goal, Fails) else judge.denies(goal, evidence)
     except Unproved:

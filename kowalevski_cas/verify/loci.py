@@ -13,8 +13,7 @@ from kowalevski_cas.problem.evidence import Evidence, Point
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
-from kowalevski_cas.search.count import more_solutions
-from kowalevski_cas.search.find import Finder
+from kowalevski_cas.search.follows import rows_of
 from kowalevski_cas.search.place import Candidate
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.statement import Statement, finder_of
@@ -30,6 +29,9 @@ def failure_on(
     statement: Statement, setting: Elaboration, locus: Locus
 ) -> tuple[Goal, Evidence] | None:
     """A goal that fails on a locus and the evidence for it, if some are found."""
+    from kowalevski_cas.search.count import more_solutions
+    from kowalevski_cas.search.find import Finder  # only explanations search for what fails
+
     there = setting.equations(locus.equations)
     finder = Finder(finder_of, statement.names)
     for failing in _candidates(statement, setting, there):
@@ -77,7 +79,7 @@ def rank_on(
     """
     at = setting.finder
     there = at.differences(setting.equations(locus.equations))
-    left = [e for e in at.differences(goal.given) if Finder.rows([e], there) is None]
+    left = [e for e in at.differences(goal.given) if rows_of([e], there) is None]
     if len(left) == len(at.differences(goal.given)):
         return None
     zero = [*left, *there]
@@ -86,7 +88,9 @@ def rank_on(
     names = statement.names(setting)
     avoid = [at.scalar(formula) for formula in setting.nonzero]
     best: tuple[int, Point] | None = None
-    for point in islice(real_points(at, zero, [*avoid, *at.ring.divided_by(functions)]), TRIES):
+    for point in islice(
+        real_points(at, names, zero, [*avoid, *at.ring.divided_by(functions)]), TRIES
+    ):
         try:
             candidate = Candidate(at, point)
             if not candidate.vanish(zero):

@@ -11,8 +11,8 @@ from kowalevski_cas.problem.checker import Rejected
 from kowalevski_cas.problem.codec import evidence_data
 from kowalevski_cas.problem.evidence import Shown
 from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.processes import each, time_limit
 from kowalevski_cas.verify.certificate import written
-from kowalevski_cas.verify.limits import time_limit
 from study.labelled import Labelled
 from study.step import Measured
 
@@ -41,6 +41,10 @@ class Method(ABC):
             prepared = self.prepare(one)
         except (FormatError, Inexpressible, Rejected) as error:
             return {"seconds": None, "verdict": NONE, "reason": str(error.args[0])}
+        (measured,) = each(self._timed, [prepared])
+        return measured
+
+    def _timed(self, prepared: Any) -> Measured:
         start = perf_counter()
         try:
             with time_limit(SECONDS):

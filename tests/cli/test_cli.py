@@ -157,7 +157,7 @@ def test_3_timed_out(cli, write):
     slow = "class Slow(Identity):\n    def search(self, *_):\n        import time\n        time.sleep(3)\n"
     code, out, _ = cli("verify", write(f'{slow}t = s.display("t", "x=x")\ns.claim(Slow("slow", osc, t[1], ""))'), "--timeout", "0.05")  # fmt: skip
     assert code == 3
-    assert "not decided within 0.05 s by the search" in out
+    assert "not decided within 0.05 s" in out
 
 
 def test_4_the_arithmetics_disagree(cli, write, monkeypatch):

@@ -443,11 +443,9 @@ class Judge:
 
     def follows(self):
         require(all(self.goal["conclusions"]), "nothing")
-        if self.goal["conclusions"]:
-            require("point" in self.evidence or not self.goal["given"], "no point")
-            require("point" not in self.evidence or self.at() or True, "")
-        else:
-            require(not {"point", "away"} & self.evidence.keys(), "a point of nothing")
+        require("point" in self.evidence, "no point")
+        self.at(given=bool(self.goal["conclusions"]))
+        require(self.goal["conclusions"] or "away" not in self.evidence, "conditions of nothing")
         for values in self.general():
             known = self.names.differences(self.goal["given"], values)
             parts = [self.names.differences(one, values) for one in self.goal["conclusions"]]

@@ -70,21 +70,39 @@ class TestHypotheses:
             space = {**XY, "steps": [["root", "r", square]]}
             rejected([space], [follows(["x", "x"])], [{"point": at(x=0, y=0, r="i")}], "not real")
 
+    def test_a_root_without_a_declared_conjugate_is_real(self):
+        space = {**XY, "steps": [["root", "q", "x"]], "conjugates": [["x", "y"]]}
+        point = at(x=["*", 2, "i"], y=["*", -2, "i"], q=["+", 1, "i"])
+        rejected(
+            [space], [follows(["q", 3])], [{"goal": 0, "point": point}], "q is not real", "denied"
+        )
+        accepted([space], [follows(["q", 3])], [{"goal": 0, "point": at(x=4, y=4, q=2)}], "denied")
+
     def test_hypotheses_without_a_point(self):
         goal = follows(["x", 0], given=[["x", 0]])
         rejected([XY], [goal], [{"cofactors": [[1]]}], "key is missing")
-        accepted([XY], [follows(["x", "x"])], [{}])  # nothing is supposed
+        rejected([XY], [follows(["x", "x"])], [{}], "key is missing")
+        empty = {"goal": "follows", "space": 0, "given": [[1, 0]], "conclusions": []}
+        rejected([XY], [empty], [{"cofactors": [[1]]}], "key is missing")
+        accepted([XY], [empty], [{"cofactors": [[1]], "point": ORIGIN}])
 
-    def test_emptiness_with_a_point_or_a_condition(self):
+    def test_emptiness_with_a_condition(self):
         goal = {"goal": "follows", "space": 0, "given": [["x", 0]], "conclusions": []}
-        entry = {"cofactors": [[["/", 1, "x"]]]}
+        entry = {"cofactors": [[["/", 1, "x"]]], "point": at(x=1, y=0)}
         rejected([XY], [goal], [{**entry, "away": ["x"]}], "unknown")
-        rejected([XY], [goal], [{**entry, "point": ORIGIN}], "unknown")
         rejected([XY], [goal], [entry], "may be zero")
+
+    def test_emptiness_in_a_setting_that_is_empty(self):
+        space = {"variables": ["x"], "steps": [["root", "r", ["-", ["+", ["^", "x", 2], 1]]]]}
+        given = [[["^", "r", 2], ["+", ["-", ["^", "x", 2]], 4]]]
+        goal = {"goal": "follows", "space": 0, "given": given, "conclusions": []}
+        for r in (1, "i", ["-", "i"]):
+            entry = {"cofactors": [[["/", -1, 5]]], "point": at(x=0, r=r)}
+            rejected([space], [goal], [entry], "square|not real")
 
     def test_emptiness_of_nothing(self):
         goal = {"goal": "follows", "space": 0, "given": [], "conclusions": []}
-        rejected([XY], [goal], [{}], "not equal")
+        rejected([XY], [goal], [{"point": ORIGIN}], "not equal")
         rejected([XY], [{**goal, "goal": "fails"}], [{"point": ORIGIN}], "nothing")
 
     def test_nothing_stated(self):

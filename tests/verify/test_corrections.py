@@ -1,11 +1,24 @@
 """Corrections are proposals: nothing rests on one that the derivation does not accept."""
 
+from dataclasses import dataclass
+from time import sleep
+
 import pytest
 
 from kowalevski_cas.paper.claims import Definition, Identity
 from kowalevski_cas.paper.derivation import Scene, Section
 from kowalevski_cas.verify.outcome import in_latex
-from tests.paper.small import Oscillator, decide
+from kowalevski_cas.verify.run import verify
+from tests.paper.small import Oscillator, decide, derivation
+
+
+@dataclass(frozen=True, eq=False)
+class Slow(Definition):
+    """A definition of which the corrections come late."""
+
+    def neighbours(self, texts):
+        sleep(60)
+        yield from super().neighbours(texts)
 
 
 @pytest.fixture
@@ -71,7 +84,36 @@ def test_what_is_accepted_in_place_of_what_is_right():
     section, printed, both = scene_with("D = x^2")
     section.accept(printed[1], "D = x^3")
     own, use = decide(section, *both)
-    assert own.verdict == "error" and use.verdict == "refuted"
+    assert own.verdict == "error"
+    assert (use.verdict, use.message) == ("undecided", "rests on own")
+
+
+def test_what_is_accepted_and_claimed_nowhere_proves_nothing():
+    section, printed, (_, use) = scene_with("D = x^3")
+    section.accept(printed[1], "D = x^2")
+    (use,) = decide(section, use)
+    assert (use.verdict, use.message) == ("undecided", "rests on D.1")
+
+
+def test_a_claim_by_itself_is_decided_with_what_it_rests_on():
+    section, printed, both = scene_with("D = x^3")
+    section.accept(printed[1], "D = x^2")
+    section.claim(*both)
+    (use,) = verify(derivation(section), ["flint"], ["use"]).outcomes
+    assert use.verdict == "proved"
+    section.accept(printed[1], "D = 2x^2")
+    (use,) = verify(derivation(section), ["flint"], ["use"]).outcomes
+    assert (use.verdict, use.message) == ("undecided", "rests on own")
+
+
+def test_what_rests_on_a_correction_for_which_there_was_no_time_is_undecided():
+    section, printed, (own, use) = scene_with("D = x^3")
+    section.accept(printed[1], "D = x^2")
+    own = Slow(own.id, own.scene, own.printed, own.words, own.equation)
+    own, use = decide(section, own, use, timeout=1)
+    assert (own.verdict, own.message) == ("timeout", "no correction was found within the time")
+    assert (use.verdict, use.message) == ("undecided", "rests on own")
+    assert use.counterexample is None and use.correction is None
 
 
 def test_a_hopeless_formula_has_none(small):
