@@ -201,13 +201,14 @@ section.claim(
     ),
 )
 
-rotations = section.states(
-    Identity,
+section.states(
+    Implication,
     section.lemma(
         "rotations",
         r"E_3 = -(4\mu^2-4h\mu+y_1y_2-x_1x_2)",
         "which rotations are on $O^4$ as well: those with $h^2 \\ge y_1y_2-x_1x_2$",
     ),
-    on=at_critical.restricted(axis),
+    on=at_critical,
     says="the equation for $s=\\mu$ at a rotation about the third axis",
+    given=(*axis,),
 )

@@ -18,13 +18,24 @@ R = section.display(
     r"R_1 = w_2A-w_1B, \quad R_2 = 2w_1w_2\left(\frac{A}{w_1}-\frac{B}{w_2}\right)'",
 )
 
+written_out = section.lemma(
+    "R2-written-out",
+    r"""
+R_2 = (w_1z_2+w_2z_1)\omega_3^2
++\left[w_1^2x_2+w_2^2x_1+w_1w_2(y_1+y_2)+\frac{w_2z_1^2}{w_1}+\frac{w_1z_2^2}{w_2}\right]\omega_3
++\frac{w_2^2x_1z_1}{w_1}+\frac{w_1^2x_2z_2}{w_2}+w_1x_2z_1+w_2x_1z_2+(y_1-y_2)(w_1z_2-w_2z_1)""",
+    "the second relation without a derivative",
+)
+
 O4 = section.display("O4", r"R_1 = 0, \quad R_2 = 0")
 
 near_O4 = (
     complex_variables.described("near O⁴", "the variables (9) where $w_1$, $w_2$ are not zero")
     .having(nonzero=("w_1", "w_2"))
-    .defining(forces, R)
+    .defining(forces, R[1], written_out)
 )
+
+section.states(Identity, R[2], on=near_O4, says="the second relation is a derivative", ids=("R2",))
 
 section.claim(
     InvariantRelations(

@@ -58,11 +58,17 @@ root = section.lemma(
     "root-of-u", r"q^2 = X\left(\tau_3\xi^2-\sigma(\tau_3-X)\right)", "the discriminant over four"
 )
 
+rates_on_O4 = section.lemma(
+    "rates-on-O4",
+    r"\alpha = 2\eta, \quad \beta = is(w_1z_2-w_2z_1)",
+    "the velocity of $X$ and $\\xi$ on $O^4$, from above",
+)
+
 speed = section.lemma(
     "speed",
     r"""
-V = \left(\sigma(\tau_3-X)-\xi^2(\tau_3+X)\right)\dot X-2(\tau_3-X)X\xi\dot\xi, \quad
-W = \xi\dot X+(\tau_3-X)\dot\xi, \quad
+V = \left(\sigma(\tau_3-X)-\xi^2(\tau_3+X)\right)\alpha-2(\tau_3-X)X\xi\beta, \quad
+W = \xi\alpha+(\tau_3-X)\beta, \quad
 L = \xi^2(\tau_3+X)-\sigma(\tau_3-X), \quad
 N = 2\tau_3\xi(\tau_3-X+\xi)-(\tau_3-X)\left(\xi^2+\sigma+4s(h-s)(\tau_3-X)\right)""",
     "parts of the derivatives of $u_1$ and $u_2$",
@@ -84,7 +90,7 @@ section.states(
     .redefining(known[1], known[2], known[3], xi)
     .having(constants=("a", "b", "c"))
     .adjoining(root)
-    .defining(speed),
+    .defining(rates_on_O4, speed),
     says="how fast the variables of the plane are on $O^4$",
 )
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from kowalevski_cas.notation import Partial
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import equations, expression, vanishes
+from kowalevski_cas.paper.claims.forms import equations, expression, moving, vanishes
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Follows, Goal
@@ -23,7 +23,7 @@ class DoubleZero(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         value = expression(on, space, self.own)
-        gradient = (vanishes(Partial(value, name)) for name in space.variables)
+        gradient = (vanishes(Partial(value, name)) for name in moving(space, value))
         yield Follows(
             space, ((vanishes(value), *gradient),), equations(on, space, self.given), self.main
         )

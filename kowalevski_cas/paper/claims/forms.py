@@ -20,6 +20,7 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import Rows, is_matrix, rows, sizes
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Equation, Meaningless
 from kowalevski_cas.problem.trees import MARK
 
@@ -110,6 +111,13 @@ def expression(on: Elaborations, space: Elaboration, printed: Printed) -> Formul
 def first_member(on: Elaborations, space: Elaboration, printed: Printed) -> Formula:
     """The first member of a printed chain."""
     return space.plain(members(on.texts.relation(printed))[0])
+
+
+def moving(space: Elaboration, formula: Formula) -> list[str]:
+    """The variables that stand in a formula, and in what it is defined by."""
+    reach = Reach(space)
+    reach.formula(formula)
+    return [name for name in space.variables if name in reach.names]
 
 
 Matrix = list[list[Formula]]
