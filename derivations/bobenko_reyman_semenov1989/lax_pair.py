@@ -3,7 +3,10 @@ r"""1. The Lax pair with a spectral parameter, and what its characteristic polyn
 from kowalevski_cas.paper.claims import Definition, Identity
 from kowalevski_cas.paper.derivation import Section
 
-from ..kharlamov_savushkin2004.third_integral import everything
+from ..kharlamov2002.section1 import eq4
+from ..kharlamov2002.section2 import c, eq17, unit
+from ..kharlamov_savushkin2004.setting import complex_variables, p
+from ..kharlamov_savushkin2004.third_integral import VECTORS, G
 
 section = Section("1", "The Lax pair", copied=False)
 
@@ -25,12 +28,14 @@ w_1/2 & 0 & \omega_3/2 & \kappa\\
 )
 
 spectral = (
-    everything.described(
+    complex_variables.described(
         "spectral parameter",
         "the variables (9) with a constant $\\kappa$, where all other constants abbreviate functions",
     )
-    .having(constants=(r"\kappa", r"\mu"), nonzero=(r"\kappa",))
-    .defining(pair)
+    .having(vectors=VECTORS, constants=(r"\kappa", r"\mu"), nonzero=(r"\kappa",))
+    .with_unit(unit[1])
+    .adjoining(eq4[1], eq4[2], p)
+    .defining(eq4[3], c, eq17, G, pair)
 )
 
 lax = section.display("lax", r"{\bf L}' = {\bf L}{\bf M}-{\bf M}{\bf L}")
