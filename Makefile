@@ -27,7 +27,7 @@ verify: $(VENV)/.installed ## Prove or refute every formula, check the certifica
 motion: $(VENV)/.installed ## Draw a motion on N⁴ into reports/motion; the reports then show it
 	@$(RUN) pictures
 
-report: $(VENV)/.installed ## Write reports/*.tex and reports/*.pdf
+report: $(VENV)/.installed ## Write reports/*.html, *.pdf, *.tex and *.json
 	@$(RUN) report --output reports
 
 record: $(VENV)/.installed ## Search anew; write the record of verdicts and the certificates

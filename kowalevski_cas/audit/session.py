@@ -45,10 +45,9 @@ class AuditSession(Session):
         timeout: float | None = None,
         record: Mapping[str, Mapping[str, object]] | None = None,
         patience: float | None = PATIENCE,
+        explain: bool = False,
     ) -> None:
-        super().__init__(
-            derivation, arithmetics, certificates=certificates, timeout=timeout, record=record
-        )
+        super().__init__(derivation, arithmetics, explain, certificates, timeout, record=record)
         self.patience = patience
         self.causes: dict[str, tuple[Printed, ...]] = {}
         self.misprints: dict[Printed, Edit] = {}
@@ -138,8 +137,9 @@ class AuthorSession(AuditSession):
 
     def __init__(self, base: AuditSession, sources: Mapping[Display, str]) -> None:
         super().__init__(
-            base.derivation, base.arithmetics, base.stored, base.timeout, base.record, base.patience
-        )
+            base.derivation, base.arithmetics, base.stored, base.timeout, base.record,
+            base.patience, base.explain,
+        )  # fmt: skip
         self.base = base
         self.known = base.outcomes
         self.causes = {**base.causes}

@@ -30,6 +30,7 @@ from kowalevski_cas.cli.exits import (
     USAGE,
     CommandError,
 )
+from kowalevski_cas.files import write
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.certificate import load_certificates
@@ -55,6 +56,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="print a unified diff that mends every misprint, instead of the results",
     )
     parser.add_argument(
+        "--report",
+        type=Path,
+        metavar="DIR",
+        help="write the paper there as a page, with its verdict beside each formula",
+    )
+    parser.add_argument(
         "--arithmetic",
         choices=(*EXACT, "all"),
         default="flint",
@@ -72,25 +79,44 @@ def run(arguments: argparse.Namespace) -> int:
         (done,) = session.watched(lambda source: _audited(arguments, source), [source])
     except SourceError as error:
         raise CommandError(str(error)) from None
-    said, code = done
+    said, note, code = done
     if arguments.patch:
         sys.stdout.flush()
         sys.stdout.buffer.write(said.encode(source.encoding, "replace"))
     else:
         print(said, end="")
+    if note:
+        print(note, file=sys.stderr)
     return code
 
 
-def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, int]:
-    """What is to be printed of an audit, and the exit code."""
+def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, str, int]:
+    """What is to be printed of an audit, what is to be noted, and the exit code."""
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
     folder, derivation = chosen(source, arguments.derivation)
-    found = audit(source, auditing(folder, derivation, arithmetics, arguments.timeout))
+    explain = arguments.report is not None
+    base = auditing(folder, derivation, arithmetics, arguments.timeout, explain)
+    found = audit(source, base)
+    note = _written(found, arguments.report) if explain else ""
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
 
-        return patch(found), exit_code(found)
-    return load_format(arguments.format)(found), exit_code(found)
+        return patch(found), note, exit_code(found)
+    return load_format(arguments.format)(found), note, exit_code(found)
+
+
+def _written(found: Audit, folder: Path) -> str:
+    """Write the page of an audit; where it is."""
+    from kowalevski_cas.report import render_html
+    from kowalevski_cas.report.annotated import annotated
+    from kowalevski_cas.report.prose import ProseError
+
+    page = folder / f"{Path(found.source.path).stem}.html"
+    try:
+        write(page, render_html(annotated(found)))
+    except ProseError as error:
+        raise CommandError(str(error)) from None
+    return f"{page} is written"
 
 
 def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
@@ -111,11 +137,15 @@ def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
 
 
 def auditing(
-    folder: Path, derivation: Derivation, arithmetics: Sequence[str], timeout: float
+    folder: Path,
+    derivation: Derivation,
+    arithmetics: Sequence[str],
+    timeout: float,
+    explain: bool = False,
 ) -> AuditSession:
     """The run of a derivation with which sources are compared."""
     stored, record = load_certificates(folder), session.recorded(folder)
-    return AuditSession(derivation, arithmetics, stored, timeout, record)
+    return AuditSession(derivation, arithmetics, stored, timeout, record, explain=explain)
 
 
 def exit_code(found: Audit) -> int:

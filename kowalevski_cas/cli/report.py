@@ -1,4 +1,4 @@
-"""Write the report of a derivation as LaTeX and PDF."""
+"""Write the report of a derivation as a web page, LaTeX and PDF."""
 
 from __future__ import annotations
 
@@ -45,14 +45,17 @@ def run(arguments: argparse.Namespace) -> int:
 
 def write(run: Run, folder: Path, derivation: Path) -> tuple[Checked, str]:
     """Write the report of a run; what the checker says of its certificates, and where it is."""
-    from kowalevski_cas.report import ReportError, write_report
+    from kowalevski_cas.library import load
+    from kowalevski_cas.report import ReportError, sections, write_report
     from kowalevski_cas.verify.committed import check_committed
 
     checked = check_committed(derivation, session.recorded(derivation))
     own = {outcome.claim: outcome.digest for outcome in run.outcomes}
     try:
-        written = write_report(run, folder, dict(own.items() & checked.digests.items()))
+        paper = load(str(derivation))
+        found = sections(run, paper, paper.texts())
+        written = write_report(run, found, folder, dict(own.items() & checked.digests.items()))
     except ReportError as error:
         raise CommandError(f"the report: {error}") from None
-    said = [*written.notes, f"{written.tex} and {written.pdf} are written"]
+    said = [*written.notes, f"{written.html} and {written.pdf} are written"]
     return checked, "\n".join(said)

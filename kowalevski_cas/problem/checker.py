@@ -392,6 +392,7 @@ class Space:
         self.mirror: Map | None = None
         self.rates: Rates | None = None
         self.old: Space | None = None
+        self.granted: list[Element] = []  # what does not vanish where a change comes from
         self.waiting: set[str] = set()  # variables that have no rate yet
         self.variables, self.constants = (
             labels(data.get(k, [])) for k in ("variables", "constants")
@@ -603,6 +604,8 @@ class Space:
         for name, conjugate in source.bar.items():
             both = here(conjugate) - self.conj(here.images[name])
             need(both.vanishes(), f"{name} does not keep its conjugate, it is not real")
+        granted = [*source.granted, *map(source.scalar, source.data.get("nonzero", []))]
+        self.granted = [here(e) for e in granted]
         time = here(source.scalar(data["time"]))
         self.inverse(time)
         rates = {name: here(source.derivative(e)) * time for name, e in new.items()}
@@ -747,6 +750,7 @@ def locate(space: Space, data: Json, given: list[Element], numbers: Space | None
         real = (at(conjugate) - numbers.conj(at.images[name])).vanishes()
         need(real, f"{name} is not real there")
     need(all(at(e).vanishes() for e in given), "the point is not where it should be")
+    need(all(at(e).differs() for e in space.granted), "a condition fails before the change")
     for name, words in space.known.items():
         try:
             at(space.ring.generator(name))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from copy import copy
 from fractions import Fraction
 from functools import cache, cached_property
@@ -282,6 +283,16 @@ class Evaluation:
         if self._others is None:
             return Evaluation(setting, self.polynomials).adjoin_roots()
         return self._others(setting)
+
+    @cached_property
+    def granted(self) -> list[Element]:
+        """What does not vanish here; nor where a change comes from, as far as it is known here."""
+        found = [self.scalar(formula) for formula in self.setting.nonzero]
+        change = self.setting.change
+        for element in () if change is None else self.other(change.old).granted:
+            with suppress(Meaningless):
+                found.append(self.image(element))
+        return found
 
     @cached_property
     def time_sign(self) -> int:

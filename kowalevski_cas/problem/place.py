@@ -98,7 +98,7 @@ class Place:
             bar = given.get(partner.get(name, name))
             if bar is None or not (value.conjugate_root(UNIT) - bar).is_zero:
                 raise Misplaced(f"{name} is not real there")
-        for element in map(at.scalar, setting.nonzero):
+        for element in at.granted:
             if self.knows(element) and self(element).is_zero:
                 raise Misplaced("what is taken for granted not to vanish does")
 

@@ -79,8 +79,7 @@ class PointFinder:
         It is sought among points in general position, then where all variables vanish, and then
         where some do, as many as ``most``.
         """
-        avoid = [at.scalar(formula) for formula in at.setting.nonzero]
-        avoid += at.ring.divided_by(divided)
+        avoid = [*at.granted, *at.ring.divided_by(divided)]
         names = self.names(at.setting)
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
         for further in self._sections(at, most):

@@ -149,7 +149,7 @@ def _against(
         return Counterexample(_at(place), Number(own), Number(claimed), words)
     if accepted.differs is not None:
         left, right = map(number_formula, accepted.differs)
-        return Counterexample(_at(place), left, right, _words(goal, place))
+        return Counterexample(_at(place), left, right, _words(statement, goal, place))
     if isinstance(evidence, Regardless) and isinstance(goal, Exists):
         return _regardless(goal, evidence, place)
     return None
@@ -159,7 +159,7 @@ def _at(place: Place) -> Point:
     return point(place.point.values, place.at.setting)
 
 
-def _words(goal: Goal, place: Place) -> str:
+def _words(statement: Statement, goal: Goal, place: Place) -> str:
     """What the two values at a point are, if not the two sides of what is printed."""
     assert isinstance(goal, Follows)
     left, right = _failing(goal, place)
@@ -170,10 +170,12 @@ def _words(goal: Goal, place: Place) -> str:
         which = ("", "second ", "third ")[min(order, 3) - 1]
         whose = " of a given function" if goal.given else ""
         return f"the {which}derivative{whose} along the motion, and zero"
-    if not goal.given:
-        return ""
     sides = to_latex(Relation((left, right), ("=",)))
     what = f" of ${sides}$" if not order and len(sides) < SHORT else ""
+    if not goal.given:
+        printed = statement.claim.formulas(statement.on.texts)
+        own = {member for one in printed if isinstance(one, Relation) for member in one.members}
+        return "" if own & {left, right} or not what else f"the two sides{what}"
     return f"the two sides{what}, at a point where what is given holds"
 
 

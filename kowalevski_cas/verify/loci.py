@@ -86,11 +86,9 @@ def rank_on(
     functions = [*(at.scalar(f) for f in goal.functions), *zero]
     rows = [[at.partial(f, name) for name in setting.variables] for f in functions]
     names = statement.names(setting)
-    avoid = [at.scalar(formula) for formula in setting.nonzero]
+    avoid = [*at.granted, *at.ring.divided_by(functions)]
     best: tuple[int, Point] | None = None
-    for point in islice(
-        real_points(at, names, zero, [*avoid, *at.ring.divided_by(functions)]), TRIES
-    ):
+    for point in islice(real_points(at, names, zero, avoid), TRIES):
         try:
             candidate = Candidate(at, point)
             if not candidate.vanish(zero):

@@ -11,7 +11,11 @@ from typing import ClassVar
 
 import pytest
 
+from kowalevski_cas.algebra import load
 from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.accept import Judge, Unproved
+from kowalevski_cas.problem.codec import read_evidence, read_problem
+from kowalevski_cas.problem.evaluate import Evaluation
 
 from .tampering import at as place
 from .tampering import places, seal
@@ -77,6 +81,29 @@ class TestHypotheses:
             [space], [follows(["q", 3])], [{"goal": 0, "point": point}], "q is not real", "denied"
         )
         accepted([space], [follows(["q", 3])], [{"goal": 0, "point": at(x=4, y=4, q=2)}], "denied")
+
+    def test_what_is_assumed_before_a_change(self):
+        """With u = x + y, v = x - y and x not zero there is nothing where u = -v."""
+        half = [["*", ["/", 1, 2], ["+", "u", "v"]], ["*", ["/", 1, 2], ["+", "u", ["-", "v"]]]]
+        steps = [["let", name, tree] for name, tree in zip("xy", half, strict=True)]
+        formulas = [["u", ["+", "x", "y"]], ["v", ["+", "x", ["-", "y"]]]]
+        change = {"old": 0, "formulas": formulas, "time": 1}
+        old = {**XY, "nonzero": ["x"], "field": [[["x"], 1, 0], [["y"], 1, 0]]}
+        new = {"variables": ["u", "v"], "steps": steps, "change": change}
+        goal = follows([["D", "u"], 0], given=[["u", ["-", "v"]]], space=1)
+        entry = {"cofactors": [[0]], "point": at(u=1, v=-1)}
+        rejected([old, new], [goal], [entry], "before the change")
+        accepted([XY | {"field": old["field"]}, new], [goal], [entry])
+        problem = read_problem({"spaces": [old, new], "goals": [goal]})
+        made = {}
+
+        def of(space):
+            if space not in made:
+                made[space] = Evaluation(space, load("flint"), others=of).adjoin_roots()
+            return made[space]
+
+        with pytest.raises(Unproved, match="granted"):
+            Judge(of).holds(problem.goals[0], read_evidence(entry, problem.goals[0]))
 
     def test_hypotheses_without_a_point(self):
         goal = follows(["x", 0], given=[["x", 0]])

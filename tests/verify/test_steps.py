@@ -86,6 +86,13 @@ def test_a_counterexample_says_what_its_values_are(told):
     assert condition.witness.words.endswith(words)
 
 
+def test_an_equation_that_is_not_the_one_claimed_is_named(told):
+    assert told["eq9.i"].counterexample.words.startswith(
+        r"the two sides of $2\frac{\dot{z}_1}{i} ="
+    )
+    assert told["eq14"].counterexample.words == ""
+
+
 def test_a_correction_that_is_accepted_is_named_by_what_rests_on_it(told):
     assert told["eq9.i"].correction.accepted and not told["eq14"].correction.accepted
     assert told["eq9.i"].corrected == () and told["J3"].corrected == ()
