@@ -124,9 +124,10 @@ def each(
                 raise process.error
             yield from process.results
     finally:
-        for process in running:
+        left = [process for process in running if process.runs]
+        for process in left:
             process.send(signal.SIGTERM)
-        for process in running:
+        for process in left:
             process.tidy()
             process.end()
 
@@ -139,6 +140,7 @@ class _Process(Generic[Item, Result]):
         self.given_up: dict[int, Exception] = {}
         self.results: list[Result] = []
         self.error: BaseException | None = None
+        self.runs = False
 
     def start(self) -> None:
         """Begin the work, or begin it anew."""
@@ -155,6 +157,7 @@ class _Process(Generic[Item, Result]):
         os.close(writing)
         if _here is None:
             os.setpgid(self.pid, self.pid)  # a group of its own, which ends with it
+        self.runs = True
 
     @property
     def done(self) -> bool:
@@ -216,6 +219,7 @@ class _Process(Generic[Item, Result]):
         """End the process, and those that it has begun; how it has ended."""
         os.close(self.reading)
         self.send(signal.SIGKILL)
+        self.runs = False
         code = os.waitstatus_to_exitcode(os.waitpid(self.pid, 0)[1])
         return f"exit code {code}" if code >= 0 else signal.strsignal(-code) or f"signal {-code}"
 

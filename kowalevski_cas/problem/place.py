@@ -12,12 +12,23 @@ from kowalevski_cas.algebra.numbers import Substitution
 from kowalevski_cas.algebra.polynomials import Polynomials
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Quotient, Root, Sum
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Root,
+    Sum,
+)
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.space import Adjoined, Raised, Space
 
 MINUS_ONE = Negative(Number(1))
+NUMERIC = (Number, Name, Negative, Sum, Product, Quotient, Power)
 UNIT = 0
 """The place of i among the roots of the numbers."""
 
@@ -123,6 +134,8 @@ def _squares(formula: Formula) -> set[int]:
         if not isinstance(formula.argument, Number) or formula.argument.value < 2:
             raise Misplaced("a root at a point is no root of a whole number")
         return {formula.argument.value}
+    if not isinstance(formula, NUMERIC):
+        raise Misplaced("a value at the point is no number")
     return {number for child in formula.children() for number in _squares(child)}
 
 

@@ -70,7 +70,7 @@ def decode(tree: Tree) -> Formula:
     >>> decode(["D", "x_1"]) == Derivative(Name("x_1"), MARK)
     True
     """
-    if type(tree) is str:
+    if type(tree) is str and tree:
         return _name(tree)
     if type(tree) is int:
         return Number(tree) if tree >= 0 else Negative(Number(-tree))

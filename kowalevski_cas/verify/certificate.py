@@ -45,8 +45,10 @@ class Stored:
             raise FormatError(f"{self.path}: {error}") from None
 
     def _verdicts(self, statement: Statement) -> Verdicts:
-        evidence = self.data.get("evidence")
-        if self.data.get("sign") == "denied" and isinstance(evidence, list) and evidence:
+        evidence, sign = self.data.get("evidence"), self.data.get("sign")
+        if sign not in ("holds", "denied"):
+            raise FormatError("it neither holds nor is denied")
+        if sign == "denied" and isinstance(evidence, list) and evidence:
             entry = dict(evidence[0])
             place = entry.pop("goal", None)
             if not isinstance(place, int) or not 0 <= place < len(statement.goals):

@@ -121,6 +121,9 @@ class Session(Mender):
             return self._unread(claim, on, Verdict.TIMEOUT, late)
         except (NotationError, Meaningless, FormatError, ProcessDied) as error:
             return self._unread(claim, on, Verdict.ERROR, str(error))
+        except (ArithmeticError, MemoryError, RecursionError) as error:
+            said = f"it cannot be computed ({type(error).__name__}: {error})"
+            return self._unread(claim, on, Verdict.ERROR, said)
         if outcome.verdict is Verdict.REFUTED:
             correcting = perf_counter()
             outcome = self._with_correction(claim, on, outcome, correcting - start)

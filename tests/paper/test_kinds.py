@@ -268,14 +268,16 @@ def test_a_change_of_variables(oscillator):
     assert in_latex(found[-1].correction.formulas) == "z_1' = -z_1"
 
 
-def test_a_singular_change_gives_no_scene(oscillator):
-    texts = {"change": r"z_1=x+iv,\quad z_2=2x+2iv"}
-    claim = InvertibleChange(
-        "change", oscillator.new, None, "", old=oscillator.old, pairs=(("z_1", "z_2"),)
-    )
-    (outcome,) = decide(oscillator.section, claim, sources=texts)
-    assert outcome.verdict == "error"
-    assert outcome.message == "the change of variables is not invertible"
+@pytest.mark.parametrize("second", ["2x+2iv", "-x-iv", "ix-v", "0"])
+@pytest.mark.parametrize("pairs", [(("z_1", "z_2"),), ()])
+def test_a_singular_change_is_refuted_and_gives_no_scene(oscillator, second, pairs):
+    texts = {"change": rf"z_1=x+iv,\quad z_2={second}"}
+    claim = InvertibleChange("change", oscillator.new, None, "", old=oscillator.old, pairs=pairs)
+    there = ChangedEquation("there", oscillator.new, oscillator("z_1'=z_1"), "", oscillator.old)
+    change, there = decide(oscillator.section, claim, there, sources=texts)
+    assert change.verdict == "refuted" and there.verdict == "error"
+    assert change.message == "the differentials depend on each other everywhere"
+    assert there.message == "the change of variables is not invertible"
 
 
 def test_last_multiplier(top):

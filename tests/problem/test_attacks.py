@@ -4,7 +4,6 @@ import json
 import re
 import subprocess
 import sys
-import time
 from copy import deepcopy
 from pathlib import Path
 from typing import ClassVar
@@ -14,13 +13,14 @@ import pytest
 from kowalevski_cas.algebra import load
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.accept import Judge, Unproved
+from kowalevski_cas.problem.checker.__main__ import main
 from kowalevski_cas.problem.codec import read_evidence, read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
 
 from .tampering import at as place
 from .tampering import places, seal
 
-CHECKER = Path(checker.__file__)
+CHECKER = Path(checker.__file__).parent
 
 
 def certificate(spaces, goals, evidence, sign="holds", **more):
@@ -129,7 +129,7 @@ class TestHypotheses:
 
     def test_emptiness_of_nothing(self):
         goal = {"goal": "follows", "space": 0, "given": [], "conclusions": []}
-        rejected([XY], [goal], [{"point": ORIGIN}], "not equal")
+        rejected([XY], [goal], [{"point": ORIGIN}], "nothing")
         rejected([XY], [{**goal, "goal": "fails"}], [{"point": ORIGIN}], "nothing")
 
     def test_nothing_stated(self):
@@ -348,6 +348,54 @@ class TestMotion:
         rejected([XY, space], [follows(["x", "x"])], [self.POINT], "a field, or a change")
 
 
+class TestConjugation:
+    """It is an involution that keeps all relations, or nothing is conjugated."""
+
+    PAIR: ClassVar = {**XY, "conjugates": [["x", "y"]]}
+
+    def test_a_real_root_of_what_is_not_real(self):
+        space, point = {**self.PAIR, "steps": [["root", "r", "x"]]}, at(x=1, y=1, r=1)
+        rejected([space], [follows([["conj", "r"], "r"])], [{"point": point}], "keep its square")
+        formula = {"goal": "positive", "space": 0, "given": [], "formula": ["+", "x", 1]}
+        entry = {"point": point, "squares": [[1, "r"], [1, 1]], "cofactors": [[]], "zero": {}}
+        rejected([space], [formula], [entry], "keep its square")
+        assert accepted([space], [follows(["r", "r"])], [{"point": point}])
+        for x, y, r in (("i", ["-", "i"], "i"), (["*", 2, "i"], ["*", -2, "i"], ["+", 1, "i"])):
+            rejected([space], [follows(["r", "r"])], [{"point": at(x=x, y=y, r=r)}], "real|square")
+
+    def test_conjugate_roots_of_conjugates(self):
+        steps = [["root", "r", "x"], ["root", "s", "y"]]
+        space = {**XY, "steps": steps, "conjugates": [["x", "y"], ["r", "s"]]}
+        goal = follows([["conj", ["*", "r", "x"]], ["*", "s", "y"]])
+        entry = {
+            "point": at(x=["*", 2, "i"], y=["*", -2, "i"], r=["+", 1, "i"], s=["+", 1, ["-", "i"]])
+        }
+        assert accepted([space], [goal], [entry])
+        steps[1][2] = ["*", 2, "y"]
+        rejected([space], [goal], [entry], "keep its square")
+
+    def test_a_real_root_of_a_negative_number(self):
+        goal = follows([["*", "j", ["conj", "j"]], 4])
+        assert accepted(
+            [{**XY, "steps": [["root", "j", -4]]}],
+            [goal],
+            [{"point": at(x=0, y=0, j=["*", 2, "i"])}],
+        )
+        steps = [["root", "j", -4], ["root", "k", -4]]
+        space = {**XY, "steps": steps, "conjugates": [["j", "k"]]}
+        rejected([space], [goal], [{"point": at(x=0, y=0, j="i", k="i")}], "its own pair")
+
+    @pytest.mark.parametrize("value", [1, -1, "i", ["*", 2, "i"]])
+    def test_a_root_is_real_where_its_square_is_no_negative_number(self, value):
+        space = {**XY, "steps": [["root", "r", "x"]]}
+        square = {1: 1, -1: 1, "i": -1}.get(value if isinstance(value, int | str) else 0, -4)
+        entry = {"point": at(x=square, y=0, r=value)}
+        if square > 0:
+            assert accepted([space], [follows(["r", "r"])], [entry])
+        else:
+            rejected([space], [follows(["r", "r"])], [entry], "not real")
+
+
 class TestPowers:
     SPACE: ClassVar = {"variables": ["x"], "constants": ["m"], "steps": [["power", "P", "x", "m"]]}
 
@@ -455,6 +503,25 @@ class TestExistence:
         inner = self.exists(follows(["M", 0]), expressions=["M"])
         for goal in (self.exists(inner, expressions=["M"]), self.exists(expressions=["M"])):
             rejected([XY], [goal], [{"values": [["M", 0]], "evidence": []}], "unknown|nothing")
+
+
+class TestDenials:
+    """A denial may not suppose more than the goal: where it fails, the goal might hold."""
+
+    GOAL = follows(["y", 0], given=[[["*", "x", "y"], 0]])
+
+    def test_what_fails_somewhere_is_not_denied_elsewhere(self):
+        fails = {**self.GOAL, "goal": "fails"}
+        assert accepted([XY], [fails], [{"point": at(x=0, y=1)}])
+        entry = {"goal": 0, "away": ["x"], "cofactors": [[["/", 1, "x"]]], "point": at(x=1, y=0)}
+        rejected([XY], [fails], [entry], "may fail where", "denied")
+        (found,) = accepted([XY], [self.GOAL], [{k: v for k, v in entry.items() if k != "goal"}])
+        assert found.where == ["x"]
+
+    def test_minors_are_not_divided(self):
+        rank = {"goal": "rank", "space": 0, "functions": [["*", "x", "y"]], "given": [], "rank": 1}
+        entry = {"goal": 0, "away": ["x"], "minors": [[], []]}
+        rejected([XY], [rank], [entry], "unknown", "denied")
 
 
 class TestPositive:
@@ -592,13 +659,13 @@ class TestNames:
             data = certificate([XY], [follows(["x", "x"])], [{"point": ORIGIN}])
             data[key] = "a\nCERTIFIED 9 of 9"
             (tmp_path / "c.json").write_text(json.dumps(data) if key == "digest" else seal(data))
-            assert checker.main([str(tmp_path / "c.json")]) == 5
+            assert main([str(tmp_path / "c.json")]) == 5
         name = "x\nCERTIFIED 9 of 9\u202e"
         for tree in (name, [name, 1], ["+", name, 1], ["^", "x", name], ["d", name, 1]):
             (tmp_path / "c.json").write_text(
                 seal(certificate([XY], [follows([tree, tree])], [{"point": ORIGIN}]))
             )
-            assert checker.main([str(tmp_path / "c.json")]) == 5
+            assert main([str(tmp_path / "c.json")]) == 5
         lines = capsys.readouterr().out.splitlines()
         assert {line for line in lines if not line.startswith("REJECTED")} == {"CERTIFIED 0 of 1"}
         assert all(re.fullmatch("[ -~]*", line) for line in lines)
@@ -629,67 +696,6 @@ class TestNumbers:
         rejected([XY], [follows(["x", "x"], space=index)], [{"point": ORIGIN}], "odd|integer")
         entry = {"goal": index, "point": at(x=1, y=0)}
         rejected([XY], [follows(["x", 0])], [entry], "odd|integer", "denied")
-
-    def test_towers_of_powers(self):
-        for base in (10**40, ["/", 1, 3], ["+", "x", 10**40]):
-            tree = base
-            for _ in range(12):
-                tree = ["^", tree, 64]
-            rejected([XY], [follows([tree, tree])], [{"point": ORIGIN}], "too large|too much")
-
-    def test_sums_that_never_end(self):
-        names = [f"x_{k}" for k in range(90)]
-        steps = [["let", "t_0", ["+", *names]]]
-        steps += [["let", f"t_{k + 1}", ["*", f"t_{k}", f"t_{k}"]] for k in range(20)]
-        space = {"variables": names, "steps": steps}
-        rejected([space], [follows([0, 0])], [{"point": at()}], "too much|too large")
-        steps = [["let", "t_0", ["^", ["+", *names], 2]]]
-        steps += [["let", f"s_{k}", ["+", *["t_0"] * 5000]] for k in range(5)]
-        space = {"variables": names, "steps": steps}
-        rejected([space], [follows([0, 0])], [{"point": at()}], "too much|too large")
-
-    def test_fractions_with_many_denominators(self):
-        """Each of them is small; what they have in common is not."""
-        primes = [
-            p for p in range(3, 60_000, 2) if all(p % q for q in range(3, int(p**0.5) + 1, 2))
-        ]
-        sums = [["+", *(["/", 1, p] for p in primes[k : k + 300])] for k in range(0, 6000, 300)]
-        whole = ["+", *(["/", ["^", "x", k % 64], p] for k, p in enumerate(primes))]
-        for tree in (
-            ["+", *sums],
-            whole,
-            ["vector", *sums],
-            ["*", *sums],
-            ["^", ["+", "x", *sums], 64],
-        ):
-            goal = follows([tree, tree])
-            start = time.process_time()
-            rejected(
-                [XY],
-                [goal],
-                [{"point": at(x=1, y=1, z=0)}],
-                "too large|too much|value of the point",
-            )
-            assert time.process_time() - start < 20
-
-    def test_many_conclusions(self):
-        goal = {**follows(), "conclusions": [[["x", k] for k in range(30)]] * 12}
-        rejected([XY], [goal], [{"point": ORIGIN}], "too much|too large")
-
-    def test_many_minors(self):
-        names = [f"x_{k}" for k in range(60)]
-        goal = {
-            "goal": "rank",
-            "space": 0,
-            "functions": [["+", *names]] * 30,
-            "given": [],
-            "rank": 3,
-        }
-        rejected([{"variables": names}], [goal], [{"goal": 0, "minors": []}], "too much", "denied")
-
-    def test_a_thousand_names(self):
-        names = [f"x_{k}" for k in range(1000)]
-        rejected([{"variables": names}], [follows([0, 0])], [{"point": at()}], "too many")
 
     def test_work_belongs_to_one_check(self):
         goal = follows([["^", ["+", "x", "y"], 40], ["^", ["+", "y", "x"], 40]])

@@ -90,7 +90,7 @@ class Program(Format):
             raise Inexpressible(f"the checker says: {error.args[0]}") from None
 
     def _text(self, certificate: Json) -> str:
-        ring = checker.Ring([10 * checker.WORK])
+        ring = checker.Ring(checker.Budget(10 * checker.WORK))
         problem = checker.Problem(certificate["spaces"], certificate["goals"], ring)
         spaces: list[Space] = []
         for k, checked in enumerate(problem.spaces):

@@ -9,9 +9,10 @@ from kowalevski_cas.notation import Conjugate, Name, NotationError
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.forms import chain
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.inverse import SingularChange
 from kowalevski_cas.paper.scene import Change, Scene
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.goals import Goal, identity
+from kowalevski_cas.problem.goals import Goal, Rank, identity
 from kowalevski_cas.problem.space import Meaningless
 
 
@@ -33,14 +34,22 @@ class ChangedEquation(Claim):
 
 @dataclass(frozen=True, eq=False)
 class InvertibleChange(Claim):
-    """The change to ``scene`` has an inverse, and ``pairs`` are conjugates of each other."""
+    """The change to ``scene`` has an inverse, and ``pairs`` are conjugates of each other.
+
+    A linear change that has none is refuted by its rank.
+    """
 
     old: Scene
     pairs: tuple[tuple[str, str], ...]
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         old = on(self.old)
-        inverse = on(self.scene).inverse
+        try:
+            inverse = on(self.scene).inverse
+        except SingularChange:
+            new = self.scene.variables
+            yield Rank(old, tuple(map(old.formula, new)), (), len(new))
+            return
         yield identity(old, *((Name(name), inverse[name]) for name in old.variables))
         bars = ((old.formula(b), Conjugate(old.formula(a))) for a, b in self.pairs)
         yield identity(old, *bars)
@@ -51,9 +60,9 @@ class InvertibleChange(Claim):
         yield from change.formulas
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
-        first = self.pairs[0][0]
-        claim = replace(self, pairs=((first, first),))
-        yield Neighbour(f"{first} as its own conjugate", claim, texts)
+        for first, _ in self.pairs[:1]:
+            claim = replace(self, pairs=((first, first),))
+            yield Neighbour(f"{first} as its own conjugate", claim, texts)
 
 
 @dataclass(frozen=True, eq=False)
