@@ -342,6 +342,9 @@ def is_bold(name: str) -> bool:
 BRACKET, EPSILON = r"\{", r"\varepsilon_{ijk}"
 """The Poisson bracket as a function, and the sign of a permutation."""
 
+DETERMINANT = r"\mathrm{det}"
+"""The determinant as a function of matrices."""
+
 
 def head(name: str) -> tuple[str, tuple[str, ...]]:
     r"""The function and its arguments in a head like ``\varphi(s)``; a bare name has none.
@@ -368,6 +371,6 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
         matrices=matrices,
         functions=frozenset(
             head(n)[0] for s in scenes for n in s.definitions if head(n)[1] and n[:2] != BRACKET
-        ),
+        ).union([DETERMINANT] if matrices else []),
         times=times,
     )
