@@ -35,6 +35,8 @@ near_O4 = (
     .defining(forces, R[1], written_out)
 )
 
+FIELDS = ("x_1", "x_2", "y_1", "y_2", "z_1", "z_2", r"\omega_3")
+
 section.states(Identity, R[2], on=near_O4, says="the second relation is a derivative", ids=("R2",))
 
 section.claim(
@@ -44,8 +46,7 @@ section.claim(
         None,
         "$R_1=0$, $R_2=0$ defines an invariant set",
         relations=(*O4,),
-        names=("R_1", "R_2"),
-        main=(("x_1", "x_2", "y_1", "y_2", "z_1", "z_2", r"\omega_3"),),
+        main=(FIELDS,),
     )
 )
 
@@ -84,6 +85,7 @@ section.states(
     says="it is constant on $O^4$",
     ids=("s", "tau"),
     given=(*O4,),
+    main=(FIELDS,),
 )
 
 polynomial = section.lemma(
