@@ -10,7 +10,8 @@ from kowalevski_cas.algebra.modular import SampledPrograms
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Sum
-from kowalevski_cas.problem.evaluate import Evaluation, Value
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.fold import Value
 from kowalevski_cas.problem.space import Let
 
 

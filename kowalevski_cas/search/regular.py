@@ -8,8 +8,9 @@ from kowalevski_cas.algebra.linear import solve
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Quotient
-from kowalevski_cas.problem.evaluate import Evaluation, divisors_of
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Proof, Shown
+from kowalevski_cas.problem.fold import divisors_of
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.search.groebner import linear_cofactors
