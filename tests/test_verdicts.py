@@ -13,7 +13,7 @@ TEXT = (ROOT / "docs" / "verdicts.md").read_text(encoding="utf-8")
 SENTENCES = re.findall(r"^\* (.*?)(?=^\*|^#|\Z)", TEXT, re.MULTILINE | re.DOTALL)
 
 
-def tests_in(path: Path) -> set[str]:
+def functions_of(path: Path) -> set[str]:
     tree = ast.parse(path.read_text(encoding="utf-8"))
     return {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
 
@@ -22,7 +22,7 @@ def tests_in(path: Path) -> set[str]:
 def test_the_test_that_a_sentence_names_is_there(sentence):
     found = re.search(r"\(`(tests/[\w/]+\.py)::(test_\w+)`\)\s*\Z", sentence)
     assert found, "a test is expected at the end"
-    assert found[2] in tests_in(ROOT / found[1])
+    assert found[2] in functions_of(ROOT / found[1])
 
 
 @pytest.mark.parametrize("verdict", list(Verdict))
