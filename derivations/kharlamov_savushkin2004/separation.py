@@ -119,21 +119,24 @@ solved_for = (
     .defining(y, omega3, constants[2], s, phi)
 )
 
+any_level = solved_for.described(
+    "N⁴",
+    "$N^4$ by $x_1$, $x_2$, $z_1$, $z_2$ and the constants $m$, $c_1$, $c_2$, none of which is zero",
+).having(
+    constants=("c_1", "c_2"),
+    conjugates=(("c_1", "c_2"),),
+    nonzero=("x_1", "x_2", "c_1", "c_2", "m"),
+)
+
 on_N4 = (
-    solved_for.described(
-        "N⁴",
-        "$N^4$ by $x_1$, $x_2$, $z_1$, $z_2$ and the constants $m$, $c_1$, $c_2$, none of which is zero",
-    )
-    .having(
-        constants=("c_1", "c_2"),
-        conjugates=(("c_1", "c_2"),),
-        nonzero=("x_1", "x_2", "c_1", "c_2", "m"),
-    )
+    any_level.described("N⁴ with a and b", "the same, where $r$, $p$, $a$ and $b$ are known")
     .adjoining(r"\sqrt{c_1c_2}", root_of_c, complex_integrals[3], any_c)
     .defining(complex_integrals[1], complex_integrals[2])
 )
 
-section.states(FirstIntegral, constants[2], on=on_N4, says="it is constant on $N^4$", ids=("l",))
+section.states(
+    FirstIntegral, constants[2], on=any_level, says="it is constant on $N^4$", ids=("l",)
+)
 section.states(Identity, relations[1], on=on_N4, says="$K$ on $N^4$", ids=("k",))
 section.states(Identity, relations[3], on=on_N4, says="the energy on $N^4$", ids=("h",))
 for k in (3, 4, 9):

@@ -31,6 +31,8 @@ class Caught:
     """For a claim that was true: an edit of the mutant has ``restored`` it, the ``derivation`` says
     what it was, another formula is ``true``, or there is ``none``."""
     equivalent: str
+    late: bool
+    """Whether something was not decided in time: then it is not known whether it survives."""
     seconds: float
 
     @property
@@ -53,11 +55,16 @@ class Measurement:
 
     @property
     def missed(self) -> list[Caught]:
-        """The survivors that are not shown to be equivalent."""
-        return [result for result in self.survivors if not result.equivalent]
+        """The survivors that are not shown to be equivalent, and were decided."""
+        return [r for r in self.survivors if not r.equivalent and not r.late]
+
+    @property
+    def late(self) -> list[Caught]:
+        """The mutants of which nothing was noticed in time."""
+        return [r for r in self.survivors if not r.equivalent and r.late]
 
     def share(self) -> tuple[int, int]:
-        """How many were caught, of how many that are not equivalent."""
+        """How many were caught, of how many that are not equivalent and were decided."""
         caught = sum(result.caught for result in self.results)
         return caught, caught + len(self.missed)
 
@@ -95,6 +102,7 @@ class Measure:
             self._named(found, mutant),
             self._repair(found, mutant),
             reason,
+            any(map(_late, after.values())),
             seconds,
         )
 

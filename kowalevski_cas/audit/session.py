@@ -117,7 +117,9 @@ class AuditSession(Session):
         """Whether a claim holds under other texts."""
         try:
             return Statement(claim, self.on(claim, texts)).holds()
-        except (NotationError, Meaningless, ZeroDivisionError):
+        except TimeoutError:
+            raise
+        except Exception:  # what an author types must not end the audit of the rest
             return False
 
     def _elsewhere(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
@@ -132,16 +134,25 @@ class AuditSession(Session):
 class AuthorSession(AuditSession):
     """A run over ``sources``, the displays that an author has typed otherwise than the derivation.
 
-    Nothing of it is kept in ``base``, the run over the derivation's own texts.
+    What rests on displays that are ``refused``, and claims in ``other`` words than the derivation
+    quotes, gets no verdict, but the reason. Nothing of it is kept in ``base``, the run over the
+    derivation's own texts.
     """
 
-    def __init__(self, base: AuditSession, sources: Mapping[Display, str]) -> None:
+    def __init__(
+        self,
+        base: AuditSession,
+        sources: Mapping[Display, str],
+        refused: Mapping[Display, str],
+        other: Mapping[str, str],
+    ) -> None:
         super().__init__(
             base.derivation, base.arithmetics, base.stored, base.timeout, base.record,
             base.patience, base.explain,
         )  # fmt: skip
         self.base = base
         self.known = base.outcomes
+        self.refused, self.other = refused, other
         self.causes = {**base.causes}
         self.misprints = {**base.misprints}
         self._places = base._places
@@ -166,6 +177,8 @@ class AuthorSession(AuditSession):
 
     def decide(self, claim: Claim) -> Outcome:
         """The outcome for a claim: that of the derivation, if its problem is the same."""
+        if why := self.other.get(claim.id) or self._refusal(claim):
+            return self.unread(claim, self.on(claim), Verdict.UNDECIDED, why)
         known = self.known[claim.id]
         if not self.places(claim) & self.changed or self._same(claim, known):
             return known
@@ -174,12 +187,21 @@ class AuthorSession(AuditSession):
             outcome = super().decide(claim)
         except Exception as error:  # what an author types must not end the audit of the rest
             message = f"it cannot be decided as it is typed ({type(error).__name__}: {error})"
-            outcome = self._unread(claim, self.on(claim), Verdict.ERROR, message)
+            outcome = self.unread(claim, self.on(claim), Verdict.ERROR, message)
         unclear = outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT)
         with suppress(TimeoutError), time_limit(self.timeout):
             if unclear and not self._blame_changes(claim):
                 outcome = replace(outcome, correction=self._restored(claim, self.on(claim)))
         return outcome
+
+    def _refusal(self, claim: Claim) -> str:
+        """Why nothing is said about a claim that rests on a display which is refused."""
+        ids = {
+            p.display.id: self.refused[p.display]
+            for p in self.places(claim)
+            if p.display in self.refused
+        }
+        return "; ".join(f"{id}: {ids[id]}" for id in sorted(ids))
 
     def stands(self, id: str) -> bool:
         """What the derivation accepts, it has to prove on its own texts."""
@@ -198,15 +220,15 @@ class AuthorSession(AuditSession):
         except Exception:  # then deciding it says why
             return False
 
-    def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
+    def with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
         """Nothing is wrong with the derivation where the author has caused what is."""
-        return outcome if claim.id in self.causes else super()._with_acceptance(claim, outcome)
+        return outcome if claim.id in self.causes else super().with_acceptance(claim, outcome)
 
-    def _correct(self, claim: Claim, on: Elaborations) -> Correction | None:
+    def correct(self, claim: Claim, on: Elaborations) -> Correction | None:
         if self._blame_changes(claim):
             return None
         try:
-            return self._restored(claim, on) or super()._correct(claim, on)
+            return self._restored(claim, on) or super().correct(claim, on)
         except Exception:  # candidates are made of what an author types
             return None
 
@@ -223,7 +245,7 @@ class AuthorSession(AuditSession):
         with suppress(NotationError):
             for neighbour in claim.neighbours(on.texts):
                 if printed_of(neighbour) == good.formulas:
-                    return self._proposed(neighbour, on)
+                    return self.proposed(neighbour, on)
         return Correction(good.formulas, AS_BEFORE, good.verdict, good.conditions)
 
     def _blame_changes(self, claim: Claim) -> bool:
@@ -263,7 +285,9 @@ class AuthorSession(AuditSession):
             return self._true(claim, texts.edited(proposed.printed, proposed.edit))
         try:
             return Statement(claim, self.on(claim, texts)).digest == known.digest
-        except (NotationError, Meaningless):
+        except TimeoutError:
+            raise
+        except Exception:  # as above
             return False
 
 

@@ -20,7 +20,7 @@ from kowalevski_cas.audit.source import Source, SourceError, read_source
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.audit import auditing, chosen
-from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
+from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED, CommandError
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -68,7 +68,7 @@ def run(arguments: argparse.Namespace) -> int:
     if not found.results:
         raise CommandError("no mutants can be made of this source", NOTHING)
     print(report(found), end="")
-    return DIFFERENT if found.missed else AS_RECORDED
+    return DIFFERENT if found.missed else UNDECIDED if found.late else AS_RECORDED
 
 
 def report(found: Measurement) -> str:
@@ -87,6 +87,7 @@ def report(found: Measurement) -> str:
         if result.equivalent:
             lines.append(f"  equivalent  {result.mutant.words}: {result.equivalent}")
     lines += [f"  MISSED      {result.mutant.words}" for result in found.missed]
+    lines += [f"  not in time {result.mutant.words}" for result in found.late]
     unnamed = [result for result in found.results if result.caught and not result.named]
     lines += [f"  not named   {r.mutant.words}: {', '.join(r.changed[:3])}" for r in unnamed]
     return "\n".join(lines) + "\n"

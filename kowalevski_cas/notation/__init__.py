@@ -8,6 +8,7 @@ r"""LaTeX to formula to LaTeX: a derivation as its author printed it.
 from kowalevski_cas.notation.edits import Edit, edits, is_small_change, replace, substitute, subtree
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
+    EQUALITIES,
     Application,
     Conjugate,
     Constant,
@@ -44,6 +45,7 @@ from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
 __all__ = [
+    "EQUALITIES",
     "Application",
     "Conjugate",
     "Constant",

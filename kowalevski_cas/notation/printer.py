@@ -31,6 +31,7 @@ from kowalevski_cas.notation.formula import (
     Unwritten,
     Vector,
 )
+from kowalevski_cas.notation.values import applies
 
 # What stands in brackets behind a sign, and beside other factors.
 SIGNED = (Sum, Negative, Relation)
@@ -175,12 +176,14 @@ class Printer(ABC):
 
     def product(self, formula: Product) -> str:
         parts: list[str] = []
+        before = formula.factors[0]
         for factor in formula.factors:
             part = self.factor(factor)
-            # A number behind a factor would look like a part of it.
-            if parts and self.begins_with_number(part):
+            # A number behind a factor would look like a part of it, a bracket like its argument.
+            if parts and (self.begins_with_number(part) or _is_applied(before, factor)):
                 part = self.times + part
             parts.append(part)
+            before = factor
         return self.joined(parts)
 
     def power(self, formula: Power) -> str:
@@ -255,6 +258,17 @@ class Printer(ABC):
         return first + "".join(
             f" {self.sign(sign)} {member}" for sign, member in zip(formula.signs, rest, strict=True)
         )
+
+
+def _is_applied(left: Formula, right: Formula) -> bool:
+    """Whether a factor begins with a bracket that looks like the argument of the one before it."""
+    inner, raised = right, False
+    while isinstance(inner, Power) or (isinstance(inner, Derivative) and inner.mark == "prime"):
+        raised, inner = True, next(inner.children())
+        if isinstance(inner, Name):
+            return False
+    opened = isinstance(inner, (*COMPOUND, Vector)) or (raised and not is_base(inner))
+    return opened and applies(left, inner, raised)
 
 
 def is_base(formula: Formula) -> bool:

@@ -20,7 +20,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.count import check_roots, check_solutions, square
-from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
     At,
     Evidence,
@@ -34,6 +34,7 @@ from kowalevski_cas.problem.evidence import (
     Solutions,
     Squares,
 )
+from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import (
     Count,
     Exists,

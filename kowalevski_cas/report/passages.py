@@ -55,6 +55,10 @@ class Passages:
         if granted:
             assumed = listed([(nonzero(formula),) for formula in granted])
             yield Paragraph(("We assume ", *assumed, " where the formulas divide by it."))
+        chosen = dict.fromkeys(f for outcome in section.outcomes for f in outcome.branches)
+        if chosen:
+            meant = listed([(formula,) for formula in chosen])
+            yield Paragraph(("Of the two values of a root we mean the one with ", *meant, "."))
         before = ""
         for item in section.items:
             role = "" if item.all else item.role

@@ -6,9 +6,11 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Final, Literal
 
@@ -166,20 +168,32 @@ def typst_pdf(
     Raises:
         ReportError: if Typst is not installed, or fails; the message has its first complaint.
     """
-    try:
-        import typst
-    except ImportError:
+    if find_spec("typst") is None:
         raise ReportError(
             "The PDF needs either LaTeX (latexmk and pdflatex) or the typst wheel: "
             "pip install typst."
-        ) from None
+        )
     with tempfile.TemporaryDirectory(prefix="kowalevski-") as name:
         folder = Path(name)
         (folder / "report.typ").write_text(source, encoding="utf-8")
         (folder / "picture.svg").write_text(picture, encoding="utf-8")
         copy_plates(shown, beside, folder)
-        try:
-            content = typst.compile(folder / "report.typ", root=folder, ignore_system_fonts=True)
-        except (RuntimeError, ValueError) as error:
-            raise ReportError(f"Typst failed: {str(error).splitlines()[0]}.") from None
-    return bytes(content)
+        # Typst begins threads, which do not outlive a fork: it has a process of its own.
+        done = subprocess.run(
+            [sys.executable, "-c", _TYPST], cwd=folder, capture_output=True, check=False
+        )
+        if done.returncode:
+            said = done.stderr.decode(errors="replace").strip().splitlines() or [
+                "it gave no reason"
+            ]
+            raise ReportError(f"Typst failed: {said[-1] if said else done.returncode}.")
+        return (folder / "report.pdf").read_bytes()
+
+
+_TYPST = """
+import sys, typst
+try:
+    typst.compile("report.typ", output="report.pdf", root=".", ignore_system_fonts=True)
+except (RuntimeError, ValueError) as error:
+    sys.exit(str(error).splitlines()[0])
+"""

@@ -11,8 +11,9 @@ from kowalevski_cas.algebra.present import formula_in, fraction_formula
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
-from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
+from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation

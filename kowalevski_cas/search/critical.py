@@ -24,8 +24,9 @@ from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Point, Proof, Shown
+from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.cases import Case, Splitter

@@ -12,7 +12,7 @@ from kowalevski_cas.algebra.numbers import square_root
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import Formula, Negative, Sum
 from kowalevski_cas.problem.collect import collect
-from kowalevski_cas.problem.evaluate import rational_terms
+from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Exists, Follows
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real import real_points

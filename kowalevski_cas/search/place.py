@@ -76,8 +76,8 @@ class PointFinder:
     ) -> Point | None:
         """A real point where elements vanish, nothing is divided by zero, and all is good.
 
-        It is sought among points in general position, and then where variables vanish, as many as
-        ``most``.
+        It is sought among points in general position, and if ``most`` is not 0 where all variables
+        vanish, and then where some do, as many as ``most``.
         """
         avoid = [*at.granted, *at.ring.divided_by(divided)]
         names = self.names(at.setting)
@@ -93,7 +93,7 @@ class PointFinder:
         return None
 
     def _sections(self, at: Evaluation, most: int) -> Iterator[Sequence[Element]]:
-        """Nothing more, then some variables that vanish; powers are 1 where known."""
+        """Nothing more, then all variables, then some that vanish; powers are 1 where known."""
         setting = at.setting
         one = at.ring.one
         fixed: list[Element] = []
@@ -103,7 +103,7 @@ class PointFinder:
             assert base is not None
             fixed += [at.ring.generator(name) - one, at.scalar(base) - one]
         variables = [at.ring.generator(name) for name in setting.variables]
-        for size in range(most + 1):
+        for size in (0, len(variables), *range(1, most + 1)) if most else (0,):
             for chosen in combinations(variables, size):
                 yield [*fixed, *chosen]
 

@@ -104,17 +104,35 @@ def _choices(constraints: list[fmpq_mpoly], variables: list[int]) -> Iterator[tu
     """A variable for each constraint, of low degree in it; those that occur in few come first."""
     occurring = [{v: int(c.degrees()[v]) for v in variables if c.degrees()[v]} for c in constraints]
     shared = {v: sum(v in degrees for degrees in occurring) for v in variables}
+    usable = [{v for v, degree in degrees.items() if degree <= 2} for degrees in occurring]
 
     def extend(chosen: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
         if len(chosen) == len(constraints):
             yield chosen
             return
+        if not _matched([one.difference(chosen) for one in usable[len(chosen) :]]):
+            return
         degrees = occurring[len(chosen)]
-        usable = [v for v, d in degrees.items() if d <= 2 and v not in chosen]
-        for v in sorted(usable, key=lambda v: (degrees[v], shared[v], v)):
+        own = usable[len(chosen)].difference(chosen)
+        for v in sorted(own, key=lambda v: (degrees[v], shared[v], v)):
             yield from extend((*chosen, v))
 
     return extend(())
+
+
+def _matched(sets: Sequence[set[int]]) -> bool:
+    """Whether an element can be chosen from each set, all of them different."""
+    owner: dict[int, int] = {}
+
+    def place(k: int, tried: set[int]) -> bool:
+        for v in sets[k] - tried:
+            tried.add(v)
+            if v not in owner or place(owner[v], tried):
+                owner[v] = k
+                return True
+        return False
+
+    return all(place(k, set()) for k in range(len(sets)))
 
 
 def _complete(constraints: list[fmpq_mpoly], unknowns: int, values: Assignment) -> bool:

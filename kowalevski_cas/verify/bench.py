@@ -111,6 +111,9 @@ class Bench:
         try:
             if isinstance(verdicts, Denial):
                 judge.denies(statement.goals[verdicts.goal], verdicts.evidence)
+                if not statement.claim.refuted_by(verdicts):
+                    message = "what would prove it is false, which does not refute it"
+                    return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
                 return Decided(statement, verdicts, judge.accepted, Verdict.REFUTED)
             for goal, evidence in zip(statement.goals, verdicts, strict=True):
                 judge.holds(goal, evidence)

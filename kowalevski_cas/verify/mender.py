@@ -30,9 +30,9 @@ from kowalevski_cas.verify.vacuous import says_something
 class Mender(Teller):
     """Corrections of claims, their acceptance, and certificates."""
 
-    def _correct(self, claim: Claim, on: Elaborations) -> Correction | None:
+    def correct(self, claim: Claim, on: Elaborations) -> Correction | None:
         """The nearest true statement, decided in every arithmetic."""
-        found = (self._proposed(neighbour, on) for neighbour in self._candidates(claim, on))
+        found = (self.proposed(neighbour, on) for neighbour in self._candidates(claim, on))
         return next((one for one in found if one is not None), None)
 
     def _candidates(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
@@ -71,7 +71,7 @@ class Mender(Teller):
         except (NotationError, Meaningless, ZeroDivisionError):
             return False
 
-    def _proposed(self, neighbour: Neighbour, on: Elaborations) -> Correction | None:
+    def proposed(self, neighbour: Neighbour, on: Elaborations) -> Correction | None:
         """A neighbour as a correction, if it is proved."""
         mended = self.mended(neighbour.claim, on.under(neighbour.texts))
         if mended is None:
@@ -105,7 +105,7 @@ class Mender(Teller):
 
     # -- acceptance ----------------------------------------------------------------
 
-    def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
+    def with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
         """The outcome, with its correction accepted; an error if what is accepted is not proved."""
         place = claim.printed
         if place not in self.accepted or place not in set(claim.establishes()):

@@ -96,7 +96,7 @@ class Session(Mender):
             decided = found.verdict is Verdict.REFUTED or found.verdict.likely
             if decided and missing:
                 self.found[claim.id] = replace(
-                    self._unread(
+                    self.unread(
                         claim, self.on(claim), Verdict.UNDECIDED, f"rests on {', '.join(missing)}"
                     ),
                     digest=found.digest,
@@ -118,18 +118,18 @@ class Session(Mender):
                 outcome = self._decided(claim, on)
         except TimeoutError:
             late = f"not decided within {self.timeout:g} s"
-            return self._unread(claim, on, Verdict.TIMEOUT, late)
+            return self.unread(claim, on, Verdict.TIMEOUT, late)
         except (NotationError, Meaningless, FormatError, ProcessDied) as error:
-            return self._unread(claim, on, Verdict.ERROR, str(error))
+            return self.unread(claim, on, Verdict.ERROR, str(error))
         except (ArithmeticError, MemoryError, RecursionError) as error:
             said = f"it cannot be computed ({type(error).__name__}: {error})"
-            return self._unread(claim, on, Verdict.ERROR, said)
+            return self.unread(claim, on, Verdict.ERROR, said)
         if outcome.verdict is Verdict.REFUTED:
             correcting = perf_counter()
             outcome = self._with_correction(claim, on, outcome, correcting - start)
             outcome.seconds[self.arithmetics[0]] += perf_counter() - correcting
         outcome = replace(outcome, products=self._products() - before)
-        return self._with_acceptance(claim, outcome)
+        return self.with_acceptance(claim, outcome)
 
     def _decided(self, claim: Claim, on: Elaborations) -> Outcome:
         """The outcome for one claim, without a correction."""
@@ -152,7 +152,7 @@ class Session(Mender):
         limits += [] if self.timeout is None else [max(self.timeout - spent, LEAST)]
         try:
             with time_limit(min(limits, default=None)):
-                return replace(outcome, correction=self._correct(claim, on))
+                return replace(outcome, correction=self.correct(claim, on))
         except TimeoutError:
             late = "no correction was found within the time"
             accepted = claim.printed in self.accepted

@@ -45,7 +45,7 @@ class Teller(Bench):
             if open_ones:
                 verdict, message = open_ones[0].verdict, open_ones[0].message
         outcome = replace(
-            self._unread(claim, on, verdict, message, statement),
+            self.unread(claim, on, verdict, message, statement),
             verdicts=verdicts,
             corrected=self.corrected(statement),
         )
@@ -92,7 +92,7 @@ class Teller(Bench):
             rests_on=self.rests_on(statement) if self.explain else (),
         )
 
-    def _unread(
+    def unread(
         self,
         claim: Claim,
         on: Elaborations,
@@ -103,10 +103,13 @@ class Teller(Bench):
         """An outcome that says what the claim is, and no more than the verdict."""
         places = [claim.printed] if claim.printed else list(claim.establishes())
         formulas: tuple[Formula, ...] = ()
+        branches: tuple[Formula, ...] = ()
         sources = []
         try:
             sources = [on.texts.statement(place).source for place in places]
             formulas = claim.formulas(on.texts)
+            chosen = dict.fromkeys(place for s in claim.scenes() for place in s.branches())
+            branches = tuple(map(on.texts.formula, chosen))
         except NotationError:
             pass
         granted = dict.fromkeys(tex for scene in claim.scenes() for tex in scene.nonzero)
@@ -121,6 +124,7 @@ class Teller(Bench):
             message=message,
             digest="" if statement is None else statement.digest,
             granted=tuple(map(on.texts.expression, granted)),
+            branches=branches,
             verdicts={name: verdict for name in self.arithmetics},
         )
 

@@ -52,7 +52,7 @@ def test_it_says_what_is_proved(copy, capsys):
     out = capsys.readouterr().out
     lines = out.splitlines()
     assert lines[0].startswith("eq14: it is false that ") and ", for " in lines[0]
-    assert lines[1] == "eq6: D(((J_1 ^ 2) + (J_2 ^ 2))) = 0"
+    assert lines[1].startswith("eq6: D(((J_1 ^ 2) + (J_2 ^ 2))) = 0; the differentials of ")
     assert lines[3].startswith("corrected/eq14: D(")
     assert lines[4:] == ["certificates: CERTIFIED 4 of 4"]
 
@@ -60,7 +60,7 @@ def test_it_says_what_is_proved(copy, capsys):
 def test_it_says_all_of_it(copy, capsys):
     assert main(["check", "--full", str(copy)]) == 0
     out = capsys.readouterr().out
-    assert "\neq6: D(((J_1 ^ 2) + (J_2 ^ 2))) = 0\n  D(((J_1 ^ 2) + (J_2 ^ 2))) = 0\n" in out
+    assert "\neq6: D(" in out and "\n  D(((J_1 ^ 2) + (J_2 ^ 2))) = 0\n" in out
     assert "    variables: " in out and "    field: " in out and "    point: " in out
     with pytest.raises(SystemExit):
         main(["check", "--full", "-q", str(copy)])
@@ -119,8 +119,8 @@ def test_a_missing_certificate_is_rejected(copy, capsys):
 
 
 def test_files_of_derivations_with_claims_of_the_same_name(capsys):
-    files = [str(find(name) / "certificates" / "eq10.1.json") for name in available()]
-    assert main(["check", "-q", *files]) == 0
+    files = [find(name) / "certificates" / "eq10.1.json" for name in available()]
+    assert main(["check", "-q", *(str(path) for path in files if path.exists())]) == 0
     assert capsys.readouterr().out == "certificates: CERTIFIED 2 of 2\n"
 
 

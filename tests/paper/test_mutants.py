@@ -60,13 +60,25 @@ def refuted_mutants(session, claim):
             yield neighbour, counterexample(statement, denial, judge.accepted), judge.accepted
 
 
-SLOW = {"any-c.1", "any-c.2"}
-"""Most of their mutants have roots that are real nowhere: nothing is said of those."""
+SLOW = {"any-c.1", "any-c.2", "M4.k", "M4.g"}
+"""Most of their mutants have roots that are real nowhere, or at few points that are found."""
+
+LONG = ("point.", "norms.", "infinity.")
+"""Claims on the phase point of O⁴, whose real points are dear."""
+
+BY_HAND = ("consequences", "critical-points")
+"""Claims on the critical set: of its equations the search finds no point but the origin."""
+
+
+def is_slow(name, id):
+    return id in SLOW or (name == "kharlamov2007" and id.startswith(LONG))
+
 
 MUTABLE = [
-    pytest.param(key, id="-".join(key), marks=[pytest.mark.slow] if key[1] in SLOW else [])
+    pytest.param(key, id="-".join(key), marks=[pytest.mark.slow] if is_slow(*key) else [])
     for key in CLAIMS
     if key[1] != "eq9.i"  # it has one neighbour, which is true: the print itself is the mutant
+    and not key[1].startswith(BY_HAND)
 ]
 
 
@@ -116,8 +128,11 @@ def test_the_two_values_are_those_that_plain_python_finds(id):
         if isinstance(claim, FirstIntegral):
             # Of a chain, the member that moves; bare names stand for the value, or move too.
             rates = [evaluate(m, names).rate for m in members if not is_level(m, names)]
-            assert any(close(rate, left) for rate in rates)
-            assert right == 0 != left
+            if right == 0:
+                assert any(close(rate, left) for rate in rates) and left != 0
+            else:  # the members are constant, and not equal
+                values = [evaluate(m, names).value for m in members if not is_level(m, names)]
+                assert any(close(v, right) for v in values) and not close(left, right)
         elif isinstance(claim, Identity | ChangedEquation):
             values = [evaluate(member, names).value for member in members]
             pairs = [*pairwise(values)]
