@@ -57,6 +57,10 @@ class Parameters:
             raise Inadmissible(
                 f"a = {float(self.a):g} and b = {float(self.b):g} are {words}; a > b ≥ 0 is needed"
             )
+        if self.a * LARGEST < 1:
+            raise Inadmissible(
+                f"a < {float(1 / LARGEST):g}: floats do not hold the powers of it; take other units"
+            )
         if abs(self.m) * LARGEST < 1:
             words = "almost 0" if self.m else "0"
             raise Inadmissible(

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Motion, Parameters, load
@@ -87,6 +87,22 @@ def test_one_field_is_the_classical_top(m, beyond):
     omega, alpha = states[:, :3], states[:, 3:6]
     area = np.sum(np.array([2, 2, 1]) * omega * alpha, axis=1)
     assert np.ptp(area) < 1e-13 * (1 + np.max(np.abs(states)) ** 2)
+
+
+@given(st.integers(-400, 49), st.sampled_from([0, Fraction(2, 5)]), st.booleans(), st.booleans())
+@example(-200, Fraction(2, 5), False, False)
+def test_fields_of_any_size_are_followed_or_refused(power, ratio, positive, in_units):
+    a = Fraction(10) ** power
+    m = Fraction(4, 5) if positive else Fraction(-3, 5)
+    if in_units:
+        m /= a
+    if power < -50:
+        with pytest.raises(ValueError, match="take other units"):
+            Motion(Parameters.of(a, a * ratio, m, 2 * a * m + 1 if positive else Fraction(1, 2)))
+        return
+    found = Motion(Parameters.of(a, a * ratio, m, 2 * a * m + 1 if positive else Fraction(1, 2)))
+    t = np.array([0.0, 1.0]) / float(a) ** 0.5
+    assert relative(closed(found, t), balls(found, t)) < 1e-12
 
 
 def test_through_infinity_the_state_is_as_regular_as_elsewhere():
