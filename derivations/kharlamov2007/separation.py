@@ -15,8 +15,6 @@ abbreviations = section.display(
 
 xi = section.inline("xi-w", r"\xi = 2sw_1w_2")
 
-quadratic = section.display("quadratic", r"(\tau_3-X)u^2-2\tau_3\xi u+\tau_3\xi^2+\sigma X = 0")
-
 separated = section.display(
     "separated-O4",
     r"""

@@ -252,7 +252,7 @@ class Elaboration(Meaning):
         members = formula.members if isinstance(formula, Relation) else (formula,)
         own = self.texts.expression(name)
         others = [m for m in members if m != own and not isinstance(m, Constant)]
-        if not others:
+        if not others or (name in printed.heads.names and own not in members):
             raise Meaningless(f"no expression stands for {name} in its definition", name)
         return next((m for m in others if not isinstance(m, Name)), others[0])
 

@@ -11,7 +11,7 @@ from kowalevski_cas.report.sentences import Phrases, listed
 from kowalevski_cas.systems import title
 from kowalevski_cas.verify.outcome import Condition, Outcome, Step
 
-LONG = 190
+LONG = 150
 """How many letters a formula has at most that stands among sentences; another is folded away."""
 
 

@@ -60,7 +60,8 @@ def test_the_roles():
     assert roles["eq2"] == roles["eq3.1"] == "vector field"
     assert roles["eq9.i"] == "unit"
     assert roles["eq9.1"] == roles["J.1"] == roles["eq11.1"] == roles["tau"] == "definition"
-    assert roles["eq10.1"] == roles["eq14"] == roles["eq21"] == "claim"
+    assert roles["eq10.1"] == "vector field"  # and a claim: what others rest on comes first
+    assert roles["eq14"] == roles["eq21"] == "claim"
     assert roles["beta"] == roles["norm"] == "condition"
 
 

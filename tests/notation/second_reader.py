@@ -20,7 +20,7 @@ NOTHING = set(
 LOST = (r"\phantom", r"\label", r"\tag", r"\hspace")
 SWITCHES = {r"\bf": "B", r"\rm": "R"}
 FONTS = dict.fromkeys((r"\bs", r"\mathbf", r"\boldsymbol", r"\bm", r"\vec"), "B") | {
-    r"\mathrm": "R", r"\operatorname": "R", r"\text": "R", r"\tilde": "T",
+    r"\mathrm": "R", r"\operatorname": "R", r"\text": "R", r"\tilde": "T", r"\hat": "H",
 }  # fmt: skip
 BOXES = {r"\frac": 2, r"\tfrac": 2, r"\dfrac": 2, r"\sqrt": 1, "^": 1, "_": 1} | dict.fromkeys(
     (r"\dot", r"\ddot", r"\dddot", r"\overline", r"\bar"), 1
@@ -277,7 +277,9 @@ class Reader:
         return n.part(self.operand(), item == r"\Re")
 
     def operand(self):
-        return self.bracket() if self.here in PAIRS else self.factor()
+        return (
+            self.bracket() if isinstance(self.here, str) and self.here in PAIRS else self.factor()
+        )
 
     def bracket(self):
         opening = self.here

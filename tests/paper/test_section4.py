@@ -21,7 +21,7 @@ ASIDE = {
     # what scenes are made of, and what is claimed of its parts
     "surface", "K-alone", "epsilon", "kappa", "radicals-O4", "parts", "fields-by-u",
     "velocity-by-u", "rates-of-u", "one-variable", "hats", "hatted-parts", "hatted-fields",
-    "hatted-velocity", "hatted-rates", "forces", "R", "quadratic", "abbreviations",
+    "hatted-velocity", "hatted-rates", "forces", "R", "abbreviations",
 }  # fmt: skip
 
 
