@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import isqrt
+from typing import Any
 
 from flint import nmod_mat
 
 PRIME = 2**61 - 1
 
-Column = Mapping[Hashable, Fraction]
+Column = Mapping[Any, Fraction]
 
 
 def kernel(columns: Sequence[Column]) -> list[list[Fraction]]:
@@ -22,7 +23,7 @@ def kernel(columns: Sequence[Column]) -> list[list[Fraction]]:
     """
     if not columns:
         return []
-    places: dict[Hashable, int] = {}
+    places: dict[Any, int] = {}
     for column in columns:
         for key in column:
             places.setdefault(key, len(places))
@@ -67,7 +68,7 @@ def _lifted(residue: int) -> Fraction:
 
 
 def _vanishes(vector: Sequence[Fraction], columns: Sequence[Column]) -> bool:
-    total: dict[Hashable, Fraction] = {}
+    total: dict[Any, Fraction] = {}
     for factor, column in zip(vector, columns, strict=True):
         if factor:
             for key, value in column.items():
