@@ -27,7 +27,7 @@ verify: $(VENV)/.installed ## Prove or refute every formula, check the certifica
 motion: $(VENV)/.installed ## Draw a motion on N⁴ into reports/motion; the reports then show it
 	@$(RUN) pictures
 
-report: $(VENV)/.installed ## Write reports/*.tex and reports/*.pdf
+report: $(VENV)/.installed ## Write reports/*.html, *.pdf, *.tex and *.json
 	@$(RUN) report --output reports
 
 record: $(VENV)/.installed ## Search anew; write the record of verdicts and the certificates
@@ -60,27 +60,29 @@ benchmark: $(VENV)/.dev ## Measure the speed of proving and of reporting
 	@$(PY) -m benchmarks
 
 clean: ## Remove the environment and everything generated, save the reports
-	@rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis *.egg-info
+	@rm -rf $(VENV) $(VENV).lock build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis *.egg-info
 	@find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # ---------------------------------------------------------------- environment
 
 INSTALL = $(PY) -m pip install --quiet --disable-pip-version-check --no-input
 
+# Each step is done under a lock, and once, if several makes come to it at the same time.
+ONCE = $(PYTHON) -c 'import fcntl, subprocess, sys; lock = open("$(VENV).lock", "w"); \
+	fcntl.flock(lock, fcntl.LOCK_EX); sys.exit(subprocess.call(["sh", "-ec", sys.argv[1]]))'
+
 $(VENV)/.python: | python-is-usable
-	@rm -rf $(VENV)
-	@$(PYTHON) -m venv $(VENV)
-	@touch $@
+	@$(ONCE) 'test -e $@ || { rm -rf $(VENV); $(PYTHON) -m venv $(VENV); touch $@; }'
 
 $(VENV)/.installed: pyproject.toml | $(VENV)/.python
-	@echo "Installing the libraries into $(VENV) (a minute or two, once) ..." >&2
-	@$(INSTALL) --editable '.[all]'
-	@touch $@
+	@$(ONCE) 'test $@ -nt pyproject.toml || { \
+		echo "Installing the libraries into $(VENV) (a minute or two, once) ..." >&2; \
+		$(INSTALL) --editable ".[all]"; touch $@; }'
 
 $(VENV)/.dev: pyproject.toml | $(VENV)/.installed
-	@echo "Installing the test tools into $(VENV) ..." >&2
-	@$(INSTALL) --editable '.[all,dev]'
-	@touch $@
+	@$(ONCE) 'test $@ -nt pyproject.toml || { \
+		echo "Installing the test tools into $(VENV) ..." >&2; \
+		$(INSTALL) --editable ".[all,dev]"; touch $@; }'
 
 .PHONY: python-is-usable
 python-is-usable:

@@ -7,7 +7,7 @@ alone. Files carry no date and no version: the same figure gives the same bytes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from io import BytesIO
@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING, Any
 from kowalevski_cas.files import write
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 INK = "#1a1a1a"
@@ -108,44 +107,6 @@ def new_figure(width: float = WIDTH, height: float = 4.0) -> Figure:
 def mark(index: int) -> Mark:
     """The mark of the series with this index; they repeat after the last one."""
     return MARKS[index % len(MARKS)]
-
-
-def label_column(
-    axes: Axes,
-    points: Sequence[tuple[float, float, str]],
-    at: float,
-    size: float = 7.5,
-    gap: float = 11.0,
-) -> None:
-    """Labels of points ``(x, y, words)`` in a column on the right, tied to them by thin lines.
-
-    The column stands at ``at``, a share of the width of the axes. Labels are as
-    high as their points, or as near to it as ``gap`` points from label to label
-    allow. The limits of the axes have to be set before.
-    """
-    axes.figure.canvas.draw()
-    scale = axes.figure.dpi / 72
-    frame = axes.get_window_extent()
-    heights = {point: axes.transData.transform(point[:2])[1] for point in points}
-    ordered = sorted(points, key=lambda point: (heights[point], -point[0]))
-    low, high = frame.y0 + gap * scale / 2, frame.y1 - gap * scale / 2
-    places: list[float] = []
-    for height in map(heights.__getitem__, ordered):
-        places.append(max(height, places[-1] + gap * scale if places else low))
-    for k in reversed(range(len(places))):
-        places[k] = min(places[k], places[k + 1] - gap * scale if k + 1 < len(places) else high)
-    for (x, y, words), place in zip(ordered, places, strict=True):
-        label = axes.annotate(
-            words,
-            (x, y),
-            (at, (place - frame.y0) / frame.height),
-            textcoords="axes fraction",
-            size=size,
-            va="center",
-            arrowprops={"arrowstyle": "-", "color": FAINT, "lw": 0.6, "shrinkA": 2, "shrinkB": 2,
-                        "relpos": (0, 0.5)},
-        )  # fmt: skip
-        label.set_in_layout(False)
 
 
 def save(figure: Figure, folder: Path, name: str) -> Path:

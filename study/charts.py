@@ -1,9 +1,9 @@
-"""What the charts share: a mark for each series, points that are left out, legends, axes."""
+"""What the charts share: the name and the mark of each method, panels, legends, units."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, TypeVar
+from decimal import ROUND_CEILING, Context
+from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.pictures import Mark, mark
 from kowalevski_cas.systems import title
@@ -13,8 +13,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-T = TypeVar("T")
-
 _NAMES = {
     "sympy": "SymPy polynomials",
     "modular": "residues",
@@ -22,7 +20,23 @@ _NAMES = {
     "floating": "floating point",
     "checker": "certificate checker",
     "python-flint": "python-flint alone",
+    "closed": "closed form",
+    "dop853": "DOP853",
+    "radau": "Radau",
+    "lsoda": "LSODA",
+    "taylor": "Taylor series",
 }
+
+_MARKS = (
+    ("flint", "closed"),
+    ("symengine", "dop853"),
+    ("sympy", "radau"),
+    ("modular", "lsoda"),
+    ("python-flint", "taylor"),
+    ("singular", "ball"),
+    ("pari", "floating"),
+)
+"""The methods with the first mark, with the second, …; those with the same one never meet."""
 
 
 def shown(method: str) -> str:
@@ -30,62 +44,38 @@ def shown(method: str) -> str:
     return _NAMES.get(method, title(method))
 
 
-def names(rows: Iterable[Row], key: str) -> list[str]:
-    """The methods, or the cases, of rows, each once, in their order."""
-    return list(dict.fromkeys(row[key] for row in rows))
+def look(method: str) -> Mark:
+    """The mark of a method, the same in every chart; one that is not known has the last."""
+    found = (index for index, methods in enumerate(_MARKS) if method in methods)
+    return mark(next(found, len(_MARKS)))
 
 
-def by_place(rows: Iterable[Row]) -> dict[tuple[str, str], Row]:
-    """The rows by method and case."""
-    return {(row["method"], row["case"]): row for row in rows}
+def curve(axes: Axes, row: Row, x: str, y: str, label: str = "", least: float = 0.0) -> None:
+    """Draw what a row measured: two lists, where ``None`` is no point.
+
+    What is smaller than ``least``, or zero, is drawn there.
+    """
+    known = [(a, max(b, least)) for a, b in zip(row[x], row[y], strict=True) if b is not None]
+    name = label or shown(row["method"])
+    axes.plot([a for a, _ in known], [b for _, b in known], label=name, **look(row["method"]).line)
 
 
-def marked(series: Iterable[T]) -> Iterator[tuple[Mark, T]]:
-    """Each series with a mark of its own."""
-    return ((mark(index), one) for index, one in enumerate(series))
-
-
-def curve(axes: Axes, xs: Iterable[Any], ys: Iterable[Any], **look: Any) -> None:
-    """Draw what is known: where y is ``None`` there is no point."""
-    known = [(x, y) for x, y in zip(xs, ys, strict=True) if y is not None]
-    axes.plot([x for x, _ in known], [y for _, y in known], **look)
-
-
-def split(
-    axes: Axes, mark: Mark, points: Iterable[tuple[float, float, bool]], label: str, **look: Any
-) -> None:
-    """Points (x, y, full): full ones, under one label, and hollow ones."""
-    found = list(points)
-    for full in (True, False):
-        chosen = [(x, y) for x, y, kind in found if kind is full]
-        axes.plot(
-            [x for x, _ in chosen],
-            [y for _, y in chosen],
-            label=label if full else None,
-            **{**mark.points(full), **look},
-        )
-
-
-def list_cases(axes: Axes, cases: Sequence[str], xlabel: str) -> None:
-    """Time on a log axis, and a line for each case from above to below."""
-    axes.set_xscale("log")
-    axes.set_yticks(range(len(cases)), cases)
-    axes.invert_yaxis()
-    axes.set_xlabel(xlabel)
-
-
-def label_outer(panels: Any, xlabel: str, ylabel: str) -> None:
-    """Label a grid of panels on the left and below."""
-    for axes in panels[-1]:
-        axes.set_xlabel(xlabel)
-    for axes in panels[:, 0]:
-        axes.set_ylabel(ylabel)
-
-
-def legend_below(figure: Figure, axes: Axes, columns: int, **look: Any) -> None:
+def legend_below(figure: Figure, axes: Axes, columns: int, **more: Any) -> None:
     """The legend of one of the panels under all of them."""
     found = axes.get_legend_handles_labels()
-    figure.legend(*found, loc="outside lower center", ncols=columns, **look)
+    figure.legend(*found, loc="outside lower center", ncols=columns, **more)
+
+
+def digit(value: float) -> str:
+    r"""A number, rounded up to one digit, as mathematics: a bound stays a bound.
+
+    >>> print(digit(1e-13), digit(5.1e-22), digit(1000000))
+    $10^{-13}$ $6\cdot10^{-22}$ $10^{6}$
+    """
+    up = Context(prec=1, rounding=ROUND_CEILING).create_decimal(repr(value))
+    first, _, exponent = f"{up:e}".partition("e")
+    factor = "" if first == "1" else rf"{first}\cdot"
+    return f"${factor}10^{{{int(exponent)}}}$"
 
 
 def seconds(value: float, _: object = None) -> str:

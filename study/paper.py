@@ -6,16 +6,18 @@ from collections.abc import Callable
 from functools import cache, cached_property
 
 from kowalevski_cas.algebra import load as load_arithmetic
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.library import find, load
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Setting
-from kowalevski_cas.verify.certificate import CORRECTED, Stored, load_certificates
+from kowalevski_cas.verify.certificate import Stored, load_certificates
 from kowalevski_cas.verify.corrections import recorded_correction
 from kowalevski_cas.verify.record import load_record
-from kowalevski_cas.verify.statement import Statement, Verdicts
+from kowalevski_cas.verify.statement import Statement
 
 FIRST = "kharlamov2002"
 
@@ -51,15 +53,6 @@ class Paper:
         """What the claim with this id says, as corrected."""
         return Statement(self.claims[id], self.corrected)
 
-    def verdicts(self, statement: Statement) -> Verdicts | None:
-        """The committed evidence for a statement; it is searched for if there is none."""
-        for name in (statement.claim.id, f"{CORRECTED}/{statement.claim.id}"):
-            stored = self.certificates.get(name)
-            found = None if stored is None else stored.verdicts(statement)
-            if found is not None:
-                return found
-        return statement.search()
-
 
 @cache
 def paper(name: str = FIRST) -> Paper:
@@ -88,3 +81,11 @@ def both(scene: Scene) -> tuple[Evaluation, Sampled]:
     """A scene of the first paper in exact polynomials, and in programs."""
     at = paper().corrected(scene).finder
     return at, Sampled(at)
+
+
+def sides(id: str, at: Evaluation) -> tuple[Element, Element]:
+    """Both sides of the corrected equation of a claim of the first paper, read on any scene."""
+    printed, on = paper().claims[id].printed, at.setting
+    assert printed is not None and isinstance(on, Elaboration)
+    left, right = (at.scalar(on.plain(m)) for m in on.texts.relation(printed).members[:2])
+    return left, right

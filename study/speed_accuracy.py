@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
-from functools import partial
-from itertools import zip_longest
-from typing import TYPE_CHECKING
+from dataclasses import dataclass
+from functools import cached_property, partial
+from itertools import groupby, zip_longest
+from statistics import median, quantiles
+from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.library import available
-from study.labelled import TRUE, Disagreement, Labelled, labelled, spread
-from study.methods import Method, methods, missing
-from study.speed_accuracy_chart import chart
-from study.step import DISAGREEMENT, LEFT_OUT, Measured, Row, Task, left_out
-from study.summary import COLD, summaries
+from kowalevski_cas.pictures import INK, Mark, mark, new_figure
+from study.charts import digit, seconds, shown
+from study.labelled import Disagreement, Labelled, labelled, spread
+from study.methods import ACCEPTED, REJECTED, Method, methods
+from study.step import DISAGREEMENT, Measured, Row, Task
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 TITLE = "speed against accuracy"
@@ -22,37 +26,34 @@ TITLE = "speed against accuracy"
 MUTANTS = 3
 """How many mutants are taken of each statement."""
 
-MOST = 300
-"""How many statements a method is put to at most."""
+MOST, QUICK = 300, 6
+"""How many statements a method is put to at most, and in a quick study."""
 
-REPEATS = 3
-"""How often a cold start is measured."""
-
-QUICK = 6
-"""How many statements a quick study looks at, at most."""
+CAPTION = (
+    "How long a method takes for a statement, and how sure its answer is. Each was put to "
+    f"identities of the derivations, to misprints, {MUTANTS} one-token mutants and near misses of "
+    f"each: at most {MOST} statements, half of them true, fewer where a method is slow. Three "
+    "exact arithmetics, which agree, say which are true. A mark is the median time, a bar spans "
+    "eight of ten. A full disc: the answers are proofs, and none was wrong; hollow: not all was "
+    "answered. A triangle: a bound is guaranteed. A hollow square: no error in $n$ trials; a share "
+    "above $3/n$ would have been seen with a chance of 95 %. A full square: wrong answers were "
+    "seen. Exact arithmetics, points, the checker and SymPy answer in a process that runs; the "
+    "other programs are started for each statement, and their start is counted."
+)
 
 
 def measure(quick: bool) -> Iterable[Task]:
-    """Each method on each statement of its share, and its start from nothing.
+    """Each method on each statement of its share.
 
     Methods take turns, so that a noisy moment of the machine touches all of them.
     """
-    for name, reason in missing().items():
-        yield Task(name, LEFT_OUT, partial(left_out, reason))
-    found = methods()
     statements = labelled(1, available()[:1]) if quick else labelled(MUTANTS)
     turns = []
-    for method in found:
-        size = method.share or MOST
-        size = min(QUICK, max(2, size // 10)) if quick else size
-        share = spread(statements, size)
+    for method in methods():
+        most = min(method.share or MOST, QUICK if quick else MOST)
+        share = spread(statements, most)
         turns.append([Task(method.name, s.id, partial(_decide, method, s)) for s in share])
-    yield from (task for turn in zip_longest(*turns) for task in turn if task is not None)
-    true = [statement for statement in statements if statement.kind == TRUE]
-    for method in found[:1] if quick else found:
-        for k in range(REPEATS):
-            run = partial(_cold, method, true[(2 * k + 1) * len(true) // (2 * REPEATS)])
-            yield Task(method.name, f"{COLD} {k + 1}", run)
+    return (task for turn in zip_longest(*turns) for task in turn if task is not None)
 
 
 def _decide(method: Method, statement: Labelled) -> Measured:
@@ -63,10 +64,148 @@ def _decide(method: Method, statement: Labelled) -> Measured:
         return {**found, "verdict": DISAGREEMENT, "reason": str(error)}
 
 
-def _cold(method: Method, statement: Labelled) -> Measured:
-    return {"seconds": method.cold(statement), "verdict": COLD, "reason": ""}
+# -- what the rows say together --------------------------------------------------------
 
 
-def draw(rows: Sequence[Row]) -> dict[str, Figure]:
-    """The chart of all methods."""
-    return {"speed-accuracy": chart(summaries(rows))}
+@dataclass(frozen=True)
+class Summary:
+    """The measurements of one method, of which at least one took time."""
+
+    method: str
+    rows: Sequence[Row]
+
+    @cached_property
+    def counts(self) -> Counter[tuple[str, bool]]:
+        """How many true and how many false statements it got right or wrong, or left open."""
+        return Counter((_outcome(row), row["truth"]) for row in self.rows if "truth" in row)
+
+    @property
+    def wrong(self) -> int:
+        """How many answers are wrong."""
+        return self.counts["wrong", True] + self.counts["wrong", False]
+
+    @property
+    def answers(self) -> int:
+        """How many statements it accepts or rejects."""
+        return self.wrong + self.counts["right", True] + self.counts["right", False]
+
+    @cached_property
+    def times(self) -> tuple[float, float, float]:
+        """The median time for a statement, and those between which eight of ten lie."""
+        found = [row["seconds"] for row in self.rows if row.get("seconds") is not None]
+        deciles = quantiles(found, n=10, method="inclusive") if len(found) > 1 else found
+        return median(found), deciles[0], deciles[-1]
+
+    @property
+    def grade(self) -> tuple[int, float, str]:
+        """How sure an answer is, to be sorted, and in words."""
+        bounds = [row["bound"] for row in self.rows if row.get("bound") is not None]
+        if self.wrong or not self.answers:
+            return 3, self.wrong, "wrong answers seen" if self.wrong else "no answer"
+        if any(row["proves"] for row in self.rows):
+            return 0, 0.0, "proof"
+        if bounds:
+            return 1, max(bounds), f"chance of error ≤ {digit(max(bounds))}"
+        return 2, 1 / self.answers, f"0 of {self.answers} wrong: ≤ 3/{self.answers}"
+
+    @property
+    def words(self) -> str:
+        """What went wrong, in a few words; empty if nothing did."""
+        of = Counter(row.get("truth") for row in self.rows)
+        parts = {
+            outcome: ", ".join(
+                f"{self.counts[outcome, truth]} of {of[truth]} {word}"
+                for truth, word in ((True, "true"), (False, "false"))
+                if self.counts[outcome, truth]
+            )
+            for outcome in ("wrong", "no answer")
+        }
+        return "; ".join(f"{outcome}: {shares}" for outcome, shares in parts.items() if shares)
+
+
+def _outcome(row: Row) -> str:
+    if row["verdict"] not in (ACCEPTED, REJECTED):
+        return "no answer"
+    return "right" if (row["verdict"] == ACCEPTED) is row["truth"] else "wrong"
+
+
+def summaries(rows: Iterable[Row]) -> list[Summary]:
+    """One summary a method that was measured, the surest first, then the fastest."""
+    found: dict[str, list[Row]] = {}
+    for row in rows:
+        found.setdefault(row["method"], []).append(row)
+    timed = [
+        Summary(method, mine)
+        for method, mine in found.items()
+        if any(row.get("seconds") is not None for row in mine)
+    ]
+    return sorted(timed, key=lambda one: (one.grade, one.times))
+
+
+# -- the chart -------------------------------------------------------------------------
+
+
+def draw(rows: Sequence[Row]) -> Figure:
+    """A line a method, by classes from the surest down; time along the axis."""
+    found = summaries(rows)
+    figure = new_figure(height=0.9 + 0.235 * len(found))
+    axes = figure.subplots()
+    _times(axes, found)
+    for line, one in enumerate(found):
+        _line(axes, line, one)
+    top = -0.5
+    for number, (words, group) in enumerate(groupby(found, key=lambda one: one.grade[2])):
+        end = top + len(list(group))
+        axes.axhspan(top, end, color="#e9f0f5" if number % 2 == 0 else "white", zorder=0, lw=0)
+        middle, places = (top + end) / 2, axes.get_yaxis_transform()
+        axes.text(1.02, middle, words, va="center", transform=places)
+        top = end
+    if found:
+        fastest = min(found, key=lambda one: one.times)
+        time = fastest.times[0]
+        axes.axvline(time, color=INK, lw=0.9, ls=(0, (4, 2)), zorder=1)
+        kind, name = fastest.grade[2].partition(":")[0], shown(fastest.method)
+        words = f"the fastest answer: {kind}, by {name} in {seconds(time)}"
+        axes.set_title(words, weight="bold")
+    axes.set_yticks(range(len(found)), [shown(one.method) for one in found])
+    axes.set(ylim=(len(found) - 0.5, -0.5), xlabel="time for a statement: median, and eight of ten")
+    axes.grid(axis="y", visible=False)
+    axes.tick_params(axis="y", length=0)
+    return figure
+
+
+def _times(axes: Axes, found: Sequence[Summary]) -> None:
+    """A log axis of time, with words for its ticks."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+
+    axes.set_xscale("log")
+    axes.set_xlim(
+        min((one.times[1] for one in found), default=1e-3) / 1.5,
+        max((one.times[2] for one in found), default=1.0) * 1.5,
+    )
+    axes.xaxis.set_major_locator(LogLocator())
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.xaxis.set_major_formatter(FuncFormatter(seconds))
+
+
+def _line(axes: Axes, line: int, one: Summary) -> None:
+    """The mark and the bar of a method, and what went wrong beside them."""
+    time, low, high = one.times
+    look, full = _mark(one)
+    axes.plot([low, high], [line, line], color=look.colour, lw=1.0, zorder=2)
+    axes.plot([time], [line], zorder=3, ms=6, **look.points(full))
+    if one.words:
+        left, right = axes.get_xlim()
+        after = time * time < left * right
+        text: dict[str, Any] = {"ha": "left" if after else "right", "va": "center", "size": 7.5}
+        axes.annotate(
+            one.words, (high if after else low, line), (5 if after else -5, 0),
+            textcoords="offset points", **text,
+        )  # fmt: skip
+
+
+def _mark(one: Summary) -> tuple[Mark, bool]:
+    """A mark a class, and whether it is full: all was answered, or an error was seen."""
+    kind = one.grade[0]
+    full = one.answers == len(one.rows) if kind < 2 else kind == 3
+    return mark((0, 2, 1, 1)[kind]), full

@@ -1,4 +1,4 @@
-"""What a step of the study has to offer: tasks to measure, and charts of their rows."""
+"""What a step of the study has to offer: tasks to measure, and a chart of their rows."""
 
 from __future__ import annotations
 
@@ -25,6 +25,10 @@ Row = dict[str, Any]
 """A stored measurement: ``method`` and ``case`` of its task with what was measured."""
 
 
+class LeftOut(Exception):
+    """A measurement is not made; the message says why."""
+
+
 @dataclass(frozen=True)
 class Task:
     """One measurement: a method on a case.
@@ -41,23 +45,18 @@ class Task:
 
         Where the measurement does not say so itself, the time is that of the whole call, and
         the verdict is ``measured``. An exception is a row with the verdict ``error``, so that
-        a method that fails is still seen; a program that is not installed is left out.
+        a method that fails is still seen; what is not installed is left out.
         """
         start = perf_counter()
         try:
             found = self.run()
-        except MissingSystem as missing:
-            found = left_out(str(missing))
+        except (LeftOut, MissingSystem, ModuleNotFoundError) as missing:
+            found = {"seconds": None, "verdict": LEFT_OUT, "reason": str(missing)}
         except Exception as error:
             reason = f"{type(error).__name__}: {error}"
             found = {"seconds": None, "verdict": "error", "reason": reason}
         usual = {"seconds": perf_counter() - start, "verdict": "measured"}
         return {"method": self.method, "case": self.case, **usual, **found}
-
-
-def left_out(reason: str) -> Measured:
-    """The row of a measurement that was not made."""
-    return {"seconds": None, "verdict": LEFT_OUT, "reason": reason}
 
 
 class Step(Protocol):
@@ -66,8 +65,11 @@ class Step(Protocol):
     TITLE: str
     """What the step measures, in a few words."""
 
+    CAPTION: str
+    """What the chart shows, and for which parameters: plain text, mathematics between dollars."""
+
     def measure(self, quick: bool) -> Iterable[Task]:
         """The tasks in their order; with ``quick`` a few that take seconds together."""
 
-    def draw(self, rows: Sequence[Row]) -> Mapping[str, Figure]:
-        """The charts of these rows, by their names; called inside the style of all pictures."""
+    def draw(self, rows: Sequence[Row]) -> Figure:
+        """The chart of these rows; called inside the style of all pictures."""

@@ -43,7 +43,7 @@ def test_the_message_names_file_and_line(tmp_path, text, message):
 
 def test_what_is_not_there_is_said_with_what_is():
     with pytest.raises(
-        LibraryError, match="there is no derivation “euler1758”; the library has: kharlamov2002"
+        LibraryError, match=r"there is no derivation “euler1758”; the library has: .*kharlamov2002"
     ):
         find("euler1758")
 

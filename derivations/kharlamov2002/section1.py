@@ -7,7 +7,7 @@ from kowalevski_cas.paper.claims import (
     InvariantRelations,
     Scaling,
 )
-from kowalevski_cas.paper.derivation import Scene, Section
+from kowalevski_cas.paper.derivation import Locus, Scene, Section
 
 section = Section("1", "Main equations")
 
@@ -64,6 +64,7 @@ eq4 = section.states(
         "the square of the second field is constant",
         "the scalar product of the fields is constant",
     ),
+    sentence=r"can be considered as equations in ${\bf R}^9$ with three geometrical integrals",
 )
 
 energy = section.display(
@@ -101,8 +102,17 @@ section.states(
     on=general,
     says="with the force function (1) the energy is constant",
     ids=("eq1",),
+    sentence=r"""
+Consider the problem of motion of a rigid body about a fixed point in the potential force field
+with a force function of the type""",
 )
-section.states(FirstIntegral, energy, on=general, says="the energy integral of any body")
+section.states(
+    FirstIntegral,
+    energy,
+    on=general,
+    says="the energy integral of any body",
+    sentence=r"Eqs.~(\ref{eq2}),(\ref{eq3}) have the energy integral",
+)
 
 time_unit = section.inline("time-unit", r"\sqrt {A_3 /u_0 }")
 
@@ -142,6 +152,9 @@ section.states(
     says="with this unit of time the equations are those with $A_3=1$",
     simple=equations,
     measures=((OMEGA, -1, "1"), ((*ALPHA, *BETA), 0, "u_0")),
+    sentence=r"""
+Take $\sqrt{A_3 /u_0 }$ as the time unit ($u_0$ is some common unit of measurement for the
+components of ${\bs \alpha}, {\bs \beta}$). Formally it is equivalent to the choice $A_3=1$""",
 )
 
 eq5 = section.identity(
@@ -188,7 +201,18 @@ kowalevski = (
     .naming("j", eq8[2])
 )
 
-section.states(FirstIntegral, eq6, on=kowalevski, says="the integral of Kowalevski's type")
+M4 = r"""
+Thus, the system of invariant relations (\ref{eq7}) defines the four-dimensional manifold $M^4$"""
+
+section.states(
+    FirstIntegral,
+    eq6,
+    on=kowalevski,
+    says="the integral of Kowalevski's type",
+    sentence=r"""
+O.I.\,Bogoyavlensky \cite{bib2} showed that Eqs.~(\ref{eq3}), (\ref{eq5}) have the first integral
+of the Kowalevski type""",
+)
 section.claim(
     InvariantRelations(
         "eq7",
@@ -196,7 +220,7 @@ section.claim(
         None,
         "the zero level of $K$ is invariant",
         relations=(*eq7,),
-        names=("J_1", "J_2"),
+        sentence=M4,
     )
 )
 section.states(
@@ -206,16 +230,43 @@ section.states(
     says="a partial integral: it is constant on (7), and not off it",
     given=(*eq7,),
     main=((r"\alpha_1", r"\alpha_2"),),
+    sentence="there exists a new partial integral, namely,",
 )
+PARALLEL = Locus("parallel fields", ("a^2b^2-c^2=0",), "a^2b^2-c^2")
+AS_LARGE = Locus("$a=b$, $c=0$", ("a^2-b^2=0", "c=0"), "(a^2-b^2)^2+4c^2")
+
+# On M4 the relations (7) are singular there only at rest in the plane, and then c1 c2 vanishes.
+PLANAR = Locus(
+    "$a=b$, $c=0$",
+    (r"\omega_1=0", r"\omega_2=0", r"\alpha_3=0", r"\beta_3=0"),
+    AS_LARGE.condition,
+)
+
+real_variables = (
+    kowalevski.described(
+        "initial variables, real",
+        "the Kowalevski case, where $a$, $b$, $c$ abbreviate the integrals (4)",
+    )
+    .adjoining(eq4[1], eq4[2])
+    .defining(eq4[3])
+)
+
+over_M4 = section.lemma(
+    "over-M4",
+    r"\alpha_1=\beta_2-\omega_1^2+\omega_2^2, \quad \alpha_2=-\beta_1-2\omega_1\omega_2",
+    "the relations (7) solved for two variables",
+)
+
 section.claim(
     Dimension(
         "M4-dimension",
-        kowalevski,
+        real_variables.having(loci=(PLANAR, PARALLEL)),
         None,
         "with (4), the relations (7) define a four-dimensional manifold",
         levels=(*eq4,),
         equations=(*eq7,),
         dimension=4,
+        sentence=M4,
     ),
     Independence(
         "M4-independence",
@@ -225,5 +276,7 @@ section.claim(
         levels=(*eq4,),
         equations=(*eq7,),
         functions=(*eq8,),
+        graph=(*over_M4,),
+        sentence="The induced (not reduced) system on it has two first integrals",
     ),
 )

@@ -19,7 +19,7 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.derivation import Locus, Section
 
-from .section1 import FRAME, OMEGA, eq4, kowalevski
+from .section1 import AS_LARGE, FRAME, OMEGA, PARALLEL, eq4, kowalevski, real_variables
 
 section = Section("2", "New solution with two invariant relations")
 
@@ -31,6 +31,9 @@ section.claim(
         r"the derivative of any expression free of $\omega_3$ is at most linear in $\omega_3$",
         variable=r"\omega_3",
         degree=1,
+        sentence=r"""
+Note that the derivative, in the above sense, of any expression not containing $\omega_3$, is linear
+in $\omega_3$""",
     )
 )
 
@@ -115,6 +118,9 @@ section.claim(
         "the change (9) is invertible, and the variables come in conjugate pairs",
         old=with_unit,
         pairs=PAIRS,
+        sentence=r"""
+Following the idea of S.\,Kowalevski \cite{bib4} of using complex variables, introduce the change of
+variables ($i^2=1$)""",
     )
 )
 section.states(
@@ -138,6 +144,9 @@ Q1_prime = section.states(
     on=complex_variables,
     says=r"the derivative of $Q_1$ up to terms free of $\omega_3$",
     variable=r"\omega_3",
+    sentence=r"""
+Then $ \theta ' = Q_2$, $Q'_1  = \frac{1}{2}Q_2 \omega _3 + ...$, where "$...$"\, stands for the
+terms not depending on $\omega_3$""",
 )
 
 ansatz = section.display("ansatz", r"\theta ^m \omega _3  - \theta ^n Q_1.")
@@ -158,6 +167,7 @@ m\theta ^{m - 1} \theta ' - \frac{1}{2}\theta ^n Q_2  = (m\theta ^{m
     says=r"the coefficient of $\omega_3$ in the derivative of $\theta^m\omega_3-\theta^nQ_1$",
     variable=r"\omega_3",
     derivative_of=ansatz[1],
+    sentence=r"In its derivative, the coefficient of $\omega_3$ is equal to",
 )
 
 ansatz_exponents = section.inline("ansatz-exponents", r"m = \frac{1}{2},n =  - \frac{1}{2}")
@@ -170,6 +180,7 @@ section.claim(
         values=(*ansatz_exponents,),
         ansatz=ansatz[1],
         variable=r"\omega_3",
+        sentence=r"and vanishes if $m = \frac{1}{2},n =  - \frac{1}{2}$",
     )
 )
 
@@ -299,11 +310,14 @@ all_constants = (
     )
     .having(
         vectors=FRAME,
-        loci=(Locus("$c_1=c_2=0$, that is $a=b$, $c=0$", ("c_1=0", "c_2=0"), "c_1 c_2"),),
+        loci=(
+            Locus("$c_1=c_2=0$, that is $a=b$, $c=0$", ("c_1=0", "c_2=0"), "c_1 c_2"),
+            PARALLEL,
+        ),
     )
     .with_unit(unit[1])
-    .adjoining(r"\sqrt{x_1x_2}")
-    .defining(c, F1, eq13[1], eq13[2], F2)
+    .adjoining(r"\sqrt{x_1x_2}", eq4[1], eq4[2])
+    .defining(eq4[3], c, F1, eq13[1], eq13[2], F2)
 )
 
 N4 = InvariantRelations(
@@ -312,7 +326,7 @@ N4 = InvariantRelations(
     None,
     "$F_1=0$, $F_2=0$ defines an invariant manifold",
     relations=(*eq15,),
-    names=("F_1", "F_2"),
+    sentence=r"defines the invariant submanifold of the phase space of Eqs.~(\ref{eq10})",
 )
 section.claim(
     N4,
@@ -324,6 +338,9 @@ section.claim(
         levels=(*eq4,),
         equations=(*eq15,),
         dimension=4,
+        sentence=r"""
+Given the geometrical identities~(\ref{eq4}) depending only on the body parameters and the force
+fields, this manifold has dimension~4""",
     ),
     Reality(
         "reality",
@@ -332,6 +349,9 @@ section.claim(
         r"$\theta$ and $Q_1$ are real, $U_1-U_2$ is purely imaginary",
         real=(r"\theta", "Q_1"),
         imaginary=("U_1-U_2",),
+        sentence=r"""
+Note that the expressions $\theta$ and $Q_1$ in (\ref{eq11}), (\ref{eq13}) are real, while $U_1-U_2$
+is purely imaginary""",
     ),
 )
 
@@ -346,12 +366,15 @@ with_root_and_unit = with_root.described(
     "complex variables with the root and the unit", "the same with $i$, for imaginary parts"
 ).with_unit(unit[1])
 
+REAL = r"Hence Eqs.~(\ref{eq15}) can be written in the form"
+
 section.states(
     Equivalence,
     real_form[1],
     on=with_root_and_unit,
     says="the first of the equations (15) in real form",
     to=eq15[1],
+    sentence=REAL,
 )
 section.states(
     Equivalence,
@@ -359,6 +382,7 @@ section.states(
     on=with_root_and_unit,
     says="the second of the equations (15) in real form",
     to=eq15[2],
+    sentence=REAL,
 )
 
 eq16 = section.display(
@@ -389,12 +413,16 @@ with_xi = initial.described(
     "the Kowalevski case with $a$, $b$, $c$, the abbreviations (9) and the imaginary unit",
 ).defining(xi)
 
+INITIAL = r"""
+Substitution~(\ref{eq9}) leads to the invariant relations expressed in the initial variables"""
+
 section.states(
     Equivalence,
     eq16[1],
     on=with_xi,
     says="the first relation in the initial variables",
     to=real_form[1],
+    sentence=INITIAL,
 )
 section.states(
     Equivalence,
@@ -402,33 +430,35 @@ section.states(
     on=with_xi,
     says="the second relation in the initial variables",
     to=real_form[2],
+    sentence=INITIAL,
 )
 
-AS_LARGE = Locus("$a=b$, $c=0$", ("a^2-b^2=0", "c=0"), "(a^2-b^2)^2+4c^2")
-
-real_variables = (
-    kowalevski.described(
-        "initial variables, real",
+xi_variables = (
+    real_variables.described(
+        "initial variables, real, with $\\xi_1$ and $\\xi_2$",
         "the Kowalevski case with $a$, $b$, $c$ and the abbreviations $\\xi_1$, $\\xi_2$",
     )
     .having(
         loci=(Locus(r"$\xi_1=\xi_2=0$", (r"\xi_1=0", r"\xi_2=0"), r"\xi_1^2+\xi_2^2"), AS_LARGE)
     )
-    .adjoining(eq4[1], eq4[2])
-    .defining(eq4[3], xi)
+    .defining(xi)
 )
 
 section.claim(
     InvariantRelations(
         "eq16.invariance",
-        real_variables,
+        xi_variables,
         None,
         "the system (16), read literally with (4), is an invariant set",
         relations=(*eq16,),
-        names=("E_1", "E_2"),
         main=((r"\omega_3",),),
+        sentence=INITIAL,
     )
 )
+
+TWO_INTEGRALS = r"""
+The equations of motion restricted to the manifold $N^4$ defined by (\ref{eq16}) have two
+independent first integrals"""
 
 eq17 = section.states(
     FirstIntegral,
@@ -445,12 +475,21 @@ K = (\omega _1^2  - \omega _2^2  + \alpha _1  - \beta _2 )^2  +
     ),
     on=kowalevski,
     says=("the energy integral on $N^4$", "the integral $K$ on $N^4$"),
+    sentence=TWO_INTEGRALS,
 )
 
 with_integrals = all_constants.described(
     "complex variables, all constants and integrals",
     "the same with $H$ and $K$",
 ).defining(eq17)
+
+over_N4 = section.lemma(
+    "over-N4",
+    r"""
+\omega_3 = \frac{x_2z_1w_1+x_1z_2w_2}{x_1x_2}, \quad
+y_2 = \frac{1}{x_1}\left[\frac{x_1^2(z_2^2+x_2y_1)(w_2^2+x_2)}{x_2^2(w_1^2+x_1)}-z_1^2\right]""",
+    "the relations (15) solved for two variables",
+)
 
 at_rest = kowalevski.described(
     "constants of the fields",
@@ -466,6 +505,8 @@ section.claim(
         levels=(*eq4,),
         equations=(*eq15,),
         functions=(*eq17,),
+        graph=(*over_N4,),
+        sentence=TWO_INTEGRALS,
     ),
     Equilibria(
         "equilibria",
@@ -475,6 +516,9 @@ section.claim(
         fixed=OMEGA,
         levels=(*eq4,),
         count=4,
+        sentence=r"""
+The singular points of the initial system (\ref{eq2}), (\ref{eq3}) in this problem correspond to the
+body equilibria; there exists only four such points""",
     ),
     LastMultiplier(
         "last-multiplier",
@@ -482,5 +526,10 @@ section.claim(
         None,
         "the flow preserves the volume of the space and, with it, a measure on $N^4$",
         relations=N4,
+        sentence=r"""
+It follows from dynamics theorems that, if the common level~(\ref{eq17}) does not contain any
+singular points and the gradients of $H$ and $K$ are linearly independent, then each connected
+component of~(\ref{eq17}) is a two-dimensional torus and the trajectories on it satisfy the
+differential equations having the last Jacobi multiplier""",
     ),
 )

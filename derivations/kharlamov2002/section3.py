@@ -13,7 +13,7 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.paper.derivation import Locus, Scene, Section
 
 from .section1 import eq4, kowalevski
-from .section2 import F1, F2, N4, c, eq9, eq11, eq13, eq16, eq17, tau, unit, xi
+from .section2 import F1, F2, N4, c, eq9, eq10, eq11, eq13, eq16, eq17, tau, unit, xi
 
 section = Section("3", "The classical analogue")
 
@@ -38,6 +38,8 @@ with_values = (
     .defining(eq4[3], xi)
 )
 
+NO_SECOND_FIELD = r"The invariant relations (\ref{eq16}) take the form"
+
 eq18 = section.states(
     Equivalence,
     section.display(
@@ -50,6 +52,7 @@ eq18 = section.states(
     on=with_values,
     says=r"the first relation (16) for $\beta=0$",
     to=eq16[1],
+    sentence=NO_SECOND_FIELD,
 )
 
 eq19 = section.states(
@@ -64,6 +67,7 @@ eq19 = section.states(
     on=with_values,
     says=r"the second relation (16) for $\beta=0$",
     to=eq16[2],
+    sentence=NO_SECOND_FIELD,
 )
 
 norm = section.inline("norm", r"{( {\bs \alpha},{\bs \alpha}) = 1}")
@@ -80,6 +84,7 @@ _1^2  - \alpha _2^2}=\frac{2\omega _1 \omega _2 + \alpha _2
     on=with_values,
     says="the relation (19) as an equality of ratios",
     to=eq19[1],
+    sentence=r"Write (\ref{eq19}) in the form",
 )
 
 eq20 = section.display(
@@ -101,6 +106,8 @@ with_root_of_k = (
     .adjoining(r"\sqrt{k}")
 )
 
+TO_OBTAIN = "and substitute to the Kowalevski integral to obtain"
+
 section.states(
     Implication,
     eq20[1],
@@ -108,6 +115,7 @@ section.states(
     says="it follows from (19) and $K=k$, for one of the two roots",
     given=(*eq19,),
     root=r"\sqrt{k}",
+    sentence=TO_OBTAIN,
 )
 section.states(
     Implication,
@@ -117,6 +125,7 @@ section.states(
     given=(*eq19,),
     root=r"\sqrt{k}",
     together=(eq20[1],),
+    sentence=TO_OBTAIN,
 )
 
 area = section.display(
@@ -133,6 +142,7 @@ section.states(
     area,
     on=with_values,
     says="the area integral of the classical problem",
+    sentence="Recall the classical area integral",
 )
 
 with_area = classical.defining(area, Psi)
@@ -181,9 +191,16 @@ section.states(
     says="it follows from (18) and (20)",
     given=(*eq18, *eq20),
     main=((r"\omega_3", r"\omega_1", r"\omega_2"),),
+    sentence=r"""
+Under the conditions (\ref{eq18}) and (\ref{eq20}) the last expression turns into the following""",
 )
 
 combined = section.inline("combined-integral", r"(2L^2  - H)^2  - K")
+
+CRITICAL = r"""
+Analyzing the structure of (\ref{eq21}) and (\ref{eq22}), we conclude that the three-dimensional
+manifold (\ref{eq18}), (\ref{eq19}) is exactly the set of critical points of the combined first
+integral $(2L^2  - H)^2 - K$"""
 
 section.states(
     CriticalSet,
@@ -194,6 +211,7 @@ section.states(
     equations=(*eq18, *eq19),
     level=norm[1],
     main=((r"\omega_3",),),
+    sentence=CRITICAL,
 )
 section.claim(
     Dimension(
@@ -204,6 +222,7 @@ section.claim(
         levels=(*norm,),
         equations=(*eq18, *eq19),
         dimension=3,
+        sentence=CRITICAL,
     )
 )
 section.states(
@@ -214,6 +233,7 @@ section.states(
     ids=("redundant-integral",),
     given=(*eq18, *eq19),
     main=((r"\omega_3",),),
+    sentence="In particular, one of the classic integrals on this manifold becomes redundant",
 )
 
 # What the paper uses of Kowalevski's separation of variables, in the complex variables (9).
@@ -265,17 +285,28 @@ separation_variables = section.lemma(
     "S. Kowalevski, Acta Math. 12 (1889): $s_1$, $s_2$ less a constant are the roots",
 )
 
+third_component = section.lemma(
+    "appelrot-field",
+    r"""
+\alpha_3^2=1-x_1x_2, \quad z_1=\alpha_3, \quad z_2=\alpha_3, \quad
+\omega_3=\frac{(x_1w_2+x_2w_1)\alpha_3}{x_1x_2}""",
+    r"the norm, $\beta=0$ and (18) in the variables (9)",
+)
+
 appelrot = (
     Scene(
         "Appelrot's motions",
         "the set (18), (20) by $x_1$, $x_2$ and $\\sqrt{k}$: $w_1$, $w_2$ are square roots on it",
         variables=("x_1", "x_2", "w_1", "w_2"),
         constants=("k", "s"),
+        time=r"\tau",
     )
-    .adjoining(r"\sqrt{k}")
+    .moving(*(eq10[k] for k in (1, 2, 7, 8)))
+    .having(conjugates=(("x_1", "x_2"), ("w_1", "w_2")))
+    .adjoining(r"\sqrt{k}", third_component[1])
     .solving("w_1", squares[1])
     .solving("w_2", squares[2])
-    .defining(area_on_set, h_on_set, separation)
+    .defining(*(third_component[k] for k in (2, 3, 4)), area_on_set, h_on_set, separation)
 )
 
 section.states(
@@ -286,6 +317,8 @@ section.states(
     ids=("kowalevski-variable",),
     unknown="s",
     basis=("h", r"\sqrt{k}", "1"),
+    sentence=r"""
+These are, naturally, the solutions on which one of the Kowalevski variables remains constant""",
 )
 
 limit_scene = (
@@ -304,6 +337,9 @@ section.claim(
         limit_scene,
         None,
         r"the limit $\beta\to 0$ commutes with the derivation of the cofactor matrix",
+        sentence=r"""
+Therefore the family of motions (\ref{eq16}) found in this paper generalizes the so-called
+{\it especially remarkable} motions of the 2nd and 3rd Appelrot classes""",
         general=N4,
         special=InvariantRelations(
             "limit/direct",
@@ -311,7 +347,6 @@ section.claim(
             None,
             "the relations (18), (19) by themselves",
             relations=(*eq18, *eq19),
-            names=("E_1", "E_2"),
             main=((r"\omega_3",),),
         ),
     )

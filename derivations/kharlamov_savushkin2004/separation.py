@@ -3,7 +3,7 @@ r"""3. N^4 separated: the constants m and \ell, the variables s_1 and s_2, any c
 from kowalevski_cas.paper.claims import Definition, FirstIntegral, Identity, Implication
 from kowalevski_cas.paper.derivation import Scene, Section
 
-from ..kharlamov2002.section2 import F1, F2, c, eq10, eq13, eq15, tau, unit
+from ..kharlamov2002.section2 import F1, F2, PAIRS, c, eq10, eq13, eq15, tau, unit
 from .setting import complex_integrals, complex_variables, root_of_c
 from .third_integral import constants, level, solved
 
@@ -112,23 +112,31 @@ solved_for = (
     )
     .moving(*(eq10[k] for k in (1, 2, 5, 6, 7, 8)))
     .with_unit(unit[1], tau[1])
+    .having(conjugates=tuple(pair for pair in PAIRS if pair != ("y_1", "y_2")))
     .solving("w_1", constants[1])
     .solving("w_2", m_conjugate[1])
     .adjoining(r"\sqrt{x_1x_2}")
     .defining(y, omega3, constants[2], s, phi)
 )
 
+any_level = solved_for.described(
+    "N⁴",
+    "$N^4$ by $x_1$, $x_2$, $z_1$, $z_2$ and the constants $m$, $c_1$, $c_2$, none of which is zero",
+).having(
+    constants=("c_1", "c_2"),
+    conjugates=(("c_1", "c_2"),),
+    nonzero=("x_1", "x_2", "c_1", "c_2", "m"),
+)
+
 on_N4 = (
-    solved_for.described(
-        "N⁴",
-        "$N^4$ by $x_1$, $x_2$, $z_1$, $z_2$ and the constants $m$, $c_1$, $c_2$, none of which is zero",
-    )
-    .having(constants=("c_1", "c_2"), nonzero=("x_1", "x_2", "c_1", "c_2", "m"))
+    any_level.described("N⁴ with a and b", "the same, where $r$, $p$, $a$ and $b$ are known")
     .adjoining(r"\sqrt{c_1c_2}", root_of_c, complex_integrals[3], any_c)
     .defining(complex_integrals[1], complex_integrals[2])
 )
 
-section.states(FirstIntegral, constants[2], on=on_N4, says="it is constant on $N^4$", ids=("l",))
+section.states(
+    FirstIntegral, constants[2], on=any_level, says="it is constant on $N^4$", ids=("l",)
+)
 section.states(Identity, relations[1], on=on_N4, says="$K$ on $N^4$", ids=("k",))
 section.states(Identity, relations[3], on=on_N4, says="the energy on $N^4$", ids=("h",))
 for k in (3, 4, 9):

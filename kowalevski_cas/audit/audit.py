@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from time import perf_counter
 
@@ -13,14 +13,16 @@ from kowalevski_cas.audit.displays import Typed, find_formulas
 from kowalevski_cas.audit.limits import excess
 from kowalevski_cas.audit.macros import Expanded, expand
 from kowalevski_cas.audit.places import Place, find_places
+from kowalevski_cas.audit.sentences import Sentences
 from kowalevski_cas.audit.session import AuditSession, AuthorSession, formulas
 from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import words
 from kowalevski_cas.paper.texts import Display
-from kowalevski_cas.verify.outcome import Outcome
+from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 MOST = 20_000
 """Formulas in one source."""
+ABSENT = "the derivation has this formula and the source has not"
 
 
 @dataclass
@@ -34,6 +36,8 @@ class Audit:
     session: AuthorSession
     notes: list[tuple[int, str]]
     """Lines, and what is to be said about them."""
+    lines: dict[str, int]
+    """The lines of the sentences that claims quote, by the ids of the claims."""
     seconds: float = 0.0
 
     @property
@@ -48,9 +52,21 @@ class Audit:
 
     @property
     def statements(self) -> list[Outcome]:
-        """What is said about statements in words, which no formula prints."""
-        about = {claim for formula in self.formulas for claim in formula.claims}
-        return [outcome for claim, outcome in self.outcomes.items() if claim not in about]
+        """What is said about claims that are more than a formula, which has not their verdict."""
+        shown = {formula.id for formula in self.formulas if formula.id in formula.claims}
+        return [outcome for claim, outcome in self.outcomes.items() if claim not in shown]
+
+    @property
+    def false(self) -> list[Outcome]:
+        """Statements in words that are refuted, where no formula is wrong by them."""
+        seen = {claim for formula in self.formulas if formula.wrong for claim in formula.claims}
+        refuted = (one for one in self.statements if one.verdict is Verdict.REFUTED)
+        return [outcome for outcome in refuted if outcome.claim not in seen]
+
+    @property
+    def wrong(self) -> int:
+        """How many formulas, and statements in words, an author has to look at."""
+        return sum(formula.wrong for formula in self.formulas) + len(self.false)
 
 
 def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
@@ -59,6 +75,10 @@ def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
     found = list(islice(find_formulas(expanded.text, source.body), MOST + 1))
     if len(found) > MOST:
         raise SourceError(f"{source.path} has more than {MOST:,} formulas")
+    for place, formula in enumerate(found):
+        origin = expanded.origin(formula.start, formula.start + 1)[0]
+        if why := expanded.definitions.why(formula.tex, formula.kind, origin):
+            found[place] = replace(formula, trouble=formula.trouble or why)
     return expanded, found
 
 
@@ -70,15 +90,22 @@ def audit(source: Source, base: AuditSession) -> Audit:
     sources: dict[Display, str] = {}
     refused: dict[Display, str] = {}
     for place in places:
-        if place.typed is not None and words(place.typed.tex) != words(place.display.tex):
+        if place.typed is None:
+            refused[place.display] = ABSENT
+        elif place.typed.trouble:
+            refused[place.display] = place.typed.trouble
+        elif words(place.typed.tex) != words(place.display.tex):
             reason = _excess(place.display, place.typed.tex, base)
             (refused if reason else sources)[place.display] = reason or place.typed.tex
-    session = AuthorSession(base, sources)
+    sentences = Sentences(source, expanded, typed, places, base.derivation)
+    session = AuthorSession(base, sources, refused, sentences.differing())
     notes = [(source.line(offset), reason) for offset, reason in expanded.notes]
     describe = Describer(source, expanded, session, refused)
     found = [formula for place in places for formula in describe.formulas(place)]
     found += describe.new(typed, places)
-    return Audit(source, expanded, places, found, session, notes, perf_counter() - start)
+    return Audit(
+        source, expanded, places, found, session, notes, sentences.lines(), perf_counter() - start
+    )
 
 
 def _excess(display: Display, tex: str, base: AuditSession) -> str:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import multiprocessing
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from time import perf_counter
 
@@ -13,6 +12,7 @@ from kowalevski_cas.audit.equivalence import equivalence
 from kowalevski_cas.audit.mutants import Mutant
 from kowalevski_cas.audit.session import AS_BEFORE
 from kowalevski_cas.audit.source import Source
+from kowalevski_cas.processes import each, tell
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 
@@ -31,6 +31,8 @@ class Caught:
     """For a claim that was true: an edit of the mutant has ``restored`` it, the ``derivation`` says
     what it was, another formula is ``true``, or there is ``none``."""
     equivalent: str
+    late: bool
+    """Whether something was not decided in time: then it is not known whether it survives."""
     seconds: float
 
     @property
@@ -53,11 +55,16 @@ class Measurement:
 
     @property
     def missed(self) -> list[Caught]:
-        """The survivors that are not shown to be equivalent."""
-        return [result for result in self.survivors if not result.equivalent]
+        """The survivors that are not shown to be equivalent, and were decided."""
+        return [r for r in self.survivors if not r.equivalent and not r.late]
+
+    @property
+    def late(self) -> list[Caught]:
+        """The mutants of which nothing was noticed in time."""
+        return [r for r in self.survivors if not r.equivalent and r.late]
 
     def share(self) -> tuple[int, int]:
-        """How many were caught, of how many that are not equivalent."""
+        """How many were caught, of how many that are not equivalent and were decided."""
         caught = sum(result.caught for result in self.results)
         return caught, caught + len(self.missed)
 
@@ -95,6 +102,7 @@ class Measure:
             self._named(found, mutant),
             self._repair(found, mutant),
             reason,
+            any(map(_late, after.values())),
             seconds,
         )
 
@@ -154,37 +162,15 @@ def _of(outcome: Outcome) -> object:
     )
 
 
-def measure(
-    base: Audit,
-    mutants: Sequence[Mutant],
-    jobs: int = 1,
-    progress: Callable[[Caught], None] = lambda caught: None,
-) -> Measurement:
-    """Audit mutants of an audited source, in several processes if asked to."""
+def measure(base: Audit, mutants: Sequence[Mutant], jobs: int = 1) -> Measurement:
+    """Audit mutants of an audited source, so many at once; it tells how far it has come.
+
+    Their processes share what the audit of the source has computed.
+    """
     start = perf_counter()
     found = Measurement()
-    for result in _results(Measure(base), mutants, jobs):
+    for result in each(Measure(base), mutants, jobs):
         found.results.append(result)
-        progress(result)
+        tell("mutants", len(found.results), len(mutants))
     found.seconds = perf_counter() - start
     return found
-
-
-_WORK: list[Measure] = []
-
-
-def _one(mutant: Mutant) -> Caught:
-    return _WORK[-1](mutant)
-
-
-def _results(work: Measure, mutants: Iterable[Mutant], jobs: int) -> Iterator[Caught]:
-    if jobs <= 1 or "fork" not in multiprocessing.get_all_start_methods():
-        yield from map(work, mutants)
-        return
-    _WORK.append(work)
-    try:
-        # Processes made by forking share what the audit of the source has computed.
-        with multiprocessing.get_context("fork").Pool(jobs) as pool:
-            yield from pool.imap(_one, mutants, chunksize=4)
-    finally:
-        _WORK.pop()

@@ -20,7 +20,7 @@ from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.roles import Role, Roles, undefined, unused
 from kowalevski_cas.audit.session import AuthorSession
 from kowalevski_cas.audit.source import Source
-from kowalevski_cas.notation import NotationError, split_display, to_latex
+from kowalevski_cas.notation import Formula, NotationError, split_display, to_latex
 from kowalevski_cas.paper.texts import Display, Printed
 
 
@@ -52,8 +52,7 @@ class Describer:
         if typed is None:
             yield Audited(
                 display.id, _label(display), 0, 0, display.tex.strip(), self._role(display),
-                MISSING, claims=tuple(self._claims(display)),
-                message="the derivation has this formula and the source has not",
+                MISSING, claims=tuple(self._claims(display)), message=self.refused[display],
             )  # fmt: skip
             return
         try:
@@ -128,10 +127,12 @@ class Describer:
         """The verdict on a statement, with its evidence."""
         role = self.roles.at(printed.place)
         audited.place = printed
-        audited.formula = self.texts.formula(printed)
+        audited.formula = self.texts.statement(printed).formula
         audited.role = role.name
         audited.claims = tuple(role.claims)
-        outcomes = [self.outcomes[claim] for claim in role.claims]
+        outcomes = [self.outcomes[claim] for claim in role.own or role.claims]
+        if len(role.own) == 1:
+            (audited.id,) = role.own
         if outcomes:
             worst = min(outcomes, key=lambda outcome: WORST.index(outcome.verdict))
             audited.verdict = str(worst.verdict)
@@ -141,15 +142,15 @@ class Describer:
             audited.message = worst.message or audited.message
             causes = self.session.causes.get(worst.claim, ())
             audited.causes = tuple(cause.place for cause in causes)
-        self._blame(audited, printed, role)
+        self._blame(audited, printed, audited.formula, role)
 
-    def _blame(self, audited: Audited, printed: Printed, role: Role) -> None:
+    def _blame(self, audited: Audited, printed: Printed, formula: Formula, role: Role) -> None:
         """What a statement makes false, and what it no longer defines."""
         session = self.session
         audited.breaks = tuple(self.broken.get(printed.place, ()))
         lost = idle = []
         if printed in session.changed:
-            lost = undefined(role, self.texts.formula(printed))
+            lost = undefined(role, formula)
             idle = unused(session.derivation, session.base.texts, self.texts, printed)
         if lost:
             audited.message = f"it does not define {', '.join(lost)}"

@@ -1,7 +1,6 @@
-r"""The author's own macros: found, and written out within limits.
+"""The author's own macros, written out within limits.
 
-``\newcommand``, ``\renewcommand``, ``\providecommand``, ``\DeclareMathOperator`` and plain
-``\def`` are understood. What is written out remembers from where in the file it came.
+What is written out remembers from where in the file it came.
 """
 
 from __future__ import annotations
@@ -10,6 +9,7 @@ import re
 from bisect import bisect_right
 from dataclasses import dataclass, field
 
+from kowalevski_cas.audit.definitions import Definitions, Macro, definitions, group_at, skip
 from kowalevski_cas.audit.source import Source, SourceError
 
 DEEPEST = 30
@@ -18,31 +18,10 @@ MOST = 20_000
 """Macros written out in one file."""
 LONGEST = 8_000_000
 """Characters that all macros of a file may write out."""
-FAILURES = 20
-"""Definitions that are not understood, after which no more are looked for."""
 
-_DEFINING = re.compile(
-    r"\\(?:(?P<new>newcommand|renewcommand|providecommand|DeclareRobustCommand)"
-    r"|(?P<operator>DeclareMathOperator)|(?P<def>def))(?![A-Za-z])\*?\s*"
-)
-_NAME = re.compile(r"\s*(?:\{\s*(\\(?:[A-Za-z@]+|.))\s*\}|(\\(?:[A-Za-z@]+|.)))\s*", re.DOTALL)
-_COUNT = re.compile(r"\[\s*([0-9])\s*\]\s*")
-_PARAMETERS = re.compile(r"((?:#[1-9])*)\s*(?=\{)")
 _MACRO = re.compile(r"\\(?:[A-Za-z@]+|.)", re.DOTALL)
-_BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
-_SPACE = re.compile(r"\s*")
 _TOKEN = re.compile(r"\\(?:[A-Za-z]+|.)|.", re.DOTALL)
 _SLOT = re.compile(r"#([1-9])")
-
-
-@dataclass(frozen=True)
-class Macro:
-    """A macro: how many arguments it takes, the default of the first, and what it stands for."""
-
-    name: str
-    arguments: int
-    default: str | None
-    body: str
 
 
 @dataclass
@@ -52,6 +31,7 @@ class Expanded:
     text: str
     notes: list[tuple[int, str]]
     """Offsets in the file, and what is to be said about the place."""
+    definitions: Definitions
     _starts: list[int] = field(default_factory=list)
     _pieces: list[tuple[int, int, bool]] = field(default_factory=list)
 
@@ -78,69 +58,21 @@ class Expanded:
 
 def expand(source: Source) -> Expanded:
     """The visible text of a source with the author's macros written out."""
-    text, macros, notes = _definitions(source.visible)
-    writer = _Writer(text, macros, source)
+    found = definitions(source.visible)
+    writer = _Writer(found, source)
     writer.run()
-    return Expanded("".join(writer.out), notes + writer.notes, writer.starts, writer.pieces)
-
-
-def _definitions(text: str) -> tuple[str, dict[str, Macro], list[tuple[int, str]]]:
-    """The text with definitions blanked, the macros, and what was not understood."""
-    macros: dict[str, Macro] = {}
-    notes: list[tuple[int, str]] = []
-    pieces, at = [], 0
-    position = 0
-    while (match := _DEFINING.search(text, position)) is not None:
-        parsed = _definition(text, match)
-        position = match.end()
-        if parsed is None:
-            notes.append((match.start(), f"this {match[0].strip()} is not understood"))
-            if len(notes) == FAILURES:
-                break
-            continue
-        macro, position = parsed
-        macros[macro.name] = macro
-        pieces.append(text[at : match.start()])
-        pieces.append(re.sub(r"[^\r\n]", " ", text[match.start() : position]))
-        at = position
-    pieces.append(text[at:])
-    return "".join(pieces), macros, notes
-
-
-def _definition(text: str, match: re.Match[str]) -> tuple[Macro, int] | None:
-    named = _NAME.match(text, match.end())
-    if named is None:
-        return None
-    name, at = named[1] or named[2], named.end()
-    count, default = 0, None
-    if match["def"]:
-        parameters = _PARAMETERS.match(text, at)
-        if parameters is None:
-            return None
-        count, at = len(parameters[1]) // 2, parameters.end()
-    elif match["new"] and (arguments := _COUNT.match(text, at)) is not None:
-        count, at = int(arguments[1]), arguments.end()
-        if text[at : at + 1] == "[":
-            closing = text.find("]", at)
-            if closing < 0:
-                return None
-            default = text[at + 1 : closing]
-            at = _skip(text, closing + 1)
-    group = _group(text, at)
-    if group is None:
-        return None
-    body, at = group
-    if match["operator"]:
-        body = rf"\operatorname{{{body}}}"
-    return Macro(name, count, default, body), at
+    notes = found.notes + writer.notes
+    return Expanded("".join(writer.out), notes, found, writer.starts, writer.pieces)
 
 
 class _Writer:
     """The state of writing out: what is written, and from where it came."""
 
-    def __init__(self, text: str, macros: dict[str, Macro], source: Source) -> None:
-        self.text = text
-        self.macros = macros
+    def __init__(self, found: Definitions, source: Source) -> None:
+        self.text = found.text
+        self.unclear = found.unclear
+        self.coming = found.macros[::-1]
+        self.macros: dict[str, Macro] = {}
         self.source = source
         self.out: list[str] = []
         self.starts: list[int] = []
@@ -153,6 +85,7 @@ class _Writer:
     def run(self) -> None:
         at = 0
         for match in _MACRO.finditer(self.text):
+            self.until(match.start())
             macro = self.macros.get(match[0])
             if macro is None or match.start() < at:
                 continue
@@ -166,6 +99,13 @@ class _Writer:
                 continue
             self.add(_apart(body, self.text, at), match.start(), at, False)
         self.add(self.text[at:], at, len(self.text), True)
+
+    def until(self, offset: int) -> None:
+        """Learn the macros that hold at an offset, but for unclear ones."""
+        while self.coming and self.coming[-1][0] <= offset:
+            _, macro = self.coming.pop()
+            if macro.name not in self.unclear:
+                self.macros[macro.name] = macro
 
     def add(self, text: str, start: int, end: int, literal: bool) -> None:
         if text:
@@ -184,13 +124,13 @@ class _Writer:
         arguments, required = [], macro.arguments
         if macro.default is not None and required:
             required -= 1
-            opening = _skip(text, at)
+            opening = skip(text, at)
             closing = text.find("]", opening) if text[opening : opening + 1] == "[" else -1
             arguments.append(text[opening + 1 : closing] if closing >= 0 else macro.default)
             at = closing + 1 if closing >= 0 else at
         for _ in range(required):
-            at = _skip(text, at)
-            group = _group(text, at)
+            at = skip(text, at)
+            group = group_at(text, at)
             if group is None and (token := _TOKEN.match(text, at)) is not None:
                 group = token[0], token.end()
             argument, at = group or ("", at)
@@ -223,21 +163,3 @@ def _apart(body: str, text: str, at: int) -> str:
     """The body, kept apart from a letter that follows it."""
     gap = re.search(r"\\[A-Za-z]+$", body) and text[at : at + 1].isalpha()
     return body + " " if gap else body
-
-
-def _skip(text: str, at: int) -> int:
-    match = _SPACE.match(text, at)
-    assert match is not None
-    return match.end()
-
-
-def _group(text: str, at: int) -> tuple[str, int] | None:
-    """The content of the group in braces that begins here, and the offset behind it."""
-    if text[at : at + 1] != "{":
-        return None
-    depth = 0
-    for brace in _BRACE.finditer(text, at, at + 100_000):
-        depth += {"{": 1, "}": -1}.get(brace[0], 0)
-        if depth == 0:
-            return text[at + 1 : brace.start()], brace.end()
-    return None

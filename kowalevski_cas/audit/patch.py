@@ -90,7 +90,7 @@ def _between(audit: Audit, offset: int) -> tuple[int, int]:
 
 def patch(found: Audit) -> str:
     """A unified diff that mends every misprint, empty if there is none."""
-    path = found.source.path
+    path = found.source.path.lstrip("/")
     return "".join(
         unified_diff(
             _lines(found.source.text), _lines(mended(found)), f"a/{path}", f"b/{path}", n=2

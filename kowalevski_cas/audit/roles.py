@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 
-from kowalevski_cas.notation import Formula, Name, Relation
+from kowalevski_cas.notation import Formula, Name, NotationError, Relation
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.scene import Change, Scene
@@ -17,11 +18,12 @@ ORDER = ("unit", "vector field", "definition", "claim", "condition")
 
 @dataclass
 class Role:
-    """The roles of one place, and the claims that are about it."""
+    """The roles of one place, the claims that are about it, and those of just this formula."""
 
     roles: set[str] = field(default_factory=set)
     defines: set[str] = field(default_factory=set)
     claims: dict[str, None] = field(default_factory=dict)
+    own: dict[str, None] = field(default_factory=dict)
 
     @property
     def name(self) -> str:
@@ -47,6 +49,8 @@ class Roles:
                 role = self.at(printed.place)
                 role.roles.add("claim")
                 role.claims[claim.id] = None
+                if printed == claim.printed:
+                    role.own[claim.id] = None
             for printed in claim.places():
                 if printed not in own:
                     self.at(printed.place).roles.add("condition")
@@ -58,25 +62,31 @@ class Roles:
 
 def undefined(role: Role, formula: Formula) -> list[str]:
     """The names that a place should define, and does not print as a member of its equation."""
-    members = formula.members if isinstance(formula, Relation) else ()
+    is_equality = isinstance(formula, Relation) and formula.is_equality
+    members = tuple(formula.children()) if is_equality else ()
     printed = {member.name for member in members if isinstance(member, Name)}
     return sorted(role.defines - printed)
 
 
 def unused(derivation: Derivation, before: Texts, after: Texts, printed: Printed) -> list[str]:
-    """The constants of scenes that nothing depends on, now that a place has lost them."""
-    gone = _names(before.formula(printed)) - _names(after.formula(printed))
+    """The constants of scenes that nothing depends on, now that a place has lost them.
+
+    There are none that can be told where a text cannot be read: it may depend on them.
+    """
     found: dict[str, None] = {}
-    for scene in derivation.scenes():
-        places = set(scene.places())
-        if printed in places:
-            places.update(*(c.places() for c in derivation.claims if scene in c.scenes()))
-            left = {name for place in places for name in _names(after.formula(place))}
-            found.update(dict.fromkeys(sorted(gone & set(scene.constants) - left)))
+    with suppress(NotationError):
+        gone = _names(before, printed) - _names(after, printed)
+        for scene in derivation.scenes():
+            places = set(scene.places())
+            if printed in places:
+                places.update(*(c.places() for c in derivation.claims if scene in c.scenes()))
+                left = {name for place in places for name in _names(after, place)}
+                found.update(dict.fromkeys(sorted(gone & set(scene.constants) - left)))
     return list(found)
 
 
-def _names(formula: Formula) -> set[str]:
+def _names(texts: Texts, printed: Printed) -> set[str]:
+    formula = texts.statement(printed).formula
     return {found.name for found in mentions(formula) if isinstance(found, Name)}
 
 

@@ -20,9 +20,9 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.processes import time_limit
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.corrections import printed_of, true_ones
-from kowalevski_cas.verify.limits import time_limit
 from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
@@ -45,10 +45,9 @@ class AuditSession(Session):
         timeout: float | None = None,
         record: Mapping[str, Mapping[str, object]] | None = None,
         patience: float | None = PATIENCE,
+        explain: bool = False,
     ) -> None:
-        super().__init__(
-            derivation, arithmetics, certificates=certificates, timeout=timeout, record=record
-        )
+        super().__init__(derivation, arithmetics, explain, certificates, timeout, record=record)
         self.patience = patience
         self.causes: dict[str, tuple[Printed, ...]] = {}
         self.misprints: dict[Printed, Edit] = {}
@@ -59,7 +58,7 @@ class AuditSession(Session):
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim."""
         claims = self.derivation.claims
-        found = {claim.id: self.decide(claim) for claim in claims}
+        found = {claim.id: self.outcome(claim) for claim in claims}
         for claim in claims:
             if self._unexplained(claim, found[claim.id]):
                 for id in self._misprint(claim, found):
@@ -118,7 +117,9 @@ class AuditSession(Session):
         """Whether a claim holds under other texts."""
         try:
             return Statement(claim, self.on(claim, texts)).holds()
-        except (NotationError, Meaningless, ZeroDivisionError):
+        except TimeoutError:
+            raise
+        except Exception:  # what an author types must not end the audit of the rest
             return False
 
     def _elsewhere(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
@@ -133,15 +134,25 @@ class AuditSession(Session):
 class AuthorSession(AuditSession):
     """A run over ``sources``, the displays that an author has typed otherwise than the derivation.
 
-    Nothing of it is kept in ``base``, the run over the derivation's own texts.
+    What rests on displays that are ``refused``, and claims in ``other`` words than the derivation
+    quotes, gets no verdict, but the reason. Nothing of it is kept in ``base``, the run over the
+    derivation's own texts.
     """
 
-    def __init__(self, base: AuditSession, sources: Mapping[Display, str]) -> None:
+    def __init__(
+        self,
+        base: AuditSession,
+        sources: Mapping[Display, str],
+        refused: Mapping[Display, str],
+        other: Mapping[str, str],
+    ) -> None:
         super().__init__(
-            base.derivation, base.arithmetics, base.stored, base.timeout, base.record, base.patience
-        )
+            base.derivation, base.arithmetics, base.stored, base.timeout, base.record,
+            base.patience, base.explain,
+        )  # fmt: skip
         self.base = base
         self.known = base.outcomes
+        self.refused, self.other = refused, other
         self.causes = {**base.causes}
         self.misprints = {**base.misprints}
         self._places = base._places
@@ -166,6 +177,8 @@ class AuthorSession(AuditSession):
 
     def decide(self, claim: Claim) -> Outcome:
         """The outcome for a claim: that of the derivation, if its problem is the same."""
+        if why := self.other.get(claim.id) or self._refusal(claim):
+            return self.unread(claim, self.on(claim), Verdict.UNDECIDED, why)
         known = self.known[claim.id]
         if not self.places(claim) & self.changed or self._same(claim, known):
             return known
@@ -174,11 +187,25 @@ class AuthorSession(AuditSession):
             outcome = super().decide(claim)
         except Exception as error:  # what an author types must not end the audit of the rest
             message = f"it cannot be decided as it is typed ({type(error).__name__}: {error})"
-            outcome = self._unread(claim, self.on(claim), Verdict.ERROR, message)
+            outcome = self.unread(claim, self.on(claim), Verdict.ERROR, message)
         unclear = outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT)
-        if unclear and not self._blame_changes(claim):
-            outcome = replace(outcome, correction=self._restored(claim, self.on(claim)))
+        with suppress(TimeoutError), time_limit(self.timeout):
+            if unclear and not self._blame_changes(claim):
+                outcome = replace(outcome, correction=self._restored(claim, self.on(claim)))
         return outcome
+
+    def _refusal(self, claim: Claim) -> str:
+        """Why nothing is said about a claim that rests on a display which is refused."""
+        ids = {
+            p.display.id: self.refused[p.display]
+            for p in self.places(claim)
+            if p.display in self.refused
+        }
+        return "; ".join(f"{id}: {ids[id]}" for id in sorted(ids))
+
+    def stands(self, id: str) -> bool:
+        """What the derivation accepts, it has to prove on its own texts."""
+        return self.base.stands(id)
 
     def _unexplained(self, claim: Claim, outcome: Outcome) -> bool:
         return outcome is not self.known[claim.id] and super()._unexplained(claim, outcome)
@@ -186,21 +213,22 @@ class AuthorSession(AuditSession):
     def _same(self, claim: Claim, known: Outcome) -> bool:
         """Whether a claim that is true in the derivation is typed as the same problem."""
         try:
-            on = self.on(claim)
-            said = claim.formulas(on.texts) == known.formulas
-            return known.verdict.green and said and Statement(claim, on).digest == known.digest
+            with time_limit(self.timeout):
+                on = self.on(claim)
+                said = claim.formulas(on.texts) == known.formulas
+                return known.verdict.green and said and Statement(claim, on).digest == known.digest
         except Exception:  # then deciding it says why
             return False
 
-    def _with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
+    def with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
         """Nothing is wrong with the derivation where the author has caused what is."""
-        return outcome if claim.id in self.causes else super()._with_acceptance(claim, outcome)
+        return outcome if claim.id in self.causes else super().with_acceptance(claim, outcome)
 
-    def _correct(self, claim: Claim, on: Elaborations) -> Correction | None:
+    def correct(self, claim: Claim, on: Elaborations) -> Correction | None:
         if self._blame_changes(claim):
             return None
         try:
-            return self._restored(claim, on) or super()._correct(claim, on)
+            return self._restored(claim, on) or super().correct(claim, on)
         except Exception:  # candidates are made of what an author types
             return None
 
@@ -217,7 +245,7 @@ class AuthorSession(AuditSession):
         with suppress(NotationError):
             for neighbour in claim.neighbours(on.texts):
                 if printed_of(neighbour) == good.formulas:
-                    return self._proposed(neighbour, on)
+                    return self.proposed(neighbour, on)
         return Correction(good.formulas, AS_BEFORE, good.verdict, good.conditions)
 
     def _blame_changes(self, claim: Claim) -> bool:
@@ -257,7 +285,9 @@ class AuthorSession(AuditSession):
             return self._true(claim, texts.edited(proposed.printed, proposed.edit))
         try:
             return Statement(claim, self.on(claim, texts)).digest == known.digest
-        except (NotationError, Meaningless):
+        except TimeoutError:
+            raise
+        except Exception:  # as above
             return False
 
 

@@ -7,7 +7,7 @@ from kowalevski_cas.paper.derivation import Derivation
 
 
 def synthetic(derivation: Derivation) -> Source:
-    """The displays of a derivation as a LaTeX article."""
+    """The displays of a derivation, and the sentences that it quotes, as a LaTeX article."""
     lines = [r"\documentclass{article}", r"\newcommand{\bs}{\boldsymbol}", r"\begin{document}"]
     for display in derivation.displays():
         if display.source:
@@ -18,5 +18,7 @@ def synthetic(derivation: Derivation) -> Source:
         else:
             label = rf"\label{{{display.id}}}"
             lines += [rf"\begin{{equation}}{label}", tex, r"\end{equation}", ""]
+    sentences = dict.fromkeys(claim.sentence for claim in derivation.claims if claim.sentence)
+    lines += [line for sentence in sentences for line in (sentence, "")]
     lines += [r"\end{document}", ""]
     return Source(f"{derivation.name}.tex", "\n".join(lines))

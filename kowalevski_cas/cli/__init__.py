@@ -5,12 +5,16 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import partial
 from importlib import import_module
+from signal import SIGINT, SIGTERM, default_int_handler, pthread_kill, signal
+from threading import Timer, current_thread, get_ident, main_thread
 
 from kowalevski_cas import __version__
 from kowalevski_cas.cli.exits import EXIT_CODES, INTERRUPTED, USAGE, CommandError
+from kowalevski_cas.processes import ProcessDied
 
 COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
@@ -50,12 +54,23 @@ def run(program: str, module: str, words: Sequence[str]) -> int:
     return _run(program, words, parser)
 
 
+@contextmanager
+def _terminable() -> Iterator[None]:
+    """Let this process be ended like by an interruption: with those that it has begun."""
+    if current_thread() is not main_thread():
+        yield
+        return
+    before = signal(SIGTERM, default_int_handler)
+    try:
+        yield
+    finally:
+        signal(SIGTERM, before)
+
+
+@_terminable()
 def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.ArgumentParser]) -> int:
     """Run what the words ask a parser for; what goes wrong is told in the program's name."""
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(encoding="utf-8", errors="backslashreplace")
-    sys.unraisablehook = _unraisable
+    _prepare()
     try:
         arguments = parser().parse_args(words)
         code: int = arguments.run(arguments)
@@ -63,6 +78,9 @@ def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.Argum
     except CommandError as error:
         print(f"{program}: {error}", file=sys.stderr)
         return error.code
+    except ProcessDied as error:
+        print(f"{program}: {error}", file=sys.stderr)
+        return USAGE
     except ModuleNotFoundError as error:
         library = (error.name or "").partition(".")[0]
         if library not in EXTRAS:
@@ -83,6 +101,14 @@ def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.Argum
         print(f"{program}: {place}: {error.strerror}", file=sys.stderr)
         return USAGE
     return code
+
+
+def _prepare() -> None:
+    """Let any text be printed, and let no interruption be lost."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(encoding="utf-8", errors="backslashreplace")
+    sys.unraisablehook = _unraisable
 
 
 def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
@@ -126,9 +152,6 @@ def _unraisable(unraisable: sys.UnraisableHookArgs) -> None:
     if unraisable.exc_type is not KeyboardInterrupt:
         sys.__unraisablehook__(unraisable)
         return
-    from signal import SIGINT, pthread_kill
-    from threading import Timer, get_ident
-
     again = Timer(0.02, pthread_kill, (get_ident(), SIGINT))
     again.daemon = True
     again.start()

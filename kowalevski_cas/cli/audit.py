@@ -30,11 +30,12 @@ from kowalevski_cas.cli.exits import (
     USAGE,
     CommandError,
 )
+from kowalevski_cas.files import write
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import disagreement
+from kowalevski_cas.verify.teller import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -55,14 +56,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="print a unified diff that mends every misprint, instead of the results",
     )
     parser.add_argument(
+        "--report",
+        type=Path,
+        metavar="DIR",
+        help="write the paper there as a page, with its verdict beside each formula",
+    )
+    parser.add_argument(
         "--arithmetic",
         choices=(*EXACT, "all"),
         default="flint",
         help="decide in this arithmetic, or in all three (flint)",
     )
-    parser.add_argument(
-        "--timeout", type=_positive, default=5.0, metavar="SECONDS", help="for each claim (5)"
-    )
+    session.add_timeout(parser, 5)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -71,19 +76,47 @@ def run(arguments: argparse.Namespace) -> int:
         source = read_source(arguments.source)
         if arguments.list:
             return _list(source, arguments.format)
-        arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-        folder, derivation = chosen(source, arguments.derivation)
-        found = audit(source, auditing(folder, derivation, arithmetics, arguments.timeout))
+        (done,) = session.watched(lambda source: _audited(arguments, source), [source])
     except SourceError as error:
         raise CommandError(str(error)) from None
+    said, note, code = done
+    if arguments.patch:
+        sys.stdout.flush()
+        sys.stdout.buffer.write(said.encode(source.encoding, "replace"))
+    else:
+        print(said, end="")
+    if note:
+        print(note, file=sys.stderr)
+    return code
+
+
+def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, str, int]:
+    """What is to be printed of an audit, what is to be noted, and the exit code."""
+    arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
+    folder, derivation = chosen(source, arguments.derivation)
+    explain = arguments.report is not None
+    base = auditing(folder, derivation, arithmetics, arguments.timeout, explain)
+    found = audit(source, base)
+    note = _written(found, arguments.report) if explain else ""
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
 
-        sys.stdout.flush()
-        sys.stdout.buffer.write(patch(found).encode(source.encoding, "replace"))
-    else:
-        print(load_format(arguments.format)(found), end="")
-    return exit_code(found)
+        return patch(found), note, exit_code(found)
+    return load_format(arguments.format)(found), note, exit_code(found)
+
+
+def _written(found: Audit, folder: Path) -> str:
+    """Write the page of an audit; where it is."""
+    from kowalevski_cas.report import render_html
+    from kowalevski_cas.report.annotated import annotated
+    from kowalevski_cas.report.prose import ProseError
+
+    page = folder / f"{Path(found.source.path).stem}.html"
+    try:
+        write(page, render_html(annotated(found)))
+    except ProseError as error:
+        raise CommandError(str(error)) from None
+    return f"{page} is written"
 
 
 def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
@@ -104,11 +137,15 @@ def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
 
 
 def auditing(
-    folder: Path, derivation: Derivation, arithmetics: Sequence[str], timeout: float
+    folder: Path,
+    derivation: Derivation,
+    arithmetics: Sequence[str],
+    timeout: float,
+    explain: bool = False,
 ) -> AuditSession:
     """The run of a derivation with which sources are compared."""
     stored, record = load_certificates(folder), session.recorded(folder)
-    return AuditSession(derivation, arithmetics, stored, timeout, record)
+    return AuditSession(derivation, arithmetics, stored, timeout, record, explain=explain)
 
 
 def exit_code(found: Audit) -> int:
@@ -150,10 +187,3 @@ def _list(source: Source, format: str) -> int:
     readable = sum(1 for formula in found if not formula.trouble)
     print(f"{len(found)} formulas, {readable} can be read")
     return AS_RECORDED if found else NOTHING
-
-
-def _positive(text: str) -> float:
-    value = float(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError("a positive number of seconds is expected")
-    return value

@@ -22,12 +22,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-o", "--output", type=Path, metavar="DIR", help="write there instead of the derivation"
     )
+    session.add_timeout(parser, 600)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    for folder, derivation in session.derivations(arguments.derivations):
-        texts, reasons = session.certificates(folder, derivation)
+    found = session.derivations(arguments.derivations)
+    written = session.watched(lambda one: session.certificates(*one, arguments.timeout), found)
+    for (folder, derivation), (texts, reasons) in zip(found, written, strict=True):
         if not texts:
             raise CommandError(f"no claim of {derivation.name} has a certificate", NOTHING)
         target = arguments.output or folder / FOLDER

@@ -1,7 +1,8 @@
-"""Check certificates with the independent checker, and compare them with the record.
+"""Check certificates with the independent checker, and compare them with the record and the print.
 
-It says in a line what each certificate proves, or why it is rejected. `python -I -S
-kowalevski_cas/problem/checker.py FILE...` does so too, and trusts nothing else of this program.
+It says in a line what each certificate proves, or why it is rejected; the problem of each claim is
+written anew from the printed formulas. `python -I -S
+kowalevski_cas/problem/checker FILE...` does so too, and trusts nothing else of this program.
 """
 
 from __future__ import annotations
@@ -12,9 +13,17 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
-from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.library import LibraryError, available, find
-from kowalevski_cas.verify.committed import Checked, check_committed, check_files
+from kowalevski_cas.problem.checker import printable
+from kowalevski_cas.processes import each
+from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
+from kowalevski_cas.verify.committed import (
+    Checked,
+    Expected,
+    check_committed,
+    check_files,
+    expected,
+)
 from kowalevski_cas.verify.record import RecordError, load_record
 
 
@@ -41,8 +50,8 @@ def run(arguments: argparse.Namespace) -> int:
     for found in results if not arguments.quiet else ():
         for name, certificate in found.accepted.items():
             print(f"{name.removesuffix(certificate.claim)}{certificate.summary()}")
-            for theorem in certificate.theorems if arguments.full else ():
-                print("\n".join(theorem.lines()))
+            for line in certificate.lines() if arguments.full else ():
+                print(line)
     return tell(results)
 
 
@@ -51,7 +60,7 @@ def tell(results: Sequence[Checked]) -> int:
     certified = total = 0
     for found in results:
         for name, why in found.rejected.items():
-            print(f"REJECTED {name}: {why}")
+            print(f"REJECTED {printable(ascii(name)[1:-1])}: {why}")
         if found.without:
             print(f"without a certificate: {', '.join(found.without)}", file=sys.stderr)
         certified, total = certified + len(found.accepted), total + found.total
@@ -67,9 +76,17 @@ def _checked(names: list[str]) -> list[Checked]:
     folders = [name for name in names if not name.endswith(".json")] if names else available()
     try:
         found = each(_committed, [find(name) for name in folders])
+        return [*(check_files(paths, _about(at)) for at, paths in files.items()), *found]
     except (LibraryError, RecordError) as error:
         raise CommandError(str(error)) from None
-    return [*map(check_files, files.values()), *found]
+
+
+def _about(folder: Path) -> Expected | None:
+    """What files in a folder have to be about, if it is that of a derivation's certificates."""
+    folder = folder.parent if folder.name == CORRECTED else folder
+    if folder.name != FOLDER or not (folder.parent / "__init__.py").is_file():
+        return None
+    return expected(folder.parent, load_record(folder.parent) or {})
 
 
 def _committed(folder: Path) -> Checked:

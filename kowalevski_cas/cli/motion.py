@@ -12,16 +12,20 @@ from __future__ import annotations
 import argparse
 import re
 import sys
-from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, UNDECIDED, CommandError
 from kowalevski_cas.cli.motion_formats import FORMATS, load_format
 from kowalevski_cas.files import write
 from kowalevski_cas.motion.methods import METHODS
+from kowalevski_cas.processes import each, time_limit
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from kowalevski_cas.motion.motion import Motion
     from kowalevski_cas.motion.result import Result
 
@@ -37,6 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     words = "; ".join(f"{name}: {words}" for name, words in METHODS.items())
     parser.add_argument("--method", choices=METHODS, default="closed", help=words)
+    session.add_timeout(parser, 60, "for the method")
     parser.add_argument("--format", choices=FORMATS, default="json")
     parser.add_argument(
         "-o",
@@ -97,13 +102,27 @@ def _followed(arguments: argparse.Namespace) -> Result:
         raise CommandError(f"--until {arguments.until} is no finite number") from None
     motion = motion_of(arguments)
     times = np.linspace(0.0, until, arguments.samples)
+    limit = f"t = {until:g} within {arguments.timeout:g} s"
+    if sys.stderr.isatty():
+        print(f"{arguments.method} is to come to {limit} ...", file=sys.stderr)
+
+    def states(motion: Motion) -> NDArray[np.float64]:
+        with time_limit(arguments.timeout):
+            return load(arguments.method)(motion, times)
+
     try:
-        with _waiting(f"{arguments.method} follows the motion to t = {until:g}"):
-            return Result(motion, times, load(arguments.method)(motion, times))
+        (found,) = each(states, [motion])
+    except TimeoutError:
+        raise CommandError(
+            f"{arguments.method} has not come to {limit}; "
+            "--timeout allows it more, and the closed form takes no longer there",
+            UNDECIDED,
+        ) from None
     except (MethodError, Unresolved) as error:
         raise CommandError(str(error), UNDECIDED) from None
     except ValueError as error:
         raise CommandError(str(error)) from None
+    return Result(motion, times, found)
 
 
 def motion_of(arguments: argparse.Namespace) -> Motion:
@@ -131,12 +150,3 @@ def motion_of(arguments: argparse.Namespace) -> Motion:
         return Motion(Parameters.of(*(given[name] for name in "abml")))
     except ValueError as error:
         raise CommandError(str(error)) from None
-
-
-def _waiting(words: str) -> AbstractContextManager[object]:
-    """Words and a moving sign on stderr, if that is a terminal: an integrator may take long."""
-    if not sys.stderr.isatty():
-        return nullcontext()
-    from rich.console import Console
-
-    return Console(stderr=True).status(words)

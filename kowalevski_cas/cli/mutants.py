@@ -10,18 +10,17 @@ from __future__ import annotations
 import argparse
 import os
 import random
-import sys
 from collections import Counter
 from pathlib import Path
 
 from kowalevski_cas.audit.audit import audit
-from kowalevski_cas.audit.catching import Caught, Measurement, measure
+from kowalevski_cas.audit.catching import Measurement, measure
 from kowalevski_cas.audit.mutants import every, sample
-from kowalevski_cas.audit.source import SourceError, read_source
+from kowalevski_cas.audit.source import Source, SourceError, read_source
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.audit import auditing, chosen
-from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, CommandError
+from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED, CommandError
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -40,9 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes"
     )
-    parser.add_argument(
-        "--timeout", type=float, default=1.0, metavar="SECONDS", help="for each claim (1)"
-    )
+    session.add_timeout(parser, 1)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -59,31 +56,19 @@ def run(arguments: argparse.Namespace) -> int:
         folder, derivation = session.derivations(name)[0]
         source = synthetic(derivation)
     print(f"{source.path} by {derivation.name}, seed {seed}", flush=True)
-    base = audit(source, auditing(folder, derivation, ("flint",), arguments.timeout))
-    chosen_ones = (
-        list(every(base)) if arguments.all else sample(base, arguments.sample, random.Random(seed))
-    )
-    if not chosen_ones:
+
+    def measured(source: Source) -> Measurement:
+        base = audit(source, auditing(folder, derivation, ("flint",), arguments.timeout))
+        mutants = (
+            every(base) if arguments.all else sample(base, arguments.sample, random.Random(seed))
+        )
+        return measure(base, list(mutants), arguments.jobs)
+
+    (found,) = session.watched(measured, [source])
+    if not found.results:
         raise CommandError("no mutants can be made of this source", NOTHING)
-    shown = _Progress(len(chosen_ones))
-    found = measure(base, chosen_ones, arguments.jobs, shown)
     print(report(found), end="")
-    return DIFFERENT if found.missed else AS_RECORDED
-
-
-class _Progress:
-    """A line on stderr that counts, if that is a terminal."""
-
-    def __init__(self, total: int) -> None:
-        self.total = total
-        self.done = 0
-
-    def __call__(self, result: Caught) -> None:
-        """Count one more."""
-        self.done += 1
-        if sys.stderr.isatty():
-            end = "\n" if self.done == self.total else ""
-            print(f"\r{self.done}/{self.total} mutants", end=end, file=sys.stderr, flush=True)
+    return DIFFERENT if found.missed else UNDECIDED if found.late else AS_RECORDED
 
 
 def report(found: Measurement) -> str:
@@ -102,6 +87,7 @@ def report(found: Measurement) -> str:
         if result.equivalent:
             lines.append(f"  equivalent  {result.mutant.words}: {result.equivalent}")
     lines += [f"  MISSED      {result.mutant.words}" for result in found.missed]
+    lines += [f"  not in time {result.mutant.words}" for result in found.late]
     unnamed = [result for result in found.results if result.caught and not result.named]
     lines += [f"  not named   {r.mutant.words}: {', '.join(r.changed[:3])}" for r in unnamed]
     return "\n".join(lines) + "\n"

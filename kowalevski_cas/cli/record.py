@@ -1,50 +1,72 @@
 """Write the record of verdicts, and the certificates behind them, anew.
 
-Every search is made again. What changed against the old record is shown.
+Every search is made again. What changed against the old record is shown. A claim that comes to no
+end keeps what is recorded of it, and does not keep the others from being recorded.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import sys
+from collections.abc import Mapping
+from pathlib import Path
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.exits import AS_RECORDED, DISAGREEMENT, UNDECIDED, USAGE, CommandError
+from kowalevski_cas.cli.exits import AS_RECORDED, DISAGREEMENT, UNDECIDED, CommandError
 from kowalevski_cas.files import write_all
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify import record
 from kowalevski_cas.verify.certificate import FOLDER, Stored
-from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import disagreement
+from kowalevski_cas.verify.committed import wanted
+from kowalevski_cas.verify.outcome import Run, Verdict
+from kowalevski_cas.verify.teller import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
     session.add_derivations(parser)
+    session.add_timeout(parser, 600)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    for folder, derivation in session.derivations(arguments.derivations):
-        texts, _ = session.certificates(folder, derivation, anew=True)
-        stored = {
-            name: Stored(folder / FOLDER / f"{name}.json", json.loads(text))
-            for name, text in texts.items()
-        }
-        found = session.run(folder, derivation, EXACT, stored=stored)
-        for outcome in found.outcomes:
-            if disagreement(outcome.verdicts):
-                raise CommandError(f"{outcome.claim}: {outcome.message}", DISAGREEMENT)
-            if outcome.verdict is Verdict.ERROR:
-                raise CommandError(f"{outcome.claim}: {outcome.message}", USAGE)
-            if outcome.verdict in (Verdict.UNDECIDED, Verdict.TIMEOUT):
-                raise CommandError(f"{outcome.claim} is {outcome.verdict}", UNDECIDED)
-        for change in record.differences(found, session.recorded(folder)):
+    found = session.derivations(arguments.derivations)
+    work = session.watched(lambda one: _decided(*one, arguments.timeout), found)
+    return max(_written(folder, *done) for (folder, _), done in zip(found, work, strict=True))
+
+
+def _decided(folder: Path, derivation: Derivation, timeout: float) -> tuple[Run, dict[str, str]]:
+    """A run of a derivation with evidence that is found anew, and the certificates."""
+    texts, _ = session.certificates(folder, derivation, timeout, anew=True)
+    stored = {
+        name: Stored(folder / FOLDER / f"{name}.json", json.loads(text))
+        for name, text in texts.items()
+    }
+    found = session.run(folder, derivation, EXACT, timeout=timeout, stored=stored)
+    for outcome in found.outcomes:
+        if disagreement(outcome.verdicts):
+            raise CommandError(f"{outcome.claim}: {outcome.message}", DISAGREEMENT)
+    return found, texts
+
+
+def _written(folder: Path, found: Run, texts: Mapping[str, str]) -> int:
+    """Record what is decided; what the record has of claims that came to no end is left alone."""
+    recorded = session.recorded(folder)
+    left = {outcome.claim: outcome for outcome in record.open_ones(found)}
+    for outcome in left.values():
+        said = f"{outcome.verdict}: {outcome.message}"
+        print(f"{outcome.claim} is not recorded: {said}", file=sys.stderr)
+    for change in record.differences(found, recorded):
+        if change.claim not in left:
             print(f"{change.claim}: {change.recorded} -> {change.found}")
-        write_all(
-            {folder / record.FILE: record.dump_record(found)}
-            | {folder / FOLDER / f"{name}.json": text for name, text in texts.items()}
-        )
-        session.remove_others(folder, texts)
-        print(f"{folder / record.FILE}: {len(found.outcomes)} claims recorded")
-    return AS_RECORDED
+    kept = wanted({claim: recorded[claim] for claim in left if claim in recorded})
+    write_all(
+        {folder / record.FILE: record.dump_record(found, recorded)}
+        | {folder / FOLDER / f"{name}.json": text for name, text in texts.items()}
+    )
+    session.remove_others(folder, [*texts, *kept])
+    print(f"{folder / record.FILE}: {len(found.outcomes) - len(left)} claims recorded")
+    undecided = any(outcome.verdict is Verdict.UNDECIDED for outcome in found.outcomes)
+    return UNDECIDED if left or undecided else AS_RECORDED

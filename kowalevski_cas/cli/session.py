@@ -6,8 +6,8 @@ import argparse
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
 
-from kowalevski_cas.cli import parallel
 from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.library import LibraryError, available, find, load
 from kowalevski_cas.notation import NotationError
@@ -15,10 +15,17 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.problem.accept import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.processes import ProcessDied, each, tell, time_limit
 from kowalevski_cas.verify.certificate import FOLDER, Stored, load_certificates
 from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import RecordError, load_record
-from kowalevski_cas.verify.run import Progress, Session, verify
+from kowalevski_cas.verify.run import Session, verify
+
+if TYPE_CHECKING:
+    from rich.progress import TaskID
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 
 
 def add_derivations(parser: argparse.ArgumentParser) -> None:
@@ -65,16 +72,18 @@ def run(
     stored: Mapping[str, Stored] | None = None,
     seed: int = 1,
 ) -> Run:
-    """A run of a derivation, with the certificates in its folder and progress on a terminal."""
+    """A run of a derivation, with the certificates in its folder; it tells how far it has come."""
     if not derivation.claims:
         raise CommandError(f"{derivation.name} makes no claims", NOTHING)
     if stored is None:
         stored = load_certificates(folder)
-    with progress_bar() as progress:
+    try:
         return verify(
-            derivation, arithmetics, only, explain, progress, stored, timeout, seed=seed,
+            derivation, arithmetics, only, explain, tell, stored, timeout, seed=seed,
             record=recorded(folder),
         )  # fmt: skip
+    except NotationError as error:
+        raise CommandError(f"{derivation.name}: what it accepts cannot be read: {error}") from None
 
 
 def recorded(folder: Path) -> Mapping[str, Mapping[str, object]]:
@@ -86,11 +95,12 @@ def recorded(folder: Path) -> Mapping[str, Mapping[str, object]]:
 
 
 def certificates(
-    folder: Path, derivation: Derivation, anew: bool = False
+    folder: Path, derivation: Derivation, timeout: float, anew: bool = False
 ) -> tuple[dict[str, str], dict[str, str]]:
     """The texts of certificates by name, and reasons why others are missing.
 
-    Evidence that is stored is used again, unless all is to be found ``anew``.
+    Evidence that is stored is used again, unless all is to be found ``anew``. ``timeout`` is in
+    seconds, for each claim.
     """
     from kowalevski_cas.problem.checker import Rejected
 
@@ -98,14 +108,42 @@ def certificates(
     session = Session(derivation, ["flint"], certificates=stored, record=recorded(folder))
     texts: dict[str, str] = {}
     reasons: dict[str, str] = {}
-    with progress_bar() as progress:
-        for done, claim in enumerate(derivation.claims):
-            progress(claim.id, done, len(derivation.claims))
-            try:
+    for done, claim in enumerate(derivation.claims):
+        tell(claim.id, done, len(derivation.claims))
+        try:
+            with time_limit(timeout):
                 texts.update(session.certificates(claim))
-            except (FormatError, Rejected, Unproved, NotationError, Meaningless) as error:
-                reasons[claim.id] = str(error)
+        except TimeoutError:
+            reasons[claim.id] = f"not found within {timeout:g} s"
+        except (FormatError, Rejected, Unproved, NotationError, Meaningless, ProcessDied) as error:
+            reasons[claim.id] = str(error)
     return texts, reasons
+
+
+def add_timeout(
+    parser: argparse.ArgumentParser, seconds: float, what: str = "for each claim"
+) -> None:
+    """The argument by which a command is told its limit."""
+    parser.add_argument(
+        "--timeout",
+        type=_seconds,
+        default=seconds,
+        metavar="SECONDS",
+        help=f"{what} ({seconds:g})",
+    )
+
+
+def _seconds(text: str) -> float:
+    value = float(text)
+    if not 0 < value < 1e8:
+        raise argparse.ArgumentTypeError("a positive number of seconds is expected")
+    return value
+
+
+def watched(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
+    """The results of ``work`` on every item, each in a process; with progress on a terminal."""
+    with progress_bar() as progress:
+        return list(each(work, items, heard=progress))
 
 
 def remove_others(folder: Path, names: Iterable[str]) -> None:
@@ -121,21 +159,29 @@ def remove_others(folder: Path, names: Iterable[str]) -> None:
 class progress_bar:
     """A progress bar on stderr, if that is a terminal; nothing otherwise."""
 
-    def __enter__(self) -> Progress:
-        """Start the bar and return what moves it."""
+    def __enter__(self) -> Callable[..., None]:
+        """Start the bar and return what moves it: a name, how much is done of how much, and which.
+
+        Several can be moved, by their numbers.
+        """
         self._stop: Callable[[], None] = lambda: None
-        if parallel.forked or not sys.stderr.isatty():
-            return lambda claim, done, total: None
+        if not sys.stderr.isatty():
+            return lambda *words: None
         from rich.console import Console
         from rich.progress import Progress as Bar
 
-        bar = Bar(console=Console(stderr=True), transient=True)
-        task = bar.add_task("deciding")
+        # Without a thread of its own: processes are forked meanwhile.
+        bar = Bar(console=Console(stderr=True), transient=True, auto_refresh=False)
         bar.start()
         self._stop = bar.stop
-        return lambda claim, done, total: bar.update(
-            task, description=claim, completed=done, total=total
-        )
+        tasks: dict[int, TaskID] = {}
+
+        def move(name: str, done: int, total: int, number: int = 0) -> None:
+            if number not in tasks:
+                tasks[number] = bar.add_task(name)
+            bar.update(tasks[number], description=name, completed=done, total=total, refresh=True)
+
+        return move
 
     def __exit__(self, *_: object) -> None:
         """Take the bar away."""

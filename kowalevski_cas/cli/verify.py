@@ -24,18 +24,17 @@ from kowalevski_cas.cli.exits import (
     CommandError,
 )
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
-from kowalevski_cas.cli.parallel import each
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import RecordError, contradictions, differences, load_record
-from kowalevski_cas.verify.run import disagreement
+from kowalevski_cas.verify.teller import disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
     session.add_derivations(parser)
     parser.add_argument(
-        "--only", action="append", default=[], metavar="ID", help="this claim only (repeatable)"
+        "--only", action="append", default=[], metavar="ID", help="these claims only (repeatable)"
     )
     parser.add_argument(
         "--arithmetic",
@@ -49,14 +48,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--format", choices=FORMATS, default="pretty", help="how to print results")
     parser.add_argument("--report", type=Path, metavar="DIR", help="write the report there as well")
-    parser.add_argument(
-        "--timeout", type=_positive, default=60.0, metavar="SECONDS", help="for each claim (60)"
-    )
+    session.add_timeout(parser, 60)
 
 
 def run_derivations(arguments: argparse.Namespace) -> list[Result]:
     """Run the derivations and compare them with their records."""
-    return each(
+    return session.watched(
         lambda found: _result(arguments, *found),
         session.derivations(arguments.derivations, arguments.only),
     )
@@ -99,8 +96,12 @@ def run(arguments: argparse.Namespace) -> int:
         from kowalevski_cas.cli.check import tell
         from kowalevski_cas.cli.report import write
 
-        work = each(lambda result: write(result.run, arguments.report, result.folder), results)
-        if checked := [found for found in work if found.total]:
+        work = session.watched(
+            lambda result: write(result.run, arguments.report, result.folder), results
+        )
+        for _, said in work:
+            print(said, file=sys.stderr)
+        if checked := [found for found, _ in work if found.total]:
             codes.append(tell(checked))
     return max(codes, key=_URGENCY.index)
 
@@ -125,10 +126,3 @@ def exit_code(result: Result) -> int:
 
 
 _URGENCY = (AS_RECORDED, DIFFERENT, REJECTED, UNDECIDED, USAGE, DISAGREEMENT)
-
-
-def _positive(text: str) -> float:
-    value = float(text)
-    if not 0 < value < 1e8:
-        raise argparse.ArgumentTypeError("a positive number of seconds is expected")
-    return value

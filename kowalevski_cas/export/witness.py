@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import subprocess
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from kowalevski_cas.export.format import Export, Format
+from kowalevski_cas.processes import each
 from kowalevski_cas.systems import MissingSystem, System
 
 JOBS = 2
@@ -72,8 +72,9 @@ def testify(
         for file, text in export.files.items():
             (folder / file).write_text(text, encoding="utf-8")
 
-        def read(file: str, text: str) -> str:
-            """Why the program does not confirm what is in a file; empty if it does."""
+        def read(claim: str) -> str:
+            """Why the program does not confirm what it reads about a claim; empty if it does."""
+            file, text = export.names[claim], export.texts[claim]
             code, output = _run([*call, *format.arguments(folder / file)], folder)
             return f"exit code {code}: {_last(output)}" if code else format.objection(text, output)
 
@@ -82,19 +83,13 @@ def testify(
             if code:
                 reason = f"{file}: {_last(output)}"
                 return Testimony(name, testimony.version, {}, dict.fromkeys(export.texts, reason))
-        with ThreadPoolExecutor(JOBS) as pool:
-            try:
-                files = [export.names[claim] for claim in export.texts]
-                answers = pool.map(read, files, export.texts.values())
-                for done, (claim, reason) in enumerate(zip(export.texts, answers, strict=True)):
-                    progress(claim, done, len(files))
-                    if reason:
-                        testimony.failed[claim] = reason
-                    else:
-                        testimony.confirmed[claim] = digests[claim]
-            except BaseException:
-                pool.shutdown(cancel_futures=True)
-                raise
+        answers = each(read, list(export.texts), JOBS)
+        for done, (claim, reason) in enumerate(zip(export.texts, answers, strict=True)):
+            progress(claim, done, len(export.texts))
+            if reason:
+                testimony.failed[claim] = reason
+            else:
+                testimony.confirmed[claim] = digests[claim]
     return testimony
 
 

@@ -8,6 +8,7 @@ r"""LaTeX to formula to LaTeX: a derivation as its author printed it.
 from kowalevski_cas.notation.edits import Edit, edits, is_small_change, replace, substitute, subtree
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
+    EQUALITIES,
     Application,
     Conjugate,
     Constant,
@@ -35,6 +36,7 @@ from kowalevski_cas.notation.formula import (
 from kowalevski_cas.notation.heads import Heads, heads
 from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.layout import split_display
+from kowalevski_cas.notation.mathml import to_mathml
 from kowalevski_cas.notation.plain import to_plain
 from kowalevski_cas.notation.prose import Prose, print_prose, read_prose
 from kowalevski_cas.notation.reader import Statement, read, read_display
@@ -43,6 +45,7 @@ from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
 __all__ = [
+    "EQUALITIES",
     "Application",
     "Conjugate",
     "Constant",
@@ -85,6 +88,7 @@ __all__ = [
     "substitute",
     "subtree",
     "to_latex",
+    "to_mathml",
     "to_plain",
     "to_typst",
 ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.notation.cursor import STARTS, Piece
+from kowalevski_cas.notation.cursor import END, STARTS, Piece
 from kowalevski_cas.notation.formula import (
     Constant,
     Diagonal,
@@ -21,6 +21,9 @@ from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import VECTOR
 
 _LONGEST_NUMBER = 1000
+_SIGNS = frozenset({"sign", "relation"})
+_BEFORE_DOTS = _SIGNS | {"comma", "cell", "row", "open", "{", "begin", END}
+_BEHIND_DOTS = _SIGNS | {"comma", "cell", "row", "close", "}", "end", END}
 
 
 class Atoms(Symbols):
@@ -51,13 +54,22 @@ class Atoms(Symbols):
         return self.scripts(self.bracket())
 
     def read_const(self) -> Piece:
-        """The word const."""
-        token = self.take()
+        """The word const, to which a chain of equalities comes in the end."""
+        before, token = self.tokens[self.at - 1], self.take()
+        if self.at < 2 or before.kind != "relation" or self.tokens[self.at].kind != END:
+            raise self.error("the word const stands at the end of an equation", token)
         return (Constant(), token.start, token.end, ())
 
     def read_dots(self) -> Piece:
-        """An ellipsis."""
-        token = self.take()
+        """An ellipsis, in the place of terms or of a member."""
+        before, token, behind = (
+            self.tokens[self.at - 1].kind,
+            self.take(),
+            self.tokens[self.at].kind,
+        )
+        placed = before in _BEFORE_DOTS and behind in _BEHIND_DOTS
+        if not placed or _SIGNS.isdisjoint((before, behind)):
+            raise self.error("an ellipsis stands for terms, and for nothing else", token)
         return (Unwritten(), token.start, token.end, ())
 
     def read_sqrt(self) -> Piece:
@@ -65,7 +77,7 @@ class Atoms(Symbols):
         start = self.take().start
         if self.tokens[self.at].text == "[":
             raise self.error("only square roots can be read")
-        argument = self.argument()
+        argument = self.number(self.argument())
         end = self.tokens[self.at - 1].end
         return self.scripts((Root(argument[0]), start, end, (argument,)))
 
@@ -93,6 +105,8 @@ class Atoms(Symbols):
         items = self.listed(pair=True)
         start, end = opening.start, self.tokens[self.at - 1].end
         if len(items) == 1:
+            if opening.text == r"\langle":
+                raise self.error("what does a mean value mean here?", opening)
             return (items[0][0], start, end, items[0][3])
         nodes = tuple(item[0] for item in items)
         if opening.text == r"\{":
@@ -132,6 +146,8 @@ class Atoms(Symbols):
                 self.at += 1
             elif kind == "cell":
                 self.at += 1
+                if not rows[-1] or self.tokens[self.at].kind in ("cell", "row", "end"):
+                    raise self.error("an empty cell in a matrix")
             else:
                 rows[-1].append(self.sum())
         rows = [row for row in rows if row]

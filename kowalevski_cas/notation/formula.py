@@ -13,6 +13,9 @@ from dataclasses import dataclass, fields
 from functools import cache
 from typing import Any
 
+EQUALITIES = frozenset({"=", r"\equiv"})
+"""The signs that say that two members are equal."""
+
 
 @dataclass(frozen=True)
 class Formula:
@@ -215,4 +218,4 @@ class Relation(Formula):
     @property
     def is_equality(self) -> bool:
         """Whether all members are said to be equal."""
-        return r"\ne" not in self.signs
+        return EQUALITIES.issuperset(self.signs)

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from kowalevski_cas.notation.cursor import END, Cursor
 from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.formula import EQUALITIES
 from kowalevski_cas.notation.layout import statements
 from kowalevski_cas.notation.lexer import Token, scan
 from kowalevski_cas.notation.vocabulary import Vocabulary
@@ -39,7 +40,10 @@ def heads(tex: str) -> tuple[Heads, ...]:
 
 
 def _heads(tokens: list[Token], tex: str) -> Heads:
-    """What one statement defines; an expression without a relation defines nothing."""
+    """What one statement defines; what is no equality defines nothing."""
+    signs = {token.text for token in tokens if token.kind == "relation"}
+    if not signs <= EQUALITIES:
+        return Heads((), ())
     runs = groupby(tokens, key=lambda token: token.kind == "relation")
     members = [_Member(tex, [*run], Vocabulary()) for relation, run in runs if not relation]
     if len(members) < 2:

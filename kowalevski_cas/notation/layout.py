@@ -1,4 +1,9 @@
-"""A display to its statements: rows, cells, commas, and rows that run on."""
+"""A display to its statements: rows, cells, commas, and rows that run on.
+
+A row or a cell that states a relation is a statement of its own. It runs on where a sign stands
+at the break, or where the first cell of the row is empty and a minus stands in the second. Where
+neither is so, what is meant cannot be seen, and is not guessed.
+"""
 
 from __future__ import annotations
 
@@ -9,17 +14,22 @@ from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.lexer import Token, scan
 
 # Breaks, the stronger the larger: of several in a row the strongest counts.
-_BREAKS = {"gap": 1, "cell": 2, "row": 3, "comma": 4}
+_BREAKS = {"gap": 1, "cell": 2, "row": 3, "block": 4, "comma": 5}
 _OPENING = frozenset({"open", "{", "begin"})
 _CLOSING = frozenset({"close", "}", "end"})
 _BINARY = frozenset({"sign", "relation", "times", "slash"})
+_UNCLEAR = "does this belong to what stands before the break? set a comma, or a sign"
 
 
 @dataclass
 class _Run:
-    """Tokens between two breaks, the break before them, and whether they state a relation."""
+    """Tokens between two breaks, the break before them, and whether they state a relation.
+
+    A run is indented if it stands in a row of which the first cell is empty.
+    """
 
     before: str
+    indented: bool = False
     tokens: list[Token] = field(default_factory=list)
     relation: bool = False
 
@@ -35,15 +45,21 @@ def split_display(tex: str) -> tuple[tuple[int, int], ...]:
 
 def statements(tokens: list[Token], tex: str) -> list[list[Token]]:
     """The tokens of each statement of a display."""
+    rows = _joined(_runs(tokens, tex), ("gap", "cell"), tex)
+    return [run.tokens for run in _joined(rows, ("row", "block"), tex)]
+
+
+def _joined(runs: list[_Run], breaks: tuple[str, str], tex: str) -> list[_Run]:
+    """The runs, with those joined that run on at these breaks."""
     joined: list[_Run] = []
-    for run in _runs(tokens, tex):
-        if joined and _continues(joined[-1], run):
+    for run in runs:
+        if joined and run.before in (*breaks, "comma") and _continues(joined[-1], run, tex):
             last = joined[-1]
             _append(last.tokens, run.tokens, run.before)
             last.relation |= run.relation
         else:
             joined.append(run)
-    return [run.tokens for run in joined]
+    return joined
 
 
 def _runs(tokens: list[Token], tex: str) -> list[_Run]:
@@ -56,11 +72,14 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
             if run.tokens:
                 runs.append(_Run(kind))
             else:
+                run.indented = kind == "cell" and (run.indented or run.before in ("row", "block"))
                 run.before = _stronger(run.before, kind)
         elif kind in _BREAKS and kind != "comma" and not matrix:
             broken = _stronger(broken, kind)
         else:
             run.relation |= kind == "relation" and not depth
+            if broken in ("cell", "row", "block") and not _signed(run.tokens[-1], token):
+                raise NotationError(_UNCLEAR, tex, token.start)
             _append(run.tokens, [token], broken)
             broken = ""
     for run in runs:
@@ -97,17 +116,32 @@ def _append(tokens: list[Token], more: list[Token], before: str) -> None:
     tokens += more
 
 
-def _continues(last: _Run, run: _Run) -> bool:
+def _signed(last: Token, first: Token) -> bool:
+    """Whether a sign, a bracket or a comma says how a formula runs on at a break."""
+    return last.kind in _BINARY | _OPENING | {"comma"} or first.kind in _BINARY | _CLOSING | {
+        "comma"
+    }
+
+
+def _continues(last: _Run, run: _Run, tex: str) -> bool:
     """Whether the statement before the break runs on behind it."""
+    before, first = last.tokens[-1], run.tokens[0]
     if run.before == "comma":
+        if before.kind == first.kind == "number" and " " not in tex[before.end : first.start]:
+            raise NotationError("a decimal comma? write a fraction", tex, first.start)
         return False
-    first = run.tokens[0]
-    if last.tokens[-1].kind in _BINARY:
+    both, neither = last.relation and run.relation, not (last.relation or run.relation)
+    minus, signed = first.text == "-", before.kind in _BINARY or first.kind in _BINARY
+    if run.before == "block":
+        if signed or not both:
+            raise NotationError("no formula runs on into or out of these rows", tex, first.start)
+        return False
+    if (signed and not minus) or before.kind in _BINARY:
         return True
-    if first.kind in _BINARY and first.text != "-":
-        return True
-    if first.text == "-" or run.before == "gap":
-        return not (last.relation and run.relation)
-    # A row that states no relation of its own is a factor carried over; two expressions,
-    # or two equations, are two statements.
-    return last.relation != run.relation
+    if both:
+        return minus and run.indented
+    if neither and not minus and run.before == "row":
+        return False  # an expression a row
+    if neither or not minus:
+        raise NotationError(_UNCLEAR, tex, first.start)
+    return True

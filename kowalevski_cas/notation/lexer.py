@@ -13,6 +13,8 @@ from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.macros import (
     ACTIONS,
     ARGUMENTS,
+    BLOCKS,
+    JOINING,
     LAYOUTS,
     MARKS,
     MATRICES,
@@ -37,9 +39,13 @@ _NOISE = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 _BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
 _SPACE = re.compile(r"(?:\s|%[^\n]*(?:\n|$))*")
 _WORD = re.compile(r"[A-Za-z]+")
-_LENGTH = re.compile(r"\s*=?\s*[-+]?[\d.]*\s*(?:[a-z]{2})?")
+_LENGTH = re.compile(
+    r"\s*=?\s*[-+]?[\d.]+\s*[a-z]{2}(?:\s*(?:plus|minus)\s*[-+]?[\d.]+\s*[a-z]{2,5})*"
+)
+_GAP = re.compile(r"[\s~]|\\(?:[ ,;:!]|q?quad(?![A-Za-z]))")
 _ENVIRONMENT = re.compile(r"\s*\{\s*([A-Za-z]+)\*?\s*\}(?:\s*\[[a-z]\])?")
 _CLOSING = re.compile(r"(?:\s|\\right(?![A-Za-z]))*(?:\\\}|\.)")
+SHIFTS = ("$", r"\(", r"\)", r"\[", r"\]", ".", ",", ";")
 _SIZES = (r"\left", r"\right", r"\middle", r"\big", r"\Big")
 _NULL = re.compile(r"\s*\.")
 
@@ -77,6 +83,7 @@ class _Scanner:
         self.owed = 0  # arguments that the last macro still awaits
         self.depth = 0  # open brackets
         self.once_at = 0
+        self.shift = -1  # where the mathematics ends, once something has been read
         # Open braces: is it an argument, the font outside, what is owed after, where it
         # begins, and how many tokens stand before it.
         self.groups: list[tuple[bool, str, int, int, int]] = []
@@ -94,6 +101,8 @@ class _Scanner:
             self.at = end
             if kind == "blank":
                 continue
+            if self.shift >= 0 and match[0] not in SHIFTS:
+                raise NotationError("the mathematics ends here, and more follows", tex, self.shift)
             if kind == "letter":
                 self.letter(match[0], start)
             elif kind == "mark":
@@ -140,6 +149,8 @@ class _Scanner:
             self.open_group(start)
         elif kind == "}":
             self.close_group(start)
+        elif kind == "shift":
+            self.do_shift(start)
         elif kind != "blank":
             if kind in "^_":
                 self.owed = 1
@@ -193,7 +204,7 @@ class _Scanner:
             self.argument()
             self.owed += ARGUMENTS[action]
             self.add(action, SPELLING.get(text, text), start)
-        elif action in ("skip", "text", "glue", "begin", "end", "number"):
+        elif action in ("skip", "text", "glue", "begin", "end", "number", "shift"):
             getattr(self, "do_" + action)(start)
         else:
             if action == "open" or action == "close":
@@ -209,25 +220,37 @@ class _Scanner:
     def do_glue(self, start: int) -> None:
         """A length in words, as in hskip 3mm."""
         length = _LENGTH.match(self.tex, self.at)
-        assert length is not None
+        if length is None:
+            raise NotationError("a length with a unit is expected here", self.tex, self.at)
         self.at = length.end()
+
+    def do_shift(self, start: int) -> None:
+        """A dollar, or a bracket of a display: it may open the formula and close it."""
+        if self.tokens:
+            self.shift = start
 
     def do_number(self, start: int) -> None:
         """An equation number: nothing after it belongs to the formula."""
         self.at = len(self.tex)
 
     def do_text(self, start: int) -> None:
-        """Words among formulas: an index, the word const, or a gap."""
+        """Words among formulas: an index, the word const, a comma, or nothing but a gap."""
         inside, self.at = self.at, self.after_group(self.at)
-        words = self.tex[inside : self.at].strip("{} \t\n~.,")
+        text = _GAP.sub(" ", self.tex[inside : self.at]).strip("{} ")
+        words = text.strip(" .,;")
         if words in WORDS:
             self.argument()
             self.add(WORDS[words], words, start)
-        elif self.owed or (self.groups and self.groups[-1][0]):
+        elif words.isalnum() and (self.owed or (self.groups and self.groups[-1][0])):
             self.argument()
             self.add("letter", rf"\mathrm{{{words}}}", start)
-        else:
-            self.add("gap", words, start)
+        elif words in JOINING or (text and not words and text != "."):
+            self.add("comma", words, start)
+        elif words:
+            told = "mathematics inside of text cannot be read"
+            if words.replace(" ", "").replace(".", "").isalpha():
+                told = f"the words “{words}” among formulas are not understood"
+            raise NotationError(told, self.tex, inside)
 
     def do_begin(self, start: int) -> None:
         name = self.environment(start)
@@ -240,14 +263,14 @@ class _Scanner:
             self.depth -= 1
         matrix = name in MATRICES or (name == "array" and self.depth > 0)
         self.environments.append((name, matrix, braced))
-        self.add("begin" if matrix else "row", name, start)
+        self.add("begin" if matrix else "block" if name in BLOCKS else "row", name, start)
 
     def do_end(self, start: int) -> None:
         name = self.environment(start)
         if not self.environments or self.environments[-1][0] != name:
             raise NotationError(f"the end of {name} closes nothing", self.tex, start)
         _, matrix, braced = self.environments.pop()
-        self.add("end" if matrix else "row", name, start)
+        self.add("end" if matrix else "block" if name in BLOCKS else "row", name, start)
         # The printed brace before a system is a decoration; so is one behind it.
         if braced and (closing := _CLOSING.match(self.tex, self.at)):
             self.at = closing.end()

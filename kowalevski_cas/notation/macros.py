@@ -31,7 +31,7 @@ ACTIONS: dict[str, str] = _table(
     hfil hline noindent relax allowbreak nobreak protect thinspace medspace thickspace negthinspace
     big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr bigm Bigm biggm Biggm
     normalsize small footnotesize large it normalfont""",
-    skip="phantom hphantom vphantom label tag tag* hspace hspace* vspace vspace* mspace ref cite",
+    skip="phantom hphantom vphantom label tag tag* hspace hspace* vspace vspace* mspace",
     glue="hskip vskip kern mkern mskip raise lower",
     text="text mbox hbox textrm textit textbf textup intertext shortintertext",
     font="""mathbf boldsymbol bm bs pmb mathrm operatorname operatorname* mathcal mathbb mathfrak
@@ -57,7 +57,12 @@ ACTIONS: dict[str, str] = _table(
     number="eqno leqno",
 ) | {
     "\\" + sign: action
-    for action, signs in {"blank": ",;:!> /()[]\n\t", "open": "{", "close": "}"}.items()
+    for action, signs in {
+        "blank": ",;:!> /\n\t",
+        "shift": "()[]",
+        "open": "{",
+        "close": "}",
+    }.items()
     for sign in signs
 }
 
@@ -82,7 +87,7 @@ MARKS: dict[str, str] = {
     ";": "comma",
     "&": "cell",
     ".": "stop",
-    "$": "blank",
+    "$": "shift",
     "~": "blank",
 }
 
@@ -117,6 +122,9 @@ WORDS: dict[str, str] = {
     "const": "const",
 }
 
+# Words between two statements that say no more than a comma does.
+JOINING = frozenset({"and", "where", "hence", "thus", "so"})
+
 PARTNERS: dict[str, str] = {
     "(": ")",
     "[": "]",
@@ -129,6 +137,9 @@ PARTNERS: dict[str, str] = {
 ARGUMENTS: dict[str, int] = {"frac": 2, "sqrt": 1, "accent": 1}
 
 MATRICES = frozenset({"matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix"})
+
+# Environments of which the rows are a block: no formula runs on into them, or out of them.
+BLOCKS = frozenset({"array", "cases"})
 
 # Environments whose rows are statements, with the number of groups after their name.
 LAYOUTS: dict[str, int] = {

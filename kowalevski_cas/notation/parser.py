@@ -11,19 +11,23 @@ from kowalevski_cas.notation.atoms import Atoms
 from kowalevski_cas.notation.cursor import END, STARTS, Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
+    Constant,
     CrossProduct,
     Derivative,
     Formula,
     Negative,
+    Number,
     Partial,
+    Power,
     Product,
     Quotient,
     Relation,
     ScalarProduct,
     Sum,
+    Unwritten,
 )
-from kowalevski_cas.notation.values import rank
-from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.notation.values import applies, rank
+from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
 SIGNS = ("=", r"\equiv", r"\ne")
 TALLEST = 150
@@ -49,6 +53,7 @@ class Parser(Atoms):
             raise self.unexpected()
         piece = members[0]
         if signs:
+            self.alike(members, "a vector is set equal to a number")
             node = Relation(tuple([member[0] for member in members]), tuple(signs))
             piece = (node, piece[1], members[-1][2], tuple(members))
         # A tree is no taller than its tokens are many: short formulas need no measuring.
@@ -89,6 +94,7 @@ class Parser(Atoms):
             terms.append(term)
         if len(terms) == 1:
             return terms[0]
+        self.alike(terms, "a vector and a number are added")
         return (Sum(tuple([term[0] for term in terms])), terms[0][1], terms[-1][2], tuple(terms))
 
     def term(self) -> Piece:
@@ -97,19 +103,24 @@ class Parser(Atoms):
         if self.tokens[self.at].kind != "times":
             return _product(factors)
         left_rank = self.rank(factors)
-        crossed = False
+        multiplied = False
         while self.tokens[self.at].kind == "times":
             cross = self.take()
             more = self.factors()
             right_rank = self.rank(more)
             if left_rank == right_rank == VECTOR:
-                if crossed:
+                if multiplied:
                     raise self.error("which vectors are multiplied first? set brackets", cross)
                 left, right = _product(factors), _product(more)
-                crossed = cross.text == r"\times"
-                node: Formula = (CrossProduct if crossed else ScalarProduct)(left[0], right[0])
+                multiplied = True
+                kind = CrossProduct if cross.text == r"\times" else ScalarProduct
+                node: Formula = kind(left[0], right[0])
                 factors = [(node, left[1], right[2], (left, right))]
                 left_rank = self.rank(factors)
+            elif VECTOR in (left_rank, right_rank) and cross.text == r"\times":
+                raise self.error("a vector product of a vector and something else", cross)
+            elif multiplied and VECTOR in (left_rank, right_rank):
+                raise self.error("which vectors are multiplied first? set brackets", cross)
             else:
                 factors += more
                 left_rank = VECTOR if VECTOR in (left_rank, right_rank) else left_rank | right_rank
@@ -126,17 +137,49 @@ class Parser(Atoms):
         while (kind := self.tokens[self.at].kind) in STARTS or kind == "slash":
             if kind == "slash":
                 self.at += 1
-                left, right = _product(factors), self.factor()
+                left, right = _product(factors), self.number(self.factor())
                 node = Quotient(left[0], right[0])
                 factors = [(node, left[1], right[2], (left, right))]
                 divided = True
             elif divided:
                 break
             else:
-                factors.append(self.factor())
+                factors.append(self.beside(factors[-1]))
+        vectors = [f for f in factors if len(factors) > 1 and self.rank([f]) == VECTOR]
+        if len(vectors) > 1:
+            message = "two vectors side by side: which product is meant? set a dot or a cross"
+            raise NotationError(message, self.tex, vectors[1][1])
         if divided and (kind in STARTS or kind == "times"):
             raise self.error("does this stand under the slash? set brackets, or use \\frac")
         return factors
+
+    def beside(self, left: Piece) -> Piece:
+        """The factor behind another one, where the two are no function with its argument."""
+        first, joined = self.tokens[self.at], self.tokens[self.at - 1].kind != "close"
+        listed = first.kind == "open" and self.tokens[self.at + 1].kind != "begin"
+        right = inner = self.factor()
+        if isinstance(left[0], Number) and first.kind == "number":
+            raise self.error("two numbers side by side; set a dot between them", first)
+        raised = False
+        while isinstance(inner[0], Power | Derivative) and inner[3][0][1] == first.start:
+            raised, inner = True, inner[3][0]
+        applied = joined and listed and applies(left[0], inner[0], raised)
+        if applied and self.rank([left]) != MATRIX:
+            name = self.tex[left[1] : left[2]]
+            message = f"a product, or {name} at this argument? print a dot, or declare it"
+            raise self.error(message, first)
+        return right
+
+    def alike(self, pieces: list[Piece], message: str) -> None:
+        """Refuse vectors beside numbers, but for a zero and what is not written."""
+        ranks = [
+            (self.rank([piece]) == VECTOR, piece)
+            for piece in pieces
+            if not isinstance(piece[0], Constant | Unwritten) and piece[0] != Number(0)
+        ]
+        for vector, piece in ranks:
+            if vector != ranks[0][0]:
+                raise NotationError(message, self.tex, piece[1])
 
     def read_frac(self) -> Piece:
         """A fraction; over d and an independent variable it is a derivative."""
@@ -144,7 +187,7 @@ class Parser(Atoms):
         if written is not None:
             return written
         start = self.take().start
-        above, below = self.argument(), self.argument()
+        above, below = self.argument(), self.number(self.argument())
         end = self.tokens[self.at - 1].end
         return self.scripts((Quotient(above[0], below[0]), start, end, (above, below)))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import unicodedata
 from collections.abc import Iterable, Sequence
 
@@ -18,7 +17,7 @@ from kowalevski_cas.notation.formula import (
     Root,
 )
 from kowalevski_cas.notation.printer import Printer
-from kowalevski_cas.notation.unicode import SIGNS, symbol
+from kowalevski_cas.notation.unicode import SIGNS, styled, symbol
 
 _LOW = str.maketrans("0123456789+-aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄₅₆₇₈₉₊₋ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ")
 _HIGH = str.maketrans("0123456789+−in", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿ")
@@ -37,7 +36,7 @@ class Plain(Printer):
 
     def _name(self, formula: Name, marks: str) -> str:
         parts = symbol(formula.name)
-        letter = _bold(parts.letter) if parts.font in (r"\mathbf", r"\boldsymbol") else parts.letter
+        letter = styled(parts.letter, parts.font)
         index = "".join(parts.index)
         low = index.translate(_LOW)
         if set(index) & set(low):
@@ -105,15 +104,6 @@ def _slashed(formula: Formula) -> bool:
     """Whether a slash stands in the formula outside all brackets, and is no exponent."""
     written = isinstance(formula, Derivative) and formula.mark not in ("dot", "prime")
     return written or isinstance(formula, Quotient | Partial)
-
-
-def _bold(letter: str) -> str:
-    """The letter in bold type, where Unicode has it."""
-    name = re.sub(r"^(LATIN|GREEK) (SMALL|CAPITAL) LETTER ", r"\2 ", unicodedata.name(letter[0]))
-    try:
-        return unicodedata.lookup(f"MATHEMATICAL BOLD {name}") if len(letter) == 1 else letter
-    except KeyError:
-        return letter
 
 
 _PRINTER = Plain()

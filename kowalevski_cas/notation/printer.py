@@ -31,6 +31,7 @@ from kowalevski_cas.notation.formula import (
     Unwritten,
     Vector,
 )
+from kowalevski_cas.notation.values import applies
 
 # What stands in brackets behind a sign, and beside other factors.
 SIGNED = (Sum, Negative, Relation)
@@ -46,13 +47,17 @@ _METHODS = {
 class Printer(ABC):
     """Prints each kind of node by the method of its name."""
 
+    plus = "+"
     minus: str
     times: str
     cross: str
     prime: str
+    d = "d"
     partial_d: str
     dots: str
     const: str
+    comma = ", "
+    round, square = ("(", ")"), ("[", "]")
     braces: tuple[str, str]
 
     def __call__(self, formula: Formula) -> str:
@@ -125,7 +130,12 @@ class Printer(ABC):
 
     def brackets(self, text: str) -> tuple[str, str]:
         """The brackets around a text: square ones around round ones."""
-        return ("[", "]") if "(" in text and "[" not in text else ("(", ")")
+        inner = self.round[0] in text and self.square[0] not in text
+        return self.square if inner else self.round
+
+    def begins_with_number(self, text: str) -> bool:
+        """Whether a number stands at the beginning of what was printed."""
+        return text[0].isdigit()
 
     def finished(self, text: str) -> str:
         """What was printed, as the format reads it."""
@@ -133,7 +143,8 @@ class Printer(ABC):
 
     def listed(self, formulas: Iterable[Formula]) -> str:
         """A list; square brackets around it would be a commutator."""
-        return self.between("(", ", ".join(map(self, formulas)), ")")
+        opening, closing = self.round
+        return self.between(opening, self.comma.join(map(self, formulas)), closing)
 
     def term(self, formula: Formula) -> str:
         """The formula behind a sign."""
@@ -154,7 +165,9 @@ class Printer(ABC):
         first, *rest = formula.terms
         text = self(first) if isinstance(first, Negative) else self.term(first)
         for term in rest:
-            sign, inner = (self.minus, term.argument) if isinstance(term, Negative) else ("+", term)
+            sign, inner = (
+                (self.minus, term.argument) if isinstance(term, Negative) else (self.plus, term)
+            )
             text += f" {sign} {self.term(inner)}"
         return text
 
@@ -163,12 +176,14 @@ class Printer(ABC):
 
     def product(self, formula: Product) -> str:
         parts: list[str] = []
+        before = formula.factors[0]
         for factor in formula.factors:
             part = self.factor(factor)
-            # A number behind a factor would look like a part of it.
-            if parts and part[0].isdigit():
+            # A number behind a factor would look like a part of it, a bracket like its argument.
+            if parts and (self.begins_with_number(part) or _is_applied(before, factor)):
                 part = self.times + part
             parts.append(part)
+            before = factor
         return self.joined(parts)
 
     def power(self, formula: Power) -> str:
@@ -179,7 +194,7 @@ class Printer(ABC):
     def derivative(self, formula: Derivative) -> str:
         argument, mark, order = formula.argument, formula.mark, 1
         if mark not in ("dot", "prime"):
-            return self.rate("d", argument, mark)
+            return self.rate(self.d, argument, mark)
         while isinstance(argument, Derivative) and argument.mark == mark:
             argument, order = argument.argument, order + 1
         if mark == "prime":
@@ -230,7 +245,7 @@ class Printer(ABC):
 
     def poisson_bracket(self, formula: PoissonBracket) -> str:
         opening, closing = self.braces
-        return f"{opening}{self(formula.left)}, {self(formula.right)}{closing}"
+        return f"{opening}{self(formula.left)}{self.comma}{self(formula.right)}{closing}"
 
     def unwritten(self, formula: Unwritten) -> str:
         return self.dots
@@ -243,6 +258,17 @@ class Printer(ABC):
         return first + "".join(
             f" {self.sign(sign)} {member}" for sign, member in zip(formula.signs, rest, strict=True)
         )
+
+
+def _is_applied(left: Formula, right: Formula) -> bool:
+    """Whether a factor begins with a bracket that looks like the argument of the one before it."""
+    inner, raised = right, False
+    while isinstance(inner, Power) or (isinstance(inner, Derivative) and inner.mark == "prime"):
+        raised, inner = True, next(inner.children())
+        if isinstance(inner, Name):
+            return False
+    opened = isinstance(inner, (*COMPOUND, Vector)) or (raised and not is_base(inner))
+    return opened and applies(left, inner, raised)
 
 
 def is_base(formula: Formula) -> bool:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable
 from dataclasses import replace
 
+from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
 from kowalevski_cas.notation.lexer import scan
@@ -20,7 +21,12 @@ Prose = tuple[str | Formula, ...]
 
 
 class _InWords(Parser):
+    """Reads what is only shown, and claims nothing."""
+
     signs = SIGNS
+
+    def alike(self, pieces: list[Piece], message: str) -> None:
+        """Words write vectors as they like."""
 
 
 def read_prose(text: str, vocabulary: Vocabulary) -> Prose:

@@ -5,16 +5,20 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 
 from kowalevski_cas.notation.cursor import STARTS, Cursor, Piece
+from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
     Application,
     Conjugate,
     Derivative,
+    Name,
     Negative,
     Number,
     Power,
 )
 from kowalevski_cas.notation.lexer import DEEPEST
 from kowalevski_cas.notation.macros import GREEK
+from kowalevski_cas.notation.values import rank
+from kowalevski_cas.notation.vocabulary import VECTOR
 
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 
@@ -132,15 +136,26 @@ class Symbols(Cursor, ABC):
                 return self.powered(piece, power)
         return piece
 
+    def number(self, piece: Piece) -> Piece:
+        """The piece, which must be no vector."""
+        if rank(piece[0], self.vocabulary) == VECTOR:
+            raise NotationError("a number is expected here, not a vector", self.tex, piece[1])
+        return piece
+
     def powered(self, piece: Piece, power: Piece) -> Piece:
         """A power; it ends here, and behind the piece."""
+        self.number(piece)
         end = max(piece[2], self.tokens[self.at - 1].end)
         return (Power(piece[0], power[0]), piece[1], end, (piece, power))
 
     def exponent(self) -> Piece:
-        """What stands behind the sign of a power."""
+        """What stands behind the sign of a power; a name in brackets there is no power."""
         self.at += 1
-        return self.argument()
+        bracket = self.tokens[self.at + (self.tokens[self.at].kind == "{")]
+        piece = self.argument()
+        if bracket.kind == "open" and isinstance(piece[0], Name | Number):
+            raise self.error("is this a power? then it needs no brackets", bracket)
+        return piece
 
     def argument(self) -> Piece:
         """A group in braces, or one digit, letter or macro without them."""

@@ -3,6 +3,7 @@ r"""Names and signs in Unicode, for the printers that do not write TeX."""
 from __future__ import annotations
 
 import re
+import unicodedata
 from dataclasses import dataclass
 from functools import cache
 
@@ -16,6 +17,11 @@ SIGNS = {
 """The signs of relations, also of those that only words state."""
 
 _LETTERS = GREEK | {r"\pm": "±", r"\infty": "∞"}
+
+_STYLES = {
+    r"\mathbf": "BOLD", r"\boldsymbol": "BOLD", r"\mathcal": "SCRIPT", r"\mathfrak": "FRAKTUR",
+    r"\mathbb": "DOUBLE-STRUCK", r"\mathsf": "SANS-SERIF",
+}  # fmt: skip
 
 _PIECE = re.compile(r"\\[A-Za-z]+(?:\{([^{}]*)\})?|.")
 
@@ -56,3 +62,20 @@ def _index(tex: str) -> tuple[str, ...]:
     return tuple(
         found[1] or _letter(found[0]) for found in _PIECE.finditer(tex) if found[0].strip()
     )
+
+
+def styled(letter: str, font: str) -> str:
+    r"""The letter in the type of a macro, where Unicode has it.
+
+    >>> styled("R", r"\mathbb"), styled("ω", r"\boldsymbol"), styled("x", r"\hat")
+    ('ℝ', '𝛚', 'x')
+    """
+    if font not in _STYLES or len(letter) > 1:
+        return letter
+    name = re.sub(r"^(LATIN|GREEK) (SMALL|CAPITAL) LETTER ", r"\2 ", unicodedata.name(letter))
+    for place in (f"MATHEMATICAL {_STYLES[font]} {name}", f"{_STYLES[font]} {name}"):
+        try:
+            return unicodedata.lookup(place)
+        except KeyError:
+            continue
+    return letter

@@ -1,18 +1,22 @@
-"""Whether a formula stands for a scalar, a vector or a matrix."""
+"""What a formula stands for: a scalar, a vector or a matrix, or perhaps a function."""
 
 from __future__ import annotations
 
 from kowalevski_cas.notation.formula import (
     Application,
+    Conjugate,
     CrossProduct,
+    Derivative,
     Diagonal,
     Formula,
     Name,
+    Negative,
     Number,
     PoissonBracket,
     Power,
     Product,
     Quotient,
+    Root,
     ScalarProduct,
     Sum,
     Vector,
@@ -47,3 +51,19 @@ def rank(formula: Formula, vocabulary: Vocabulary) -> int:
             return MATRIX
     # A sign, a root, a bar or a derivative changes nothing; a word is a scalar.
     return next((rank(inner, vocabulary) for inner in formula.children()), SCALAR)
+
+
+def applies(left: Formula, right: Formula, raised: bool = False) -> bool:
+    """Whether a formula, and another one in brackets behind it, look like a function of it.
+
+    They do if the first is a name, with what stands on it, and a product would need no brackets.
+    It needs those around a sum; and those that a power or a prime is ``raised`` on, around
+    whatever is no name or number.
+    """
+    while isinstance(left, Derivative | Power | Conjugate):
+        left = next(left.children())
+    needed = (*_SUMS, Product, Quotient, Power, Root) if raised else _SUMS
+    return isinstance(left, Name) and not isinstance(right, needed)
+
+
+_SUMS = (Sum, Negative, CrossProduct, ScalarProduct, PoissonBracket)

@@ -14,7 +14,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from kowalevski_cas.algebra import load
-from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.algebra.tower import Ring
 from kowalevski_cas.notation import (
     Constant,
     Derivative,
@@ -34,9 +34,11 @@ from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.plain import Plain
 from kowalevski_cas.paper.roots import solved
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
-from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.scene import Scene, is_bold
 from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.validation import check_time, validate
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.prune import mentions
 from kowalevski_cas.problem.space import (
     Adjoined,
     Change,
@@ -47,6 +49,7 @@ from kowalevski_cas.problem.space import (
     Raised,
     Setting,
     Step,
+    generators,
 )
 
 
@@ -116,7 +119,13 @@ class Elaboration(Meaning):
         """The setting in FLINT, where what has to be solved for is solved."""
         evaluation = Evaluation(self, load("flint"), others=self._finder_of)
         self.__dict__["finder"] = evaluation
-        return evaluation.adjoin_roots()
+        try:
+            evaluation.adjoin_roots()
+            validate(self)
+        except Meaningless:
+            del self.__dict__["finder"]  # whoever asks again is refused again
+            raise
+        return evaluation
 
     @staticmethod
     def _finder_of(setting: Setting) -> Evaluation:
@@ -181,7 +190,15 @@ class Elaboration(Meaning):
 
     def _let(self, name: str, formula: Formula, *places: Printed) -> Let:
         self.places[name] = places
-        return Let(name, self.plain(formula))
+        let = Let(name, self.plain(formula))
+        for other in mentions(let.formula):  # vectors stay as they are, and may run in a circle
+            if (
+                isinstance(other, Name)
+                and is_bold(other.name)
+                and other.name in self.scene.definitions
+            ):
+                self.step(other.name)
+        return let
 
     def _unit(self) -> Step:
         printed = self.scene.unit
@@ -239,18 +256,14 @@ class Elaboration(Meaning):
             raise Meaningless(f"no expression stands for {name} in its definition", name)
         return next((m for m in others if not isinstance(m, Name)), others[0])
 
-    def at_root(self, name: str, value: int, formula: Formula) -> Element:
-        """The value of a formula where a root has this value."""
-        finder = self.finder
-        values = {
-            n: known
-            for (n, bar), known in finder._values.items()
-            if not bar and isinstance(known, Element) and not isinstance(self._steps.get(n), Let)
-        }
-        values[name] = finder.ring.number(value)
-        at = Evaluation(self, finder.polynomials, finder.ring, values, self._finder_of)
-        at.roots = list(finder.roots)
-        return at.scalar(formula)
+    def free(self, name: str) -> Evaluation:
+        """The setting in FLINT with a root as one more variable, bound by nothing."""
+        ring = Ring(self.finder.polynomials((*generators(self), name)))
+        values = {one: ring.generator(one) for one in ring.polynomials.generators}
+        at = Evaluation(self, self.finder.polynomials, ring, values, self._finder_of)
+        for root in self.roots[: self.roots.index(name)]:
+            at.scalar(Name(root))
+        return at
 
     # -- motion ------------------------------------------------------------------
 
@@ -258,10 +271,23 @@ class Elaboration(Meaning):
     def field(self) -> tuple[Motion, ...]:
         """The printed equations of motion."""
         rows = self.scene.field
-        return () if isinstance(rows, ChangeOfScene) else tuple(map(self._motion, rows))
+        if isinstance(rows, ChangeOfScene):
+            return ()
+        found: dict[str, Printed] = {}
+        motions = []
+        for printed in rows:
+            motions.append(self._motion(printed))
+            for name in motions[-1].names:
+                if found.setdefault(name, printed) != printed:
+                    raise Meaningless(
+                        f"on the scene “{self.scene.name}” {name} moves by two equations, at "
+                        f"{found[name].place} and at {printed.place}: leave one out",
+                        name,
+                    )
+        return tuple(motions)
 
     def _motion(self, printed: Printed) -> Motion:
-        left, right = self.texts.relation(printed).members[:2]
+        left, right = self.texts.sides(printed)
         factors = left.factors if isinstance(left, Product) else (left,)
         moving = [f.argument for f in factors if isinstance(f, Derivative)]
         if len(moving) != 1 or not isinstance(moving[0], Name):
@@ -283,15 +309,16 @@ class Elaboration(Meaning):
         assert self.source is not None
         new: dict[str, Formula] = {}
         for printed in change.formulas:
-            left, right = self.texts.relation(printed).members[:2]
+            left, right = self.texts.sides(printed)
             if not isinstance(left, Name):
                 raise Meaningless(f"the formula at {printed.place} gives no variable")
             new[left.name] = self.source.plain(right)
-        kept = [n for n in self.scene.variables if n in self.source.variables]
+        own = (*self.scene.variables, *self.scene.definitions)
         formulas = [
-            *((n, f) for n, f in new.items() if n in self.scene.variables),
-            *((n, Name(n)) for n in kept if n not in new),
+            *((n, f) for n, f in new.items() if n in own),
+            *((n, Name(n)) for n in own if n in self.source.variables and n not in new),
         ]
+        check_time(self.source, change.time)
         time = Quotient(Number(1), self.source.plain(self.texts.time_scale(change.time)))
         return Change(self.source, tuple(formulas), time)
 

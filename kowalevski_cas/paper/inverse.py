@@ -12,10 +12,15 @@ from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.space import Meaningless
 
 
+class SingularChange(Meaningless):
+    """A linear change of variables of which the determinant is zero."""
+
+
 def inverse(old: Meaning, formulas: Sequence[tuple[str, Formula]]) -> dict[str, Formula]:
     """The variables of ``old`` through new ones, which these formulas give.
 
-    Raises :class:`Meaningless` if the formulas are not linear, or cannot be inverted.
+    Raises :class:`SingularChange` if the formulas cannot be inverted, :class:`Meaningless` if they
+    are not linear.
     """
     at = old.finder
     rows = []
@@ -36,7 +41,7 @@ def inverse(old: Meaning, formulas: Sequence[tuple[str, Formula]]) -> dict[str, 
     try:
         columns = [solve(rows, [one if k == j else zero for k in range(size)]) for j in range(size)]
     except Singular:
-        raise Meaningless("the change of variables is not invertible") from None
+        raise SingularChange("the change of variables is not invertible") from None
     return {
         variable: _combination([column[k] for column in columns], [n for n, _ in formulas])
         for k, variable in enumerate(old.variables)

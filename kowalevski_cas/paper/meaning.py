@@ -5,7 +5,6 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable
 
-from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -36,5 +35,5 @@ class Meaning(Setting):
         """The expression for which a name stands."""
 
     @abstractmethod
-    def at_root(self, name: str, value: int, formula: Formula) -> Element:
-        """The value of a formula where a root has this value."""
+    def free(self, name: str) -> Evaluation:
+        """The setting in FLINT with a root as one more variable, bound by nothing."""

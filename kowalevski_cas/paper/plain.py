@@ -24,8 +24,9 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.paper.brackets import Brackets
+from kowalevski_cas.paper.matrices import determinant, rows
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.scene import head
+from kowalevski_cas.paper.scene import DETERMINANT, head
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import MARK
 
@@ -55,6 +56,8 @@ class Plain:
                 return Quotient(Sum((inner, Negative(Conjugate(inner)))), below)
             case Derivative(argument, mark):
                 return self._derivative(self(argument), mark)
+            case Application(function, (argument,)) if function == DETERMINANT:
+                return determinant(rows(argument, self.setting))
             case Application():
                 return self(self._applied(formula))
             case Root() if (value := self._printed_value(formula)) is not None:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in
-from kowalevski_cas.notation import Constant, Formula, Name, Number, Power
+from kowalevski_cas.algebra.tower import Element, Ring
+from kowalevski_cas.notation import Constant, Formula, Name, Number, Power, to_latex
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Adjoined, Meaningless
 
 
@@ -14,7 +17,7 @@ def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
 
     The equation is solved for the square: ``a^2`` in :math:`(\alpha,\alpha)=a^2`,
     ``z_1^2`` in :math:`z_1^2+x_1y_2=c_1`. Members with names that the scene does
-    not have are passed over.
+    not have are passed over; all others have to give the same square, exactly.
     """
     setting.places[name] = (printed,)
     members = [m for m in setting.texts.relation(printed).members if not isinstance(m, Constant)]
@@ -23,25 +26,53 @@ def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
         other = members[members[0] == own]
         if not _mentions(other, name):
             return Adjoined(name, setting.plain(other))
-    sides = [plain for m in members if (plain := _known(setting, m, name)) is not None]
+    at = setting.free(name)
+    sides = [plain for m in members if (plain := _known(at, setting, m)) is not None]
     if len(sides) < 2:
         raise Meaningless(f"the equation at {printed.place} does not give {name}^2", name)
-    left, right = sides[0], sides[-1]
-    at = [setting.at_root(name, k, left) - setting.at_root(name, k, right) for k in (0, 1, -1, 2)]
-    factor = at[1] - at[0]
-    even = (at[2] - at[1]).is_zero
-    quadratic = (at[3] - at[0] - factor * factor.ring.number(4)).is_zero
-    if factor.is_zero or not even or not quadratic:
-        raise Meaningless(f"the equation at {printed.place} does not give {name}^2", name)
-    square = formula_in(-at[0] / factor)
-    return Adjoined(name, square, (left, right))
+    right = sides[-1]
+    parts = [_even(at.scalar(left) - at.scalar(right), name) for left in sides[:-1]]
+    factor, rest = next((part for part in parts if not part[0].is_zero), (at.ring.zero,) * 2)
+    for above, below in parts:
+        if factor.is_zero or not (above * rest - below * factor).is_zero:
+            raise Meaningless(f"the equation at {printed.place} does not give {name}^2", name)
+    granted = {k for f in setting.nonzero for k in at.scalar(f).inverse().denominator}
+    if {*factor.inverse().denominator} - granted - {*factor.denominator}:
+        shown = to_latex(formula_in(factor))
+        raise Meaningless(
+            f"the equation at {printed.place} gives {name}^2 only where {shown} is not zero: "
+            f"take that for granted on the scene “{setting.scene.name}”, as in nonzero=(…,)",
+            name,
+        )
+    return Adjoined(name, formula_in(-rest / factor), (sides[0], right))
 
 
-def _known(setting: Meaning, member: Formula, root: str) -> Formula | None:
+def _even(element: Element, name: str) -> tuple[Element, Element]:
+    """The factor of the square of a generator, and the rest, if it occurs to these powers."""
+    ring = element.ring
+    place = ring.polynomials.generators.index(name)
+    found: dict[int, dict[int, Terms]] = {0: {}, 2: {}}
+    for mask, terms in element.terms().items():
+        for exponents, value in terms.items():
+            below = (*exponents[:place], 0, *exponents[place + 1 :])
+            found.setdefault(exponents[place], {}).setdefault(mask, {})[below] = value
+    if found.keys() != {0, 2} or any(place in _stands(ring, k) for k in element.denominator):
+        return ring.zero, ring.one
+    one = Element(ring, ring.one.parts, element.denominator)
+    return ring.from_terms(found[2]) * one, ring.from_terms(found[0]) * one
+
+
+def _stands(ring: Ring, divisor: int) -> set[int]:
+    """The places of the generators that stand in a divisor."""
+    monomials = ring.polynomials.terms(ring.divisors[divisor])
+    return {place for exponents in monomials for place, e in enumerate(exponents) if e}
+
+
+def _known(at: Evaluation, setting: Meaning, member: Formula) -> Formula | None:
     """A member written out; ``None`` if the scene does not know what it is."""
     try:
         plain = setting.plain(member)
-        setting.at_root(root, 0, plain)
+        at.scalar(plain)
     except Meaningless:
         return None
     return plain

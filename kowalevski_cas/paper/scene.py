@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from dataclasses import field as default
 
 from kowalevski_cas.notation import Vocabulary
-from kowalevski_cas.paper.texts import Display, Printed, statements
+from kowalevski_cas.paper.texts import Display, Printed, check_attributes, statements
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,6 +29,10 @@ class Change:
     formulas: tuple[Printed, ...]
     time: Printed
 
+    def __post_init__(self) -> None:
+        """Refuse displays where statements are expected."""
+        check_attributes(self, "a change of variables")
+
 
 @dataclass(frozen=True, eq=False)
 class Locus:
@@ -38,6 +42,10 @@ class Locus:
     equations: tuple[str, ...]
     condition: str
     """The expression that is non-zero away from the locus."""
+
+    def __post_init__(self) -> None:
+        """Refuse an equation where a tuple of them is expected."""
+        check_attributes(self, f"the locus “{self.words}”")
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,6 +104,34 @@ class Scene:
     nonzero: tuple[str, ...] = ()
     loci: tuple[Locus, ...] = ()
 
+    def __post_init__(self) -> None:
+        """Refuse names that are given twice; raises ``ValueError`` or ``TypeError``."""
+        owner = f"the scene “{self.name}”"
+        check_attributes(self, owner)
+        known: dict[str, str] = {}
+        for kind, name in self._given():
+            if name in known and {kind, known[name]} not in FREE:
+                raise ValueError(
+                    f"{owner}: {name} has a meaning already, {known[name]}: "
+                    f"it cannot be {kind} as well; choose another name, or leave one out"
+                )
+            known[name] = kind
+
+    def _given(self) -> Iterator[tuple[str, str]]:
+        """Every name with what the scene says that it is."""
+        yield from (("a variable", name) for name in self.variables)
+        yield from (("a constant", name) for name in (*self.constants, *self.undefined))
+        if self.unit is not None:
+            yield "the imaginary unit", "i"
+        yield from (("a root", name) for name in self.roots)
+        yield from (("a power", f"{base}^{exponent}") for base, exponent in self.powers)
+        for name in self.definitions:
+            function, arguments = head(name)
+            if function != BRACKET and not is_bold(name):
+                yield "a function" if arguments else "defined", function
+        for components in self.vectors.values():
+            yield from (("a component", name) for name in components)
+
     # -- verbs -------------------------------------------------------------------
 
     def described(self, name: str, words: str) -> Scene:
@@ -141,8 +177,8 @@ class Scene:
         """The scene where printed statements define all names that are new in them.
 
         These are the bare names, heads of functions and brackets among their members that are
-        no variables or constants. Raises ``ValueError`` if a name is defined already, or if a
-        statement defines none.
+        no variables, constants or roots. Raises ``ValueError`` if a name is defined already, or if
+        a statement defines none.
         """
         return self._defining(by, again=False)
 
@@ -184,6 +220,25 @@ class Scene:
         kept = tuple(name for name in self.variables if name not in names)
         return replace(self, variables=kept, zero=(*self.zero, *zero))
 
+    def solved(self, *by: Display | Printed) -> Scene:
+        """The scene where printed statements give some of its variables by the others.
+
+        All other names may be any complex numbers there: nothing is conjugated. Raises
+        ``ValueError`` for a statement that does not give one variable.
+        """
+        definitions = dict(self.definitions)
+        for place in statements(*by):
+            found = [name for name in place.heads.names if name in self.variables]
+            if len(found) != 1 or found[0] in definitions:
+                raise ValueError(f"{place.place} does not give one variable of “{self.name}”")
+            definitions[found[0]] = place
+        return replace(
+            self,
+            variables=tuple(name for name in self.variables if name not in definitions),
+            definitions=definitions,
+            conjugates=(),
+        )
+
     def changed(self, by: Display, time: Printed, keeping: tuple[str, ...] = ()) -> Scene:
         """The scene in the variables that a display gives, with those that are kept.
 
@@ -201,7 +256,7 @@ class Scene:
         )
 
     def _defining(self, by: tuple[Display | Printed, ...], again: bool) -> Scene:
-        known = {*self.variables, *self.constants}
+        known = {*self.variables, *self.constants, *self.roots}
         definitions = dict(self.definitions)
         for place in statements(*by):
             names = [name for name in place.heads.names if name not in known]
@@ -254,12 +309,29 @@ class Scene:
         if self.unit is not None:
             yield "i"
 
+    def branches(self) -> Iterator[Printed]:
+        """The places that print a value for a root: they choose one of two values."""
+        for name, place in self.roots.items():
+            if place is not None and name.startswith(r"\sqrt"):
+                yield place
+
     def component(self, name: str) -> tuple[str, int] | None:
         """The vector with a definition of which a name is a component, and which one."""
         for vector, components in self.vectors.items():
             if vector in self.definitions and name in components:
                 return vector, components.index(name)
         return None
+
+
+FREE = (
+    {"a variable", "a root"},  # a coordinate, by an equation for its square
+    {"a constant", "a root"},
+    {"a variable", "a component"},
+    {"a constant", "a component"},
+    {"a root", "a component"},
+    {"defined", "a component"},
+)
+"""What a name may be at the same time."""
 
 
 def is_bold(name: str) -> bool:
@@ -269,6 +341,9 @@ def is_bold(name: str) -> bool:
 
 BRACKET, EPSILON = r"\{", r"\varepsilon_{ijk}"
 """The Poisson bracket as a function, and the sign of a permutation."""
+
+DETERMINANT = r"\mathrm{det}"
+"""The determinant as a function of matrices."""
 
 
 def head(name: str) -> tuple[str, tuple[str, ...]]:
@@ -296,6 +371,6 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
         matrices=matrices,
         functions=frozenset(
             head(n)[0] for s in scenes for n in s.definitions if head(n)[1] and n[:2] != BRACKET
-        ),
+        ).union([DETERMINANT] if matrices else []),
         times=times,
     )

@@ -9,10 +9,12 @@ with other texts.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache
+from typing import Any
 
 from kowalevski_cas.notation import (
+    EQUALITIES,
     Edit,
     Formula,
     Heads,
@@ -98,6 +100,30 @@ def statements(*printed: Display | Printed) -> Iterator[Printed]:
             yield one
 
 
+def check_attributes(one: Any, owner: str) -> None:
+    """Refuse a display or a single value where an attribute is declared as a tuple, and the like.
+
+    Raises ``TypeError``, which says what to write.
+    """
+    for field in fields(one):
+        value, kind = getattr(one, field.name), str(field.type)
+        if isinstance(value, Display):
+            write = f"(*{value.id},)" if kind.startswith("tuple") else f"{value.id}[1]"
+            raise TypeError(
+                f"{owner}: {field.name} is to hold statements, not the display {value.id}: "
+                f"write its variable as in {write}"
+            )
+        if not kind.startswith("tuple"):
+            continue
+        if not isinstance(value, tuple) and "|" not in kind:
+            raise TypeError(f"{owner}: {field.name} is to be a tuple, not {value!r}: add a comma")
+        entries = value if isinstance(value, tuple) else ()
+        if kind.startswith("tuple[Printed") and not all(isinstance(e, Printed) for e in entries):
+            raise TypeError(
+                f"{owner}: {field.name} is to hold statements: write (*display,), or display[1]"
+            )
+
+
 class Texts:
     """The texts at the places of a derivation, read in one vocabulary.
 
@@ -147,21 +173,40 @@ class Texts:
         return self._expressions[tex]
 
     def formula(self, printed: Printed) -> Formula:
-        """The formula at a place; raises ``NotationError`` if it cannot be read."""
-        edited = self.edits.get(printed)
-        return self.statement(printed).formula if edited is None else edited
+        """The formula at a place.
+
+        Raises ``NotationError`` if it cannot be read, or if it says that things differ: an
+        inequality is never taken for the equality that may have been meant.
+        """
+        statement = self.statement(printed)
+        formula = self.edits.get(printed, statement.formula)
+        if isinstance(formula, Relation) and not formula.is_equality:
+            before = [formula.signs.index(sign) for sign in formula.signs if sign not in EQUALITIES]
+            end = statement.spans.get((before[0],), (0, statement.start))[1]
+            message = f"{printed.place}: an equality is expected, not {formula.signs[before[0]]}"
+            raise NotationError(message, statement.tex, end)
+        return formula
 
     def relation(self, printed: Printed) -> Relation:
         """The chain of equalities at a place; raises ``NotationError`` if there is none."""
         formula = self.formula(printed)
-        if not isinstance(formula, Relation) or not formula.is_equality:
+        if not isinstance(formula, Relation):
             source = self.source(printed.display)
             raise NotationError(f"an equation is expected at {printed.place}", source, 0)
         return formula
 
+    def sides(self, printed: Printed) -> tuple[Formula, Formula]:
+        """Both sides of an equation; raises ``NotationError`` if it has more, or is none."""
+        members = self.relation(printed).members
+        if len(members) != 2:
+            statement = self.statement(printed)
+            message = f"{printed.place}: an equation with two sides is expected"
+            raise NotationError(message, statement.tex, statement.start)
+        return members[0], members[1]
+
     def time_scale(self, printed: Printed) -> Formula:
         r"""The factor :math:`\kappa` of a printed change of time, :math:`\tau=\kappa t`."""
-        scale = _scale(self.relation(printed).members[1])
+        scale = _scale(self.sides(printed)[1])
         if scale is None:
             source = self.source(printed.display)
             raise NotationError(f"a multiple of t is expected at {printed.place}", source, 0)

@@ -20,12 +20,13 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.count import check_roots, check_solutions, square
-from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
     At,
     Evidence,
     Found,
     Minors,
+    Point,
     Proof,
     Regardless,
     Roots,
@@ -33,6 +34,7 @@ from kowalevski_cas.problem.evidence import (
     Solutions,
     Squares,
 )
+from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import (
     Count,
     Exists,
@@ -44,9 +46,15 @@ from kowalevski_cas.problem.goals import (
     Simple,
 )
 from kowalevski_cas.problem.place import Misplaced, Place
-from kowalevski_cas.problem.space import Adjoined, Equation, Meaningless, Setting
+from kowalevski_cas.problem.space import Adjoined, Equation, Meaningless, Setting, generators
 
 Of = Callable[[Setting], Evaluation]
+Names = Callable[[Setting], Sequence[str]]
+
+
+def all_names(setting: Setting) -> Sequence[str]:
+    """All names of a setting to which a point can give values."""
+    return (*generators(setting), *setting.roots)
 
 
 ZERO = Number(0)
@@ -57,6 +65,10 @@ LARGEST_POWER = 16
 
 class Unproved(ValueError):
     """Evidence that does not prove what it should; the message says why."""
+
+
+class Vacuous(Unproved):
+    """Evidence without a point: what it shows may be about nothing."""
 
 
 @dataclass
@@ -87,16 +99,15 @@ class Accepted:
         self.divides(elements)
         self.away[-1].extend(e for e in elements if e.denominator)
 
-    def in_space(self, setting: Setting) -> list[Element]:
-        """All that is divided in one space."""
-        return [e for goal, elements in self.divided if goal.space is setting for e in elements]
-
 
 class Judge:
-    """Decides whether evidence proves or denies goals; ``of`` evaluates their spaces."""
+    """Decides whether evidence proves or denies goals.
 
-    def __init__(self, of: Of) -> None:
-        self.of = of
+    ``of`` evaluates their spaces, ``names`` are those to which a point of a space gives values.
+    """
+
+    def __init__(self, of: Of, names: Names = all_names) -> None:
+        self.of, self.names = of, names
         self.accepted = Accepted()
 
     def holds(self, goal: Goal, evidence: Evidence) -> None:
@@ -110,6 +121,8 @@ class Judge:
     def _decide(self, goal: Goal, evidence: Evidence, sign: bool) -> None:
         try:
             self._rule(goal, evidence, sign)
+        except Vacuous:
+            raise
         except (Unproved, Misplaced, Meaningless, ZeroDivisionError) as error:
             raise Unproved(str(error)) from None
         except (ValueError, TypeError, LookupError, AttributeError) as error:
@@ -160,6 +173,7 @@ class Judge:
     def _follows(self, goal: Follows, evidence: Shown, at: Evaluation, sign: bool) -> None:
         if not all(goal.conclusions):
             raise Unproved("nothing is stated")
+        _need_point(evidence.point)
         known = at.differences(goal.given)
         pairs = [at.pairs(one) for one in goal.conclusions]
         sides = [e for one in pairs for pair in one for e in pair]
@@ -168,12 +182,9 @@ class Judge:
         goals = [reduce(mul, choice, at.ring.one) for choice in product(*alternatives)]
         used = list(self._settle(goals, known, evidence.proof, at))
         self.accepted.uses(used)
-        if evidence.point is not None:
-            self._point(at, evidence.point, known, goal.space)
-        elif goal.conclusions and goal.given:
-            raise Unproved("nothing is known to satisfy the hypotheses")
         if not goal.conclusions:
             self._unconditional(at)
+        self._point(at, evidence.point, known if goal.conclusions else ())
 
     def _settle(
         self, goals: Sequence[Element], known: Sequence[Element], proof: Proof, at: Evaluation
@@ -203,20 +214,20 @@ class Judge:
                 raise Unproved("the two sides are not equal")
             yield from entries
 
-    def _point(
-        self, at: Evaluation, point: object, known: Sequence[Element], setting: Setting
-    ) -> Place:
-        """The point, where known elements vanish and nothing that is divided by does."""
-        place = Place(at, point)  # type: ignore[arg-type]
+    def _point(self, at: Evaluation, point: Point | None, known: Sequence[Element]) -> Place:
+        """The point, where known elements vanish and nothing that the goal divides by does."""
+        place = Place(at, _need_point(point))
+        if place.point.values.keys() != {*self.names(at.setting)}:
+            raise Unproved("the point leaves a value out, or has one too many")
         if not place.vanish(known):
             raise Unproved("the point is not where it should be")
-        if not place.defines(self.accepted.in_space(setting)):
+        if not place.defines(self.accepted.divided[-1][1]):
             raise Unproved("something is divided by that vanishes at the point")
         self.accepted.places.append(place)
         return place
 
     def _fails(self, goal: Follows, evidence: At, at: Evaluation, sign: bool) -> None:
-        place = self._point(at, evidence.point, at.differences(goal.given), goal.space)
+        place = self._point(at, evidence.point, at.differences(goal.given))
         for conclusion in goal.conclusions:
             values = [(place(a), place(b)) for a, b in at.pairs(conclusion)]
             self.accepted.differs = next((v for v in values if not (v[0] - v[1]).is_zero), None)
@@ -232,7 +243,7 @@ class Judge:
 
     def _rank(self, goal: Rank, evidence: At, at: Evaluation, sign: bool) -> None:
         rows = self._rows(goal, at)
-        place = self._point(at, evidence.point, at.differences(goal.given), goal.space)
+        place = self._point(at, evidence.point, at.differences(goal.given))
         if rank([[place(entry) for entry in row] for row in rows]) != len(rows):
             raise Unproved("the differentials are dependent at the point")
         if (len(rows) == goal.rank) != sign:
@@ -263,10 +274,10 @@ class Judge:
         used += self._settle([at.ring.one], [value, *known], evidence.zero, at)
         self.accepted.divides([value, *known])
         self.accepted.uses(used)
-        self._point(at, evidence.point, known, goal.space)
+        self._point(at, evidence.point, known)
 
     def _not_positive(self, goal: Positive, evidence: At, at: Evaluation, sign: bool) -> None:
-        place = self._point(at, evidence.point, at.differences(goal.given), goal.space)
+        place = self._point(at, evidence.point, at.differences(goal.given))
         value = rational_terms(place(at.scalar(goal.formula)))
         if value is None or value > 0:
             raise Unproved("it is positive at the point, or not rational")
@@ -281,7 +292,7 @@ class Judge:
         away, left = check_roots(goal, evidence, at)
         self.accepted.away[-1].extend(away)
         self.accepted.divides(left)
-        self._point(at, evidence.point, at.differences(goal.equations), goal.space)
+        self._point(at, evidence.point, at.differences(goal.equations))
 
     def _solutions(self, goal: Count, evidence: Solutions, at: Evaluation, sign: bool) -> None:
         self.accepted.places += check_solutions(goal, evidence, at)
@@ -291,6 +302,8 @@ class Judge:
     def _exists(self, goal: Exists, evidence: Found) -> None:
         if set(evidence.values) != set(goal.bound):
             raise Unproved("a bound name has no value")
+        if set(goal.bound) - {n for one in goal.goals for f in one.formulas() for n in _names(f)}:
+            raise Unproved("a bound name is not used")
         for one, inner in zip(goal.goals, evidence.evidence, strict=True):
             at = self.of(one.space)
             used = {name for formula in one.formulas() for name in _names(formula)}
@@ -307,7 +320,7 @@ class Judge:
             raise Unproved("only an identity can fail whatever the bound names are")
         self.accepted.starts(one)
         at = self.of(one.space)
-        places = [(w, self._point(at, p, (), one.space)) for w, p in evidence.points]
+        places = [(w, self._point(at, p, ())) for w, p in evidence.points]
         weighted = [(_rational(place.numbers.scalar(weight)), place) for weight, place in places]
         if not any(self._impossible(goal, sides, at, weighted) for sides in one.conclusions[0]):
             raise Unproved("with other expressions the equation may hold")
@@ -367,6 +380,12 @@ _RULES: dict[tuple[type, type, bool], Rule] = {
     (Count, Solutions, False): Judge._solutions,
 }
 """What checks a kind of evidence for a kind of goal, or against it."""
+
+
+def _need_point(point: Point | None) -> Point:
+    if point is None:
+        raise Vacuous("no real point is known that satisfies the hypotheses")
+    return point
 
 
 def _group(group: Sequence[Element]) -> Element:

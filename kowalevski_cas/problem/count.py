@@ -10,8 +10,9 @@ from kowalevski_cas.algebra.hermite import hermite_minors
 from kowalevski_cas.algebra.present import divided
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
-from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Factor, Roots, Row, Solutions
+from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Space

@@ -39,7 +39,10 @@ class Proof:
 
 @dataclass(frozen=True)
 class Shown:
-    """That something follows: a proof, and a point at which the hypotheses hold."""
+    """That something follows: a proof, and a point at which the hypotheses hold.
+
+    Without a point nothing is shown: it may be about nothing.
+    """
 
     proof: Proof = Proof()
     point: Point | None = None
@@ -86,7 +89,7 @@ class Squares:
 
     squares: tuple[tuple[Formula, Formula], ...]
     row: Row
-    point: Point
+    point: Point | None
     zero: Proof | None = None
 
 

@@ -4,16 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import cache
 from itertools import combinations
-from math import prod
+from math import gcd, isqrt
 
-from kowalevski_cas.algebra.numbers import Substitution, square_root
+from kowalevski_cas.algebra.numbers import Substitution
+from kowalevski_cas.algebra.polynomials import Polynomials
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Quotient, Root, Sum
-from kowalevski_cas.problem.evaluate import Evaluation, conjugated
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Root,
+    Sum,
+)
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
-from kowalevski_cas.problem.space import Adjoined, Meaningless, Raised, Space
+from kowalevski_cas.problem.space import Adjoined, Raised, Space
+
+MINUS_ONE = Negative(Number(1))
+NUMERIC = (Number, Name, Negative, Sum, Product, Quotient, Power)
+UNIT = 0
+"""The place of i among the roots of the numbers."""
 
 
 class Misplaced(ValueError):
@@ -30,7 +47,8 @@ class Place:
 
     def __init__(self, at: Evaluation, point: Point) -> None:
         self.at, self.point = at, point
-        self.numbers = _numbers(at, point)
+        squares = {number for value in point.values.values() for number in _squares(value)}
+        self.numbers = _numbers(at.polynomials, tuple(sorted(squares)))
         given = {name: self.numbers.scalar(value) for name, value in point.values.items()}
         zero = self.numbers.ring.zero
         generators = {name: given.get(name, zero) for name in at.ring.polynomials.generators}
@@ -45,15 +63,21 @@ class Place:
 
     def __call__(self, element: Element) -> Element:
         """The value there; raises ``ZeroDivisionError`` on a zero of the denominator."""
-        ring = element.ring
-        divisors = (ring.divisors[index] for index in element.denominator)
-        for polynomial in (*element.parts.values(), *divisors):
-            degrees = ring.polynomials.degrees(polynomial)
-            if any(degrees[k] > 0 for k in self._unknown):
-                raise Misplaced("the point leaves a value out")
-        if any(mask & self._unknown_roots for mask in element.parts):
-            raise Misplaced("the point leaves the value of a root out")
+        if not self.knows(element):
+            raise Misplaced("the point leaves a value out")
         return self._value(element)
+
+    def knows(self, element: Element) -> bool:
+        """Whether the point gives values to all that stands in an element."""
+        ring = element.ring
+        if any(mask & self._unknown_roots for mask in element.parts):
+            return False
+        divisors = (ring.divisors[index] for index in element.denominator)
+        return not any(
+            degrees[k] > 0
+            for degrees in map(ring.polynomials.degrees, (*element.parts.values(), *divisors))
+            for k in self._unknown
+        )
 
     def vanish(self, elements: Sequence[Element]) -> bool:
         """Whether all elements are defined and vanish there."""
@@ -64,54 +88,45 @@ class Place:
 
     def defines(self, elements: Sequence[Element]) -> bool:
         """Whether nothing by which the elements are divided vanishes there."""
-        try:
-            for element in elements:
-                self(element)
-        except ZeroDivisionError:
-            return False
-        return True
+        divisors = elements[0].ring.divided_by(elements) if elements else ()
+        return not any(self(divisor).is_zero for divisor in divisors)
 
     def _check(self, given: Mapping[str, Element]) -> None:
         at, setting = self.at, self.at.setting
+        partner = {one: other for pair in setting.conjugates for one, other in (pair, pair[::-1])}
         for name, value in given.items():
             step = setting.step(name)
             if isinstance(step, Adjoined):
-                square = self(at.scalar(step.square))
-                if not (value * value - square).is_zero:
+                own = at.scalar(Name(name))
+                if not (value * value - self(own * own)).is_zero:
                     raise Misplaced(f"{name} is not a root there")
+                if step.square == MINUS_ONE:
+                    continue
             if isinstance(step, Raised):
                 one = self.numbers.ring.one
                 if not (value - one).is_zero or not (self(at.scalar(step.base)) - one).is_zero:
                     raise Misplaced(f"the value of {name} is not known there")
-            try:
-                bar = self(at.scalar(Name(name), True))
-            except Meaningless:
-                continue  # nothing is said of the conjugate: its square is all that binds a root
-            if not (conjugated(value, self.numbers) - bar).is_zero:
+            bar = given.get(partner.get(name, name))
+            if bar is None or not (value.conjugate_root(UNIT) - bar).is_zero:
                 raise Misplaced(f"{name} is not real there")
-        for formula in setting.nonzero:
-            if self._reached(formula, given) and self(at.scalar(formula)).is_zero:
+        for element in at.granted:
+            if self.knows(element) and self(element).is_zero:
                 raise Misplaced("what is taken for granted not to vanish does")
 
-    def _reached(self, formula: Formula, given: Mapping[str, Element]) -> bool:
-        from kowalevski_cas.problem.prune import Reach
 
-        reach = Reach(self.at.setting)
-        reach.formula(formula)
-        return all(self.at.setting.step(n) is not None or n in given for n in reach.names)
-
-
-def _numbers(at: Evaluation, point: Point) -> Evaluation:
-    """The numbers in which a point has its values: rationals, i, and roots of whole numbers."""
-    squares = sorted({number for value in point.values.values() for number in _squares(value)})
-    for size in range(1, len(squares) + 1):
-        for chosen in combinations(squares, size):
-            if square_root(Fraction(prod(chosen))) is not None:
-                raise Misplaced("roots at a point depend on each other")
-    steps = [Adjoined("i", Negative(Number(1)))]
+@cache
+def _numbers(arithmetic: type[Polynomials], squares: tuple[int, ...]) -> Evaluation:
+    """The numbers in which points have their values: rationals, i, and roots of whole numbers."""
+    if any(gcd(*pair) > 1 for pair in combinations(squares, 2)) or any(map(_is_square, squares)):
+        raise Misplaced("roots at a point may depend on each other")
+    steps = [Adjoined("i", MINUS_ONE)]
     steps += [Adjoined(rf"\sqrt{{{number}}}", Number(number)) for number in squares]
     space = Space(variables=(), constants=("",), steps=tuple(steps))
-    return Evaluation(space, at.polynomials).adjoin_roots()
+    return Evaluation(space, arithmetic).adjoin_roots()
+
+
+def _is_square(number: int) -> bool:
+    return isqrt(number) ** 2 == number
 
 
 def _squares(formula: Formula) -> set[int]:
@@ -119,6 +134,8 @@ def _squares(formula: Formula) -> set[int]:
         if not isinstance(formula.argument, Number) or formula.argument.value < 2:
             raise Misplaced("a root at a point is no root of a whole number")
         return {formula.argument.value}
+    if not isinstance(formula, NUMERIC):
+        raise Misplaced("a value at the point is no number")
     return {number for child in formula.children() for number in _squares(child)}
 
 

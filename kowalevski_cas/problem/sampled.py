@@ -10,7 +10,8 @@ from kowalevski_cas.algebra.modular import SampledPrograms
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Sum
-from kowalevski_cas.problem.evaluate import Evaluation, Value
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.fold import Value
 from kowalevski_cas.problem.space import Let
 
 
@@ -83,3 +84,8 @@ class Sampled(Evaluation):
         if self._rates is None:
             self._rates = {name: self.carry(rate) for name, rate in self.exact.rates.items()}
         return self._rates
+
+    @property
+    def time_sign(self) -> int:
+        """Whether the time is real, as the exact evaluation finds it."""
+        return self.exact.time_sign

@@ -32,6 +32,11 @@ MARK = "dot"
 """How a derivative along the field is marked in formulas of a space."""
 
 
+LARGEST_EXPONENT = 64
+LARGEST_POWER = 6_000
+"""The largest degree of a power, and how many bits one of a number may have."""
+
+
 class FormatError(ValueError):
     """Something that has no place in a certificate, or a file that is none."""
 
@@ -65,7 +70,7 @@ def decode(tree: Tree) -> Formula:
     >>> decode(["D", "x_1"]) == Derivative(Name("x_1"), MARK)
     True
     """
-    if type(tree) is str:
+    if type(tree) is str and tree:
         return _name(tree)
     if type(tree) is int:
         return Number(tree) if tree >= 0 else Negative(Number(-tree))
@@ -75,8 +80,8 @@ def decode(tree: Tree) -> Formula:
     if op in _KINDS and op not in ("/", "D"):
         return _made(op, tuple(map(decode, parts)))
     match tree:
-        case ["^", base, int(exponent)]:
-            return Power(decode(base), Number(exponent))
+        case ["^", base, exponent]:
+            return _power(base, exponent)
         case ["d", str(name), argument]:
             return Partial(decode(argument), name)
         case ["D", argument]:
@@ -87,6 +92,31 @@ def decode(tree: Tree) -> Formula:
                 result = Quotient(result, decode(divisor))
             return result
     raise FormatError("a formula is expected")
+
+
+def whole(data: Tree) -> int:
+    """A small exponent; raises :class:`FormatError` for anything else."""
+    if type(data) is not int or not 0 <= data <= LARGEST_EXPONENT:
+        raise FormatError("a whole number is expected, no large one")
+    return data
+
+
+def _power(base: Tree, exponent: Tree) -> Formula:
+    formula = decode(base)
+    if whole(exponent) * _size(base) > LARGEST_POWER:
+        raise FormatError("a power is too large")
+    return Power(formula, Number(exponent))
+
+
+def _size(tree: Tree) -> int:
+    """A bound on the degree of a formula, or on the bits of a number."""
+    if not isinstance(tree, list):
+        return tree.bit_length() if isinstance(tree, int) else 1
+    op, *parts = tree
+    if op == "^":
+        return whole(parts[-1]) * _size(parts[0])
+    sizes = map(_size, parts)
+    return max(sizes, default=0) if op == "+" else sum(sizes)
 
 
 _name = cache(Name)

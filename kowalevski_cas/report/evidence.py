@@ -3,125 +3,118 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
-from kowalevski_cas.notation import Formula
+from kowalevski_cas.notation import Formula, Relation, to_plain
 from kowalevski_cas.report.alike import alike
+from kowalevski_cas.report.document import Block, Display, Emphasis, Paragraph, Text
+from kowalevski_cas.report.sentences import Phrases, listed
 from kowalevski_cas.systems import title
-from kowalevski_cas.verify.outcome import (
-    Condition,
-    Correction,
-    Counterexample,
-    Outcome,
-    Step,
-    Value,
-    Verdict,
-)
+from kowalevski_cas.verify.outcome import Condition, Outcome, Step
+
+LONG = 190
+"""How many letters a formula has at most that stands among sentences; another is folded away."""
 
 
-@dataclass(frozen=True)
 class Evidence:
-    """One thing to be said about one or more claims of a group.
+    """What is said about one claim, or about the rows of one display."""
 
-    ``ids`` names the claims, and is empty where it holds for the whole group.
-    """
+    def __init__(self, phrases: Phrases, rows: Sequence[Outcome]) -> None:
+        self.phrases, self.rows = phrases, rows
 
-    ids: tuple[str, ...]
-    step: Step | None = None
-    displays: tuple[Formula, ...] = ()
-    conditions: tuple[Condition, ...] = ()
-    counterexample: Counterexample | None = None
-    values: tuple[Values, ...] = ()
-    correction: Correction | None = None
-    corrected: tuple[str, ...] = ()
-    message: str = ""
-    disagreement: tuple[tuple[str, Verdict], ...] = ()
+    def first(self) -> Iterator[Block]:
+        """What a reader has to know: why it is false, what was meant, what it lacks."""
+        yield from self._counterexamples()
+        yield from self._corrections()
+        yield from self._missing()
+        for row in self.rows:
+            whose = self._whose((row.claim,))
+            if row.message:
+                yield Paragraph((*whose, *self.phrases.sentence(row.message)))
+            if len(set(row.verdicts.values())) > 1:
+                said = listed([(f"{title(n)} says {v}",) for n, v in row.verdicts.items()])
+                yield Paragraph((*whose, "The arithmetics disagree: ", *said, "."))
 
-    @property
-    def kind(self) -> str:
-        """The name of the field that is filled."""
-        kinds = (
-            "step", "conditions", "counterexample", "correction", "corrected", "disagreement"
-        )  # fmt: skip
-        return next((kind for kind in kinds if getattr(self, kind)), "message")
+    def steps(self) -> Iterator[Block]:
+        """What the program did: each sentence once, with the displays of all rows it is about."""
+        told = [(row.claim, step) for row in self.rows for step in row.steps]
+        for claims, ones in alike(told, lambda step: (step.words, step.point)):
+            told_of = [formula for step in ones for formula in step.formulas]
+            formulas = dict.fromkeys(formula for formula in told_of if not _empty(formula))
+            if told_of and not formulas:
+                continue
+            yield Paragraph(
+                (*self._whose(claims), *self._said(ones[0], bool(formulas))), leads=bool(formulas)
+            )
+            long = sum(len(to_plain(formula)) for formula in formulas) > LONG
+            if formulas:
+                yield Display(tuple(formulas), long=long)
 
+    def _said(self, step: Step, leads: bool) -> Text:
+        said = self.phrases.sentence(step.words, ":" if leads else ".")
+        return said if step.point is None else (*self.phrases.at(step.point), *said)
 
-@dataclass(frozen=True)
-class Values:
-    """The two values at one point, and the claims (none if there is one only) that have them."""
+    def _missing(self) -> Iterator[Block]:
+        """Hypotheses that are missing, those for the same reason together."""
+        having = [(row.claim, one) for row in self.rows for one in row.conditions if one.witness]
+        for claims, (condition, *_) in alike(having):
+            yield Paragraph((*self._whose(claims), *missing(self.phrases, condition)))
 
-    ids: tuple[str, ...]
-    left: Value
-    right: Value
+    def _counterexamples(self) -> Iterator[Block]:
+        """Each point once, with the values that the first of the rows has there."""
+        having = [(row.claim, row.counterexample) for row in self.rows if row.counterexample]
+        for claims, (one, *_) in alike(having, lambda one: (one.point, one.words)):
+            whose = self.phrases.link(claims[0]) if len(self.rows) > 1 else ()
+            of = (" to ", *whose) if whose else ()
+            head = Emphasis(("Counterexample", *of, "."))
+            yield Paragraph((head, " ", *self.phrases.values(one)))
 
+    def _corrections(self) -> Iterator[Block]:
+        """Corrections of the same kind together."""
+        having = [(row.claim, row.correction) for row in self.rows if row.correction]
+        for claims, ones in alike(having, lambda one: (one.words, one.verdict, one.conditions)):
+            one = ones[0]
+            formulas = tuple(formula for each in ones for formula in each.formulas)
+            what = "What was meant" if one.edit else "The nearest true statement"
+            said: Text = (
+                Emphasis((what,)),
+                *self._of(claims),
+                ": ",
+                *self.phrases.words(one.words),
+            )
+            if one.conditions:
+                said = (*said, "; it holds where ", *self.phrases.where(one.conditions))
+            if one.accepted:
+                said = (*said, ". What follows is read with it")
+            yield Paragraph((*said, "."), leads=bool(formulas))
+            if formulas:
+                yield Display(formulas, verdict=one.verdict)
+            for condition in one.conditions:
+                if condition.witness:
+                    yield Paragraph(missing(self.phrases, condition))
 
-def evidence(rows: Sequence[Outcome]) -> Iterator[Evidence]:
-    """What is to be said about one claim, or about the rows of one display."""
-    yield from _steps(rows)
-    yield from _corrected(rows)
-    yield from _conditions(rows)
-    yield from _counterexamples(rows)
-    yield from _corrections(rows)
-    for row in rows:
-        ids = (row.claim,) if len(rows) > 1 else ()
-        if row.message:
-            yield Evidence(ids, message=row.message)
-        if len(set(row.verdicts.values())) > 1:
-            named = tuple((title(name), verdict) for name, verdict in row.verdicts.items())
-            yield Evidence(ids, disagreement=named)
+    def _of(self, claims: Sequence[str]) -> Text:
+        whose = self._unless_all(claims)
+        return (" in ", *self.phrases.links(whose)) if whose else ()
 
+    def _whose(self, claims: Sequence[str]) -> Text:
+        whose = self._unless_all(claims)
+        return (*self.phrases.links(whose), ": ") if whose else ()
 
-def _steps(rows: Sequence[Outcome]) -> Iterator[Evidence]:
-    """Each sentence once, with the displays of all the rows that it is about."""
-    if len(rows) == 1:
-        yield from (Evidence((), step=step, displays=step.formulas) for step in rows[0].steps)
-        return
-    steps = [(row.claim, step) for row in rows for step in row.steps]
-    for claims, ones in alike(steps, lambda step: (step.words, step.point)):
-        displays = dict.fromkeys(formula for step in ones for formula in step.formulas)
-        yield Evidence(_unless_all(claims, rows), step=ones[0], displays=tuple(displays))
-
-
-def _corrected(rows: Sequence[Outcome]) -> Iterator[Evidence]:
-    """The corrections on which some of the rows rest, and not all."""
-    having = [(row.claim, row.corrected) for row in rows if row.corrected]
-    for claims, ones in alike(having):
-        if _unless_all(claims, rows):
-            yield Evidence(claims, corrected=ones[0])
-
-
-def _conditions(rows: Sequence[Outcome]) -> Iterator[Evidence]:
-    """Conditions once for the rows that have the same ones; those for the same reason together."""
-    having = [(row.claim, row.conditions) for row in rows if row.conditions]
-    for claims, (conditions, *_) in alike(having):
-        reasons = [("", one) for one in conditions]
-        for _, same in alike(reasons, lambda one: (one.words, one.witness)):
-            yield Evidence(_unless_all(claims, rows), conditions=same)
-
-
-def _counterexamples(rows: Sequence[Outcome]) -> Iterator[Evidence]:
-    """Each point once, with the values that the rows have there."""
-    having = [(row.claim, row.counterexample) for row in rows if row.counterexample]
-    for claims, ones in alike(having, lambda one: (one.point, one.words)):
-        sides = [(claim, (one.left, one.right)) for claim, one in zip(claims, ones, strict=True)]
-        values = tuple(
-            Values(same if len(rows) > 1 else (), *pair) for same, (pair, *_) in alike(sides)
-        )
-        yield Evidence((), counterexample=ones[0], values=values)
-
-
-def _corrections(rows: Sequence[Outcome]) -> Iterator[Evidence]:
-    """Corrections of the same kind together."""
-    having = [(row.claim, row.correction) for row in rows if row.correction]
-    for claims, ones in alike(having, lambda one: (one.words, one.verdict, one.conditions)):
-        yield Evidence(
-            _unless_all(claims, rows),
-            correction=ones[0],
-            displays=tuple(formula for one in ones for formula in one.formulas),
-        )
+    def _unless_all(self, claims: Sequence[str]) -> tuple[str, ...]:
+        """The claims, each once; none if they are all the rows there are."""
+        ids = tuple(dict.fromkeys(claims))
+        return () if len(ids) == len(self.rows) else ids
 
 
-def _unless_all(claims: Sequence[str], rows: Sequence[Outcome]) -> tuple[str, ...]:
-    """The claims, each once; no names if they are all the rows there are."""
-    ids = tuple(dict.fromkeys(claims))
-    return () if len(ids) == len(rows) else ids
+def _empty(formula: Formula) -> bool:
+    """Whether an equation says nothing, as 1 = 1."""
+    return isinstance(formula, Relation) and len({*formula.members}) == 1
+
+
+def missing(phrases: Phrases, condition: Condition) -> Text:
+    """A hypothesis that is missing, and a point where the statement fails without it."""
+    witness = phrases.values(condition.witness) if condition.witness else ()
+    return (
+        Emphasis(("A hypothesis is missing:",)), " ", *phrases.where((condition,)), ". ",
+        *phrases.sentence(condition.words), " ", *witness,
+    )  # fmt: skip

@@ -2,28 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.notation.latex import LATEX
-from kowalevski_cas.report.context import Report, report
+from kowalevski_cas.report.document import (
+    Claim,
+    Display,
+    Document,
+    Graph,
+    Heading,
+    Items,
+    Link,
+    Paragraph,
+    Shown,
+    Table,
+    Text,
+    paged,
+)
 from kowalevski_cas.report.escaping import ascii_only, escaped
 from kowalevski_cas.report.graph.tikz import tikz
-from kowalevski_cas.report.names import anchor
-from kowalevski_cas.report.plates import Plate
+from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.setting import Setter
-from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.report.writer import Writer
-from kowalevski_cas.verify.outcome import Run
+from kowalevski_cas.verify.outcome import Verdict
 
 
-def render_latex(
-    run: Run,
-    plates: tuple[Plate, ...] = (),
-    certified: Mapping[str, str] | None = None,
-    programs: tuple[Witness, ...] = (),
-) -> str:
-    """The report of a run as a LaTeX document, with what other commands made and confirmed."""
-    return LatexWriter(report(run, certified, programs)).write(plates)
+def render_latex(document: Document) -> str:
+    """The document as LaTeX."""
+    return LatexWriter().write(paged(document))
 
 
 class LatexSetter(Setter):
@@ -42,44 +49,115 @@ class LatexSetter(Setter):
         space = r"\quad " * (indent % 2) + r"\qquad " * (indent // 2)
         return f"{left} & {space}{'{} ' if leads else ''}{right}".strip()
 
-    def left_out(self, lines: int) -> str:
-        return rf"& \quad {{}} + \cdots \quad\text{{({lines} more lines)}}"
-
     def lines(self, lines: Sequence[str]) -> str:
         body = " \\\\\n".join(lines)
         return f"\\begin{{aligned}}\n{body}\n\\end{{aligned}}"
 
 
 class LatexWriter(Writer):
-    """The report in LaTeX."""
+    """The document in LaTeX."""
 
-    suffix, space = "tex", r"\,"
+    page = "page.tex"
     setter = LatexSetter()
+
+    def parts(self, document: Document) -> dict[str, str]:
+        properties = {"property": ascii_only(document.title)}
+        return {**super().parts(document), **properties}
 
     def escaped(self, text: str) -> str:
         return escaped(text)
 
-    def property(self, text: str) -> str:
-        return ascii_only(text)
+    def subtitle(self, text: str) -> str:
+        return rf"{text}\par"
 
-    def within(self, mathematics: str) -> str:
-        return f"${mathematics}$"
+    def marks(self) -> str:
+        return "\n".join(
+            rf"\definecolor{{{v}}}{{HTML}}{{{mark.colour}}}"
+            rf"\expandafter\def\csname sign.{v}\endcsname{{{mark.tex}}}"
+            for v, mark in MARKS.items()
+        )
 
-    def displayed(self, mathematics: str) -> str:
-        return f"\\[\n\\fit{{{mathematics}}}\n\\]"
+    def formula(self, formula: Formula) -> str:
+        return f"${self.setter.inline(formula)}$"
 
-    def in_cell(self, mathematics: str) -> str:
-        """The first of several lines stands beside the other cells."""
-        first = mathematics.replace(r"\begin{aligned}", r"\begin{aligned}[t]", 1)
-        return f"\\cell{{{first}}}"
+    def code(self, text: str) -> str:
+        return rf"\texttt{{{escaped(' '.join(text.split()))}}}"
 
-    def verbatim(self, source: str) -> str:
-        return rf"\texttt{{{escaped(' '.join(source.split()))}}}"
+    def sign(self, verdict: Verdict) -> str:
+        return rf"\Sign{{{verdict}}}"
 
-    def linked(self, claim: str) -> str:
-        return rf"\hyperlink{{claim.{anchor(claim)}}}{{\texttt{{{escaped(claim)}}}}}"
+    def link(self, link: Link) -> str:
+        text = self.text(link.text)
+        if link.outside:
+            return rf"\href{{run:{link.target}}}{{{text}}}"
+        return rf"\hyperlink{{{link.target}}}{{{text}}}"
 
-    def picture(self, report: Report) -> str:
-        scale = f"{report.picture.scale:.3f}"
-        drawn = f"\\begin{{tikzpicture}}[x=1mm,y=1mm]\n{tikz(report.picture)}\n\\end{{tikzpicture}}"
-        return rf"\scalebox{{{scale}}}{{{drawn}}}"
+    def emphasis(self, text: str, strong: bool) -> str:
+        return rf"\textbf{{{text}}}" if strong else rf"\emph{{{text}}}"
+
+    def heading(self, block: Heading) -> str:
+        name = ("section", "subsection")[block.level - 1]
+        text = self.text(block.text)
+        return f"\n\\{name}[{text}]{{{self._place(block.anchor)}{text}}}\n"
+
+    def paragraph(self, block: Paragraph) -> str:
+        stays = r"\nopagebreak" if block.leads else ""
+        text = self.text(block.text)
+        kind = {"lead": r"\large ", "note": r"\small "}.get(block.kind, "")
+        return f"\n{{{kind}{self._place(block.anchor)}{text}\\par}}{stays}\n"
+
+    def display(self, block: Display) -> str:
+        if block.formulas:
+            mathematics = self.setter.display(block.formulas, self.room)
+            shown = rf"\fit{{{mathematics}}}"
+        else:
+            shown = self.code(block.source)
+        if block.struck:  # a line through fractions would be one of them
+            high = "aligned" in shown or r"\frac" in shown
+            shown = rf"\{'Wrong' if high else 'Struck'}{{{shown}}}"
+        sign = rf"\Sign{{{block.verdict}}}" if block.verdict else ""
+        label = self._place(block.anchor) + self.text(block.label)
+        return f"\\Shown{{{sign}}}{{{shown}}}{{{label}}}"
+
+    def claim(self, block: Claim) -> str:
+        sign = rf"\Sign{{{block.verdict}}}" if block.verdict else ""
+        head = self._place(block.anchor) + self.text(block.head)
+        inner = self.blocks(block.blocks)
+        if block.folded:
+            inner += f"\n{{\\small {self.blocks(block.folded)}}}"
+        return f"\n\\Claim{{{sign}}}{{{head}}}{{{self.text(block.label)}}}\n{inner}\n"
+
+    @staticmethod
+    def _place(anchor: str) -> str:
+        return rf"\Place{{{anchor}}}" if anchor else ""
+
+    def items(self, block: Items) -> str:
+        name = "enumerate" if block.numbered else "itemize"
+        items = "\n".join(f"\\item {self.blocks(item)}" for item in block.items)
+        return f"\n\\begin{{{name}}}\n{items}\n\\end{{{name}}}\n"
+
+    def table(self, block: Table) -> str:
+        columns = "".join(
+            rf">{{\raggedright\arraybackslash}}p{{{part}\linewidth}}" for part in block.columns
+        )
+        rows = "\n".join(self._row(row) for row in block.rows)
+        return (
+            f"\n\\begin{{longtable}}{{@{{}}{columns}@{{}}}}\n\\toprule\n{self._row(block.head)}\n"
+            f"\\midrule\n\\endhead\n{rows}\n\\bottomrule\n\\end{{longtable}}\n"
+        )
+
+    def _row(self, row: Sequence[Text]) -> str:
+        return " & ".join(map(self.text, row)) + r" \\"
+
+    def graph(self, block: Graph) -> str:
+        scale, drawn = f"{block.picture.scale:.3f}", tikz(block.picture)
+        return (
+            f"\n\\scalebox{{{scale}}}{{\\begin{{tikzpicture}}[x=1mm,y=1mm]\n{drawn}\n"
+            "\\end{tikzpicture}}\n"
+        )
+
+    def shown(self, block: Shown) -> str:
+        return (
+            f"\n\\begin{{plate}}\n\\includegraphics[width=\\linewidth]{{{block.plate.place}.png}}\n\n"
+            f"{self.text(block.caption)}\n\\end{{plate}}\n"
+        )

@@ -10,38 +10,32 @@ from kowalevski_cas.verify.outcome import Verdict
 
 @dataclass(frozen=True)
 class Mark:
-    """The sign of a verdict in text, in LaTeX and in Typst, its colour, and what it means."""
+    """The word and the sign of a verdict, in LaTeX and Typst too, its colours, what it means."""
 
+    word: str
     sign: str
     tex: str
     typst: str
     colour: str
+    on_black: str
     meaning: str
 
 
 MARKS: Final[dict[Verdict, Mark]] = {
-    Verdict.PROVED: Mark(
-        "✓", r"$\checkmark$", "$checkmark$", "1F5C3A", "true as printed, by an exact computation"
-    ),
-    Verdict.CONDITIONAL: Mark(
-        "(✓)",
-        r"$(\checkmark)$",
-        "$(checkmark)$",
-        "8A5A00",
-        "true where the named expressions are not zero; what happens elsewhere is said",
-    ),
-    Verdict.PROBABLE: Mark(
-        "≈", r"$\approx$", "$approx$", "555555", "true but for a named chance of error"
-    ),
-    Verdict.ENCLOSED: Mark("±", r"$\pm$", "$plus.minus$", "555555", "true within a named radius"),
-    Verdict.REFUTED: Mark(
-        "×",
-        r"$\boldsymbol{\times}$",
-        "$bold(times)$",
-        "A3201D",
-        "false as printed, shown by an exact point at which it fails",
-    ),
-    Verdict.UNDECIDED: Mark("?", r"?", "?", "555555", "neither proved nor refuted"),
-    Verdict.TIMEOUT: Mark("…", r"\dots", "…", "555555", "not decided in the time allowed"),
-    Verdict.ERROR: Mark("!", r"!", "!", "555555", "not decided, because something went wrong"),
-}
+    Verdict.PROVED: Mark("holds", "✓", r"$\checkmark$", "$checkmark$", "1F5C3A", "7BC99B",
+        "holds"),
+    Verdict.CONDITIONAL: Mark("holds if", "(✓)", r"$(\checkmark)$", "$(checkmark)$", "8A5A00",
+        "E0B050", "holds under a condition that is named"),
+    Verdict.PROBABLE: Mark("probable", "≈", r"$\approx$", "$approx$", "555555", "AAAAAA",
+        "holds but for a named chance of error"),
+    Verdict.ENCLOSED: Mark("enclosed", "±", r"$\pm$", "$plus.minus$", "555555", "AAAAAA",
+        "holds within a named radius"),
+    Verdict.REFUTED: Mark("false as printed", "✗", r"$\boldsymbol{\times}$", "$bold(times)$",
+        "A3201D", "FF8A80", "is false as printed: it fails at a point that is given"),
+    Verdict.UNDECIDED: Mark("undecided", "?", r"?", "?", "555555", "AAAAAA",
+        "is neither proved nor refuted"),
+    Verdict.TIMEOUT: Mark("timeout", "…", r"\dots", "…", "555555", "AAAAAA",
+        "was not decided in the time allowed"),
+    Verdict.ERROR: Mark("error", "!", r"!", "!", "555555", "AAAAAA",
+        "was not decided, because something went wrong"),
+}  # fmt: skip

@@ -1,4 +1,4 @@
-"""From a run to files: LaTeX, and PDF by TeX where there is one, else by Typst."""
+"""From a run to files: HTML, LaTeX, and PDF by TeX where there is one, else by Typst."""
 
 from __future__ import annotations
 
@@ -7,15 +7,19 @@ import re
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Literal
 
 from kowalevski_cas.files import write
-from kowalevski_cas.report.context import report
+from kowalevski_cas.report.contents import contents
+from kowalevski_cas.report.document import drawing
+from kowalevski_cas.report.facts import facts
 from kowalevski_cas.report.graph.svg import svg
+from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.latex import render_latex
+from kowalevski_cas.report.places import Section
 from kowalevski_cas.report.plates import Plate, copy_plates, plates
 from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.report.witnesses import programs
@@ -34,6 +38,7 @@ class ReportError(Exception):
 class Written:
     """The files of a report, the engine that made the PDF, and what is worth telling."""
 
+    html: Path
     tex: Path
     pdf: Path
     engine: Literal["latex", "typst"]
@@ -41,9 +46,14 @@ class Written:
 
 
 def write_report(
-    run: Run, folder: Path, certified: Mapping[str, str] | None = None, *, engine: Engine = "auto"
+    run: Run,
+    sections: Sequence[Section],
+    folder: Path,
+    certified: Mapping[str, str] | None = None,
+    *,
+    engine: Engine = "auto",
 ) -> Written:
-    """Write ``<derivation>.tex`` and ``<derivation>.pdf`` into a folder.
+    """Write a report into a folder, as HTML, LaTeX and PDF, and the facts behind it as JSON.
 
     Each file appears whole or not at all: a failure or an interrupt leaves an earlier one as it
     was. With ``engine="auto"`` LaTeX makes the PDF where it is installed and complete, else Typst.
@@ -51,34 +61,32 @@ def write_report(
     which programs confirmed its certificates (:mod:`.witnesses`).
 
     Raises:
-        ReportError: if no PDF can be made; the ``.tex`` is written by then.
+        ReportError: if no PDF can be made; the other files are written by then.
         OSError: if a file cannot be written.
     """
-    tex = folder / f"{run.derivation}.tex"
-    shown = plates(folder, run.derivation)
     certified = certified or {}
+    shown = plates(folder, run.derivation)
     told = programs(folder, run.derivation, certified)
-    source = render_latex(run, shown, certified, told)
+    document = contents(run, sections, certified, told, shown)
+    source = render_latex(document)
+    html, tex, pdf, data = (
+        folder / f"{run.derivation}.{s}" for s in ("html", "tex", "pdf", "json")
+    )
+    write(data, facts(run, certified, told))
+    write(html, render_html(document, folder))
     write(tex, source)
-    notes: list[str] = []
+    notes: tuple[str, ...] = ()
     if engine == "latex" or (engine == "auto" and latex_command()):
         try:
-            return _written(tex, latex_pdf(source, shown, folder), "latex", notes)
+            write(pdf, latex_pdf(source, shown, folder))
+            return Written(html, tex, pdf, "latex")
         except ReportError as error:
             if engine == "latex":
                 raise
-            notes.append(f"{error} The PDF was made by Typst instead.")
-    source = render_typst(run, shown, certified, told)
-    picture = svg(report(run).picture)
-    return _written(tex, typst_pdf(source, picture, shown, folder), "typst", notes)
-
-
-def _written(
-    tex: Path, content: bytes, engine: Literal["latex", "typst"], notes: list[str]
-) -> Written:
-    pdf = tex.with_suffix(".pdf")
-    write(pdf, content)
-    return Written(tex, pdf, engine, tuple(notes))
+            notes = (f"{error} The PDF was made by Typst instead.",)
+    picture = svg(drawing(document))
+    write(pdf, typst_pdf(render_typst(document), picture, shown, folder))
+    return Written(html, tex, pdf, "typst", notes)
 
 
 # ------------------------------------------------------------------------ LaTeX

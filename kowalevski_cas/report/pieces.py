@@ -56,7 +56,7 @@ def _pieces(formula: Formula, printer: Printer) -> Iterator[Piece]:
         case Sum(terms):
             for k, term in enumerate(terms):
                 if k and not isinstance(term, Negative):
-                    yield Piece("+", _SIGN + _AROUND, "sign")
+                    yield Piece(printer.plus, _SIGN + _AROUND, "sign")
                 yield from _within(term, _ADDED, printer)
         case Negative(argument):
             yield Piece(printer.minus, _SIGN + _AROUND, "sign")
@@ -64,7 +64,7 @@ def _pieces(formula: Formula, printer: Printer) -> Iterator[Piece]:
         case Product(factors):
             for k, factor in enumerate(factors):
                 first, *others = _within(factor, COMPOUND, printer)
-                if k and first.text[0].isdigit():
+                if k and printer.begins_with_number(first.text):
                     first = replace(first, text=printer.times + first.text)
                 yield first
                 yield from others

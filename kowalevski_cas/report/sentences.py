@@ -1,89 +1,130 @@
-"""Counts and lists in words, and the two sentences with which a report begins."""
+"""The phrases of a report: lists, links, points, values, conditions."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Final
 
-from kowalevski_cas.report.sections import count
-from kowalevski_cas.systems import title
-from kowalevski_cas.verify.outcome import Run, Verdict
+from kowalevski_cas.notation import Formula, Number, Relation, Vocabulary, read_prose
+from kowalevski_cas.report.document import Code, Link, Text
+from kowalevski_cas.report.names import anchor
+from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
+
+ZERO: Final = Number(0)
 
 
-def listed(items: Sequence[str], last: str = "and") -> str:
+def listed(items: Sequence[Text], last: str = " and ") -> Text:
     """A list in words.
 
-    >>> listed(["one", "two", "three"])
-    'one, two and three'
+    >>> listed([("one",), ("two",), ("three",)])
+    ('one', ', ', 'two', ' and ', 'three')
     """
-    return f" {last} ".join(filter(None, [", ".join(items[:-1]), *items[-1:]]))
+    text: Text = ()
+    for k, item in enumerate(items):
+        text += ((last if k == len(items) - 1 else ", ",) if k else ()) + item
+    return text
 
 
-def number(many: int) -> str:
+def in_words(many: int) -> str:
     """A number in words, as far as they are shorter."""
     names = "no one two three four five six seven eight nine ten eleven twelve".split()
     return names[many] if many < len(names) else str(many)
 
 
-def _are(many: int) -> str:
-    return f"{many} is" if many == 1 else f"{many} are"
+def counted(many: int, one: str, more: str = "") -> str:
+    """How many there are.
+
+    >>> counted(1, "misprint"), counted(13, "misprint")
+    ('one misprint', '13 misprints')
+    """
+    return f"{in_words(many)} {one if many == 1 else more or one + 's'}"
 
 
-def opening(run: Run) -> tuple[str, str]:
-    """What was found, and how."""
-    return _found(run), _how(run)
+def capital(text: str) -> str:
+    """The text with a capital at its beginning."""
+    return text[:1].upper() + text[1:]
 
 
-def _found(run: Run) -> str:
-    counts = count(run.outcomes)
-    total = len(run.outcomes)
-    proved, conditional = counts[Verdict.PROVED], counts[Verdict.CONDITIONAL]
-    refuted = counts[Verdict.REFUTED]
-    if not total:
-        return "Nothing was selected, so nothing is said."
-    if proved == total:
-        many = "The one statement is" if total == 1 else f"All {total} formulas and statements are"
-        return f"{many} proved as printed."
-    parts = [f"{_are(proved)} proved as printed"]
-    if conditional:
-        hold = "holds" if conditional == 1 else "hold"
-        parts.append(f"{conditional} {hold} under a condition that is named here")
-    if refuted:
-        parts.append(f"{_are(refuted)} refuted by an exact point")
-    for verdict, what in (
-        (Verdict.PROBABLE, "established but for a named chance of error"),
-        (Verdict.ENCLOSED, "established within a named radius"),
-    ):
-        if counts[verdict]:
-            parts.append(f"{_are(counts[verdict])} {what}")
-    if open_ := sum(counts[v] for v in (Verdict.UNDECIDED, Verdict.TIMEOUT, Verdict.ERROR)):
-        parts.append(f"{_are(open_)} left undecided")
-    return f"Of {total} formulas and statements, {listed(parts)}."
+def capitalised(text: Text) -> Text:
+    """The text with a capital, where it begins with a word."""
+    if text and isinstance(text[0], str):
+        return (capital(text[0]), *text[1:])
+    return text
 
 
-def _how(run: Run) -> str:
-    refuted = [o for o in run.outcomes if o.verdict is Verdict.REFUTED]
-    mended = sum(o.correction is not None and o.correction.verdict.green for o in refuted)
-    names = listed([title(a) for a in run.arithmetics])
-    decided = [o for o in run.outcomes if o.verdicts]
-    agreed = [o for o in decided if len(set(o.verdicts.values())) == 1]
-    if len(decided) > len(agreed):
-        disputed = listed([o.claim for o in decided if o not in agreed])
-        how = f"the arithmetics disagree about {disputed}"
-    elif len(run.arithmetics) > 1:
-        every = [o for o in agreed if set(o.verdicts) >= set(run.arithmetics)]
-        if len(run.outcomes) == 1:
-            what = "the verdict was"
-        elif len(every) == len(run.outcomes):
-            what = "every verdict was"
+def chain(members: Sequence[Formula]) -> Formula:
+    """An equality of several members."""
+    if len(members) == 1:
+        return members[0]
+    return Relation(tuple(members), ("=",) * (len(members) - 1))
+
+
+def nonzero(formula: Formula) -> Formula:
+    """That a formula is not zero."""
+    return Relation((formula, ZERO), (r"\ne",))
+
+
+class Phrases:
+    """Phrases in the vocabulary of a paper; ``names`` has the equations' numbers of claims."""
+
+    def __init__(
+        self, vocabulary: Vocabulary, claims: Iterable[str], names: Mapping[str, str]
+    ) -> None:
+        self.vocabulary, self.claims, self.names = vocabulary, frozenset(claims), names
+
+    def words(self, text: str) -> Text:
+        """Words with mathematics between dollars."""
+        return read_prose(text, self.vocabulary)
+
+    def sentence(self, text: str, end: str = ".") -> Text:
+        """Words that begin with a capital, where they begin with a letter, and come to an end."""
+        text = text.strip()
+        stop = "" if text.endswith((".", "!", "?", ":")) else end
+        return self.words(capital(text) + stop) if text else ()
+
+    def name(self, claim: str) -> Text:
+        """What a claim is called: by the number of its equation, if it has one."""
+        return (self.names[claim],) if claim in self.names else (Code(claim),)
+
+    def link(self, claim: str) -> Text:
+        """The name of a claim, with a link if the report treats it."""
+        if claim not in self.claims:
+            return self.name(claim)
+        return (Link(f"claim.{anchor(claim)}", self.name(claim)),)
+
+    def links(self, claims: Iterable[str]) -> Text:
+        """The names of several claims."""
+        return listed([self.link(claim) for claim in claims])
+
+    def where(self, conditions: Iterable[Condition]) -> Text:
+        """What several conditions say."""
+        return listed([(nonzero(condition.expression),) for condition in conditions])
+
+    def values(self, found: Counterexample) -> Text:
+        """A point and the two values there, as a sentence."""
+        both = (found.left, found.right)
+        if found.words:
+            said = (*self.words(found.words), ": ", both[0], " and ", both[1], ".")
         else:
-            what = f"{len(every)} of the verdicts {'was' if len(every) == 1 else 'were'}"
-        how = f"{what} reached by each of {names} on its own, without a disagreement"
-    else:
-        how = f"the arithmetic is {names or 'exact'}"
-    if not refuted:
-        return how[0].upper() + how[1:] + "."
-    if mended == len(refuted):
-        which = "the refuted one" if len(refuted) == 1 else "each of the refuted ones"
-    else:
-        which = f"{mended or 'none'} of the {len(refuted)} refuted"
-    return f"For {which} the nearest true statement was found and proved; {how}."
+            said = ("the left side is ", both[0], ", the right side ", both[1], ".")
+        return capitalised((*self.at(found.point), *said))
+
+    @staticmethod
+    def at(at: Point) -> Text:
+        """``At`` and the coordinates of a point, equal ones together."""
+        equal: dict[Value, list[Formula]] = {}
+        for name, value in at.values.items():
+            if name != value:
+                equal.setdefault(value, []).append(name)
+        items: list[Text] = []
+        rest = False
+        for value, names in equal.items():
+            if value == ZERO and len(equal) > 1 and len(names) > 3:
+                rest = True
+            elif isinstance(value, str):
+                items.append((chain(names), f" = {value}"))
+            else:
+                items.append((chain([*names, value]),))
+        if rest:
+            items.append(("the other variables ", ZERO))
+        return ("At ", *listed(items, ", "), ": ") if items else ()

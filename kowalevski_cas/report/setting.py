@@ -12,7 +12,6 @@ from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.report.breaking import Line, broken
 from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
 
-_LONGEST: Final = 12
 _GAP: Final = 1.5
 
 
@@ -36,10 +35,6 @@ class Setter(ABC):
         """A line; one that ``leads`` with a sign continues the one above."""
 
     @abstractmethod
-    def left_out(self, lines: int) -> str:
-        """A line that stands for others."""
-
-    @abstractmethod
     def lines(self, lines: Sequence[str]) -> str:
         """Several lines one under the other."""
 
@@ -47,11 +42,8 @@ class Setter(ABC):
         """The formula within a line."""
         return self.printer.finished(self.printer(formula))
 
-    def display(self, formulas: Sequence[Formula], room: float, *, shorten: bool = False) -> str:
-        """The inside of a display: formulas in lines no wider than ``room`` em.
-
-        With ``shorten`` dots stand for the middle of a high display.
-        """
+    def display(self, formulas: Sequence[Formula], room: float) -> str:
+        """The inside of a display: formulas in lines no wider than ``room`` em."""
         room *= 0.97  # estimates are good to a few per cent
         rows = [pieces(formula, self.printer) for formula in formulas]
         if sum(map(measured, rows)) + _GAP * (len(rows) - 1) <= room:
@@ -66,9 +58,6 @@ class Setter(ABC):
             )
             for line in lines
         ]
-        if shorten and len(shown) > _LONGEST:
-            gone = len(shown) - _LONGEST + 1
-            shown = [*shown[: _LONGEST - 2], self.left_out(gone), shown[-1]]
         return self.printer.finished(self.lines(shown))
 
     def _joined(self, row: Sequence[Piece]) -> str:

@@ -3,29 +3,35 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Final
 
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.notation.typst import TYPST
-from kowalevski_cas.report.context import Report, report
-from kowalevski_cas.report.names import anchor
-from kowalevski_cas.report.plates import Plate
+from kowalevski_cas.report.document import (
+    Claim,
+    Display,
+    Document,
+    Graph,
+    Heading,
+    Items,
+    Link,
+    Paragraph,
+    Shown,
+    Table,
+    paged,
+)
+from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.setting import Setter
-from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.report.writer import Writer
-from kowalevski_cas.verify.outcome import Run
+from kowalevski_cas.verify.outcome import Verdict
 
 _SPECIAL: Final = re.compile(r"([\\#$*_`@<>\[\]~=/])")
 
 
-def render_typst(
-    run: Run,
-    plates: tuple[Plate, ...] = (),
-    certified: Mapping[str, str] | None = None,
-    programs: tuple[Witness, ...] = (),
-) -> str:
-    """The same report as a Typst document; its picture is a file of its own beside it."""
-    return TypstWriter(report(run, certified, programs)).write(plates)
+def render_typst(document: Document) -> str:
+    """The document as Typst; the picture of what rests on what is a file of its own beside it."""
+    return TypstWriter().write(paged(document))
 
 
 class TypstSetter(Setter):
@@ -45,9 +51,6 @@ class TypstSetter(Setter):
         nothing = '"" ' if leads else ""
         return f"{left} & {'quad ' * indent}{nothing}{right}".strip()
 
-    def left_out(self, lines: int) -> str:
-        return f'& quad "" + dots.c quad "({lines} more lines)"'
-
     def lines(self, lines: Sequence[str]) -> str:
         return " \\\n".join(lines)
 
@@ -58,37 +61,86 @@ def _alone(bracket: str, tall: bool) -> str:
 
 
 class TypstWriter(Writer):
-    """The report in Typst."""
+    """The document in Typst."""
 
-    suffix, space = "typ", "\u2009"
+    page = "page.typ"
     setter = TypstSetter()
 
     def escaped(self, text: str) -> str:
         return _SPECIAL.sub(r"\\\1", text)
 
-    def property(self, text: str) -> str:
-        return self.words(text)
+    def subtitle(self, text: str) -> str:
+        return f"#origin[{text}]"
 
-    def within(self, mathematics: str) -> str:
-        return f"${mathematics}$"
+    def marks(self) -> str:
+        return "\n".join(
+            f'  "{v}": ([{mark.typst}], rgb("#{mark.colour}")),' for v, mark in MARKS.items()
+        )
 
-    def displayed(self, mathematics: str) -> str:
-        return f"#display($ {mathematics} $)"
+    def formula(self, formula: Formula) -> str:
+        return f"${self.setter.inline(formula)}$"
 
-    def in_cell(self, mathematics: str) -> str:
-        return f"#cell($ {mathematics} $)"
+    def code(self, text: str) -> str:
+        return f"#raw({_quoted(' '.join(text.split()))});"
 
-    def verbatim(self, source: str) -> str:
-        return f"#raw({quoted(' '.join(source.split()))})"
+    def sign(self, verdict: Verdict) -> str:
+        return f'#sign("{verdict}");'
 
-    def linked(self, claim: str) -> str:
-        return f"#link(<claim.{anchor(claim)}>, raw({quoted(claim)}));"
+    def link(self, link: Link) -> str:
+        target = _quoted(link.target) if link.outside else f"<{link.target}>"
+        return f"#link({target})[{self.text(link.text)}];"
 
-    def picture(self, report: Report) -> str:
+    def emphasis(self, text: str, strong: bool) -> str:
+        return f"#{'strong' if strong else 'emph'}[{text}];"
+
+    def heading(self, block: Heading) -> str:
+        return f"\n{'=' * block.level} {self.text(block.text)} <{block.anchor}>\n"
+
+    def paragraph(self, block: Paragraph) -> str:
+        kind = "leads" if block.leads else block.kind or "plain"
+        place = f" <{block.anchor}>" if block.anchor else ""
+        return f"#{kind}[{self.text(block.text)}]{place}"
+
+    def display(self, block: Display) -> str:
+        shown = f"#code({_quoted(' '.join(block.source.split()))})"
+        if block.formulas:
+            shown = f"$ {self.setter.display(block.formulas, self.room)} $"
+        name = f'"{block.verdict}"' if block.verdict else "none"
+        place = f" <{block.anchor}>" if block.anchor else ""
+        high = "\n" in shown or "frac(" in shown  # a line through fractions would be one of them
+        struck = f", wrong: {'red' if high else 'struck'}" if block.struck else ""
+        label = self.text(block.label)
+        return f"#shown({name}, [{label}]{struck})[{shown}]{place}"
+
+    def claim(self, block: Claim) -> str:
+        name = f'"{block.verdict}"' if block.verdict else "none"
+        place = f"<{block.anchor}>" if block.anchor else "none"
+        inner = f"{self.blocks(block.blocks)}\n#did[\n{self.blocks(block.folded)}\n]"
+        head, label = self.text(block.head), self.text(block.label)
+        return f"\n#claim({name}, {place}, [{head}], [{label}])\n{inner}\n"
+
+    def items(self, block: Items) -> str:
+        name = "enum" if block.numbered else "list"
+        return f"#{name}({', '.join(f'[{self.blocks(item)}]' for item in block.items)})"
+
+    def table(self, block: Table) -> str:
+        widths = ", ".join(f"{part}fr" for part in block.columns)
+        head = ", ".join(f"[{self.text(cell)}]" for cell in block.head)
+        rows = "\n".join(
+            "  " + " ".join(f"[{self.text(cell)}]," for cell in row) for row in block.rows
+        )
+        return f"#ruled(({widths},), ({head},),\n{rows}\n)"
+
+    def graph(self, block: Graph) -> str:
         return '#image("picture.svg")'
 
+    def shown(self, block: Shown) -> str:
+        return (
+            f'#plate(image("{block.plate.place}.png", width: 100%), [{self.text(block.caption)}])'
+        )
 
-def quoted(text: str) -> str:
+
+def _quoted(text: str) -> str:
     """A string of Typst."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
     return f'"{escaped}"'

@@ -11,10 +11,11 @@ from kowalevski_cas.algebra.present import formula_in, fraction_formula
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
-from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
+from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
-from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.numbers import linear_combination, solved_numbers
@@ -166,11 +167,11 @@ def _no_numbers(
     names = finder.names(one.space)
     rows: list[list[Fraction]] = []
     candidates: list[Candidate] = []
-    for point in islice(real_points(at), 40 * WEIGHTED):
+    for point in islice(real_points(at, names), 40 * WEIGHTED):
         candidate = Candidate(at, point)
         try:
             values = [rational_terms(candidate(element)) for element in elements]
-            Place(at, candidate.point(names))
+            candidate.point(names)
         except (ZeroDivisionError, Misplaced):
             continue
         if all(value is not None for value in values):

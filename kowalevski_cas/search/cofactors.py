@@ -8,6 +8,7 @@ from fractions import Fraction
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.tower import Element, Ring
+from kowalevski_cas.search.ansatz import combination
 
 Monomial = tuple[int, ...]
 Split = dict[Monomial, fmpq_mpoly]
@@ -24,13 +25,17 @@ def cofactors(
     the division multiplies stay in the denominators of the result, and are the
     conditions under which it holds. A multiple of one generator is recognised
     first; then come all variables together (this division needs no condition),
-    and each of the sets in ``main``.
+    and each of the sets in ``main``; then a combination whose coefficients are solved for.
     """
-    flat = _Flat(target.ring)
+    flat = Flat(target.ring)
     contents, numerators = zip(*(flat.without_roots(g) for g in generators), strict=True)
     dividend = flat.polynomial(target)
     sets = [tuple(range(flat.size)), *(flat.indices(names) for names in main)]
     found = _divide_in_turn(dividend, numerators, sets, flat.relations(), depth=2)
+    if found is None and len(numerators) > 1:
+        combined = combination(dividend, [*numerators, *flat.relations(among=numerators)])
+        if combined is not None:
+            found = flat.context.constant(1), combined[: len(numerators)]
     if found is None and len(numerators) > 1:
         order = sorted(range(len(numerators)), key=lambda k: len(numerators[k]))
         reduced, steps = _autoreduced([numerators[k] for k in order])
@@ -50,7 +55,7 @@ def cofactors(
     ]
 
 
-class _Flat:
+class Flat:
     """The ring of a tower with its roots as ordinary variables.
 
     The roots come first, the last one foremost, so that in lexicographic order
@@ -68,11 +73,12 @@ class _Flat:
         order = (*reversed(self.ring.roots), *self.ring.polynomials.generators)
         return tuple(order.index(name) for name in names if name in order)
 
-    def relations(self) -> list[fmpq_mpoly]:
-        """The equations of the roots, those of the last ones first."""
+    def relations(self, among: Sequence[fmpq_mpoly] | None = None) -> list[fmpq_mpoly]:
+        """The equations of the roots, of those in given polynomials; the last ones first."""
         return [
             self.context.gens()[self.roots - 1 - bit] ** 2 - self.polynomial(radicand)
             for bit, radicand in reversed(list(enumerate(self.ring.radicands)))
+            if among is None or any(p.degrees()[self.roots - 1 - bit] for p in among)
         ]
 
     def polynomial(self, element: Element) -> fmpq_mpoly:

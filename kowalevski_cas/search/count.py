@@ -375,7 +375,7 @@ def more_solutions(
     system = system_of(goal, at)
     if system is None:
         return None
-    granted = [at.scalar(formula) for formula in at.setting.nonzero]
+    granted = at.granted
 
     def usable(values: Values) -> bool:
         constants = constants_for(system, values)

@@ -24,8 +24,9 @@ from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.problem.evaluate import Evaluation, rational_terms
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Point, Proof, Shown
+from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.cases import Case, Splitter
@@ -247,7 +248,9 @@ class Critical:
         sections: Iterator[list[Element]] | tuple[list[Element], ...],
     ) -> Point | None:
         for section in sections:
-            for point in islice(real_points(self.at, [*zero, *section], self.granted), TRIES):
+            for point in islice(
+                real_points(self.at, self.names, [*zero, *section], self.granted), TRIES
+            ):
                 candidate = Candidate(self.at, point)
                 if good(candidate) and not any(candidate(g).is_zero for g in self.granted):
                     try:

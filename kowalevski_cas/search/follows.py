@@ -12,9 +12,8 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.accept import is_real
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Proof, Shown
-from kowalevski_cas.problem.goals import (
-    Follows,
-)
+from kowalevski_cas.problem.goals import Follows
+from kowalevski_cas.problem.place import Place
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.place import Candidate, PointFinder
 
@@ -26,26 +25,40 @@ class FollowsFinder(PointFinder):
     """Evidence that equations follow from others, or fail where these hold."""
 
     def shown(self, goal: Follows, at: Evaluation) -> Shown | None:
-        """A proof by cofactors, and a point of the hypotheses."""
+        """A point of the hypotheses at which the goal holds, and a proof by cofactors.
+
+        Without a point nobody looks for a proof, nor where the goal fails at all points in
+        general position: at the first one, if nothing is given.
+        """
         known = at.differences(goal.given)
-        goals = alternatives(goal, at)
-        found = rows_of(goals, known, goal.main)
+        conclusions = [at.differences(one) for one in goal.conclusions]
+        here = known if conclusions else ()
+        divided = [*known, *(e for one in goal.conclusions for p in at.pairs(one) for e in p)]
+
+        def holds(there: Candidate | Place) -> bool:
+            return not conclusions or any(map(there.vanish, conclusions))
+
+        point = self.point(at, here, divided)
+        if point is None:
+            return Shown()
+        if not holds(Place(at, point)):
+            point = self.point(at, here, divided, holds, 0) if goal.given else None
+            if point is None:
+                return None
+        found = rows_of(alternatives(goal, at), known, goal.main)
         if found is None:
             return None
         rows, power = found
         proof = self._everywhere(goal, at, rows) if power == 1 else None
         if proof is not None:
-            rows = []
-        else:
-            proof = Proof(tuple(tuple(map(formula_in, row)) for row in rows), power=power)
+            return Shown(proof, point)
+        proof = Proof(tuple(tuple(map(formula_in, row)) for row in rows), power=power)
         if not goal.conclusions and self._divides(Shown(proof), goal):
             return None
-        if not (goal.conclusions and goal.given):
-            return Shown(proof)
-        divided = [e for row in rows for e in row]
-        divided += [e for one in goal.conclusions for p in at.pairs(one) for e in p]
-        point = self.point(at, known, [*divided, *known])
-        return None if point is None else Shown(proof, point)
+        entries = [entry for row in rows for entry in row]
+        if not Place(at, point).defines(entries):
+            point = self.point(at, here, [*divided, *entries])
+        return Shown(proof, point)
 
     def _divides(self, shown: Shown, goal: Follows) -> bool:
         """Whether a proof divides by something, and so shows nothing where that vanishes."""

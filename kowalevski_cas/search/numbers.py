@@ -12,7 +12,7 @@ from kowalevski_cas.algebra.numbers import square_root
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import Formula, Negative, Sum
 from kowalevski_cas.problem.collect import collect
-from kowalevski_cas.problem.evaluate import rational_terms
+from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Exists, Follows
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real import real_points
@@ -54,7 +54,7 @@ def _samples(goal: Exists, finder: PointFinder) -> Iterator[tuple[list[Fraction]
     at = finder.of(one.space)
     collected = collect(Sum((sides[0], Negative(sides[1]))), goal.bound)
     elements = {monomial: at.scalar(c) for monomial, c in collected.items()}
-    for point in real_points(at):
+    for point in real_points(at, finder.names(one.space)):
         candidate = Candidate(at, point)
         try:
             values = {m: rational_terms(candidate(e)) for m, e in elements.items()}

@@ -8,10 +8,11 @@ from itertools import combinations, islice
 from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring
 from kowalevski_cas.algebra.points import ExactPoint
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Conjugate, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Misplaced, Place, number_formula
-from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.problem.space import Adjoined, Setting
 from kowalevski_cas.search.real import real_points
 
 Of = Callable[[Setting], Evaluation]
@@ -30,12 +31,10 @@ class Candidate:
         values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
         self._value = Substitution(at.ring, values, self.numbers, roots={})
         for bit, name in enumerate(at.ring.roots):
-            below = at.ring.below[bit]
-            if name not in values:
-                root = self._value.root(self(at.ring.radicands[bit]))
-            else:
-                root = values[name] if below is None else values[name] * self(below)
-            self._value.roots[bit] = root
+            own = values.get(name)
+            self._value.roots[bit] = (
+                self._value.root(self(at.ring.radicands[bit])) if own is None else own
+            )
 
     def __call__(self, element: Element) -> Element:
         """The value there; raises ``ZeroDivisionError`` on a zero of the denominator."""
@@ -46,11 +45,14 @@ class Candidate:
         return all(self(element).is_zero for element in elements)
 
     def point(self, names: Sequence[str]) -> Point:
-        """The point as evidence; raises :class:`Misplaced` where a value cannot be written."""
-        from kowalevski_cas.notation import Name
+        """The point as evidence.
 
+        Raises :class:`Misplaced` where a value cannot be written, or if nobody would accept it.
+        """
         values = {name: number_formula(self(self.at.scalar(Name(name)))) for name in names}
-        return Point(values)
+        point = Point(values)
+        Place(self.at, point)
+        return point
 
 
 class PointFinder:
@@ -70,29 +72,28 @@ class PointFinder:
         zero: Sequence[Element] = (),
         divided: Sequence[Element] = (),
         good: Good = lambda candidate: True,
+        most: int = 2,
     ) -> Point | None:
         """A real point where elements vanish, nothing is divided by zero, and all is good.
 
-        It is sought among points in general position, and then where one or two variables vanish.
+        It is sought among points in general position, and if ``most`` is not 0 where all variables
+        vanish, and then where some do, as many as ``most``.
         """
-        avoid = [at.scalar(formula) for formula in at.setting.nonzero]
-        avoid += at.ring.divided_by(divided)
+        avoid = [*at.granted, *at.ring.divided_by(divided)]
         names = self.names(at.setting)
-        norms = [self._norm(at, element) for element in zero]
-        for further in self._sections(at):
-            for point in islice(real_points(at, [*norms, *further], avoid), TRIES):
+        norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
+        for further in self._sections(at, most):
+            for point in islice(real_points(at, names, [*norms, *further], avoid), TRIES):
                 try:
                     candidate = Candidate(at, point)
                     if candidate.vanish(zero) and good(candidate):
-                        found = candidate.point(names)
-                        Place(at, found)  # a point that nobody would accept is none
-                        return found
+                        return candidate.point(names)
                 except (ZeroDivisionError, Misplaced):
                     continue
         return None
 
-    def _sections(self, at: Evaluation) -> Iterator[Sequence[Element]]:
-        """Nothing more, then one or two variables that vanish; powers are 1 where known."""
+    def _sections(self, at: Evaluation, most: int) -> Iterator[Sequence[Element]]:
+        """Nothing more, then all variables, then some that vanish; powers are 1 where known."""
         setting = at.setting
         one = at.ring.one
         fixed: list[Element] = []
@@ -102,15 +103,32 @@ class PointFinder:
             assert base is not None
             fixed += [at.ring.generator(name) - one, at.scalar(base) - one]
         variables = [at.ring.generator(name) for name in setting.variables]
-        for size in range(3):
+        for size in (0, len(variables), *range(1, most + 1)) if most else (0,):
             for chosen in combinations(variables, size):
                 yield [*fixed, *chosen]
 
     @staticmethod
     def _norm(at: Evaluation, element: Element) -> Element:
-        """The element times its conjugates by the roots that are no variables."""
+        """The element times its conjugates by the roots that are no variables.
+
+        A root that is a factor is left out instead.
+        """
         for bit, name in enumerate(element.ring.roots):
-            inside = any(mask >> bit & 1 for mask in element.parts)
-            if inside and name != "i" and name not in at.setting.coordinates:
+            inside = {mask >> bit & 1 for mask in element.parts}
+            if name == "i" or name in at.setting.coordinates:
+                continue
+            if inside == {0, 1}:
                 element = element * element.conjugate_root(bit)
+            elif inside == {1}:
+                parts = {mask ^ 1 << bit: part for mask, part in element.parts.items()}
+                element = Element(element.ring, parts, element.denominator)
         return element
+
+
+def _imaginary_parts(at: Evaluation, names: Sequence[str]) -> Iterator[Element]:
+    """What vanishes where roots without a declared conjugate are real: so are their squares."""
+    paired = {name for pair in at.setting.conjugates for name in pair}
+    for name in names:
+        step = at.setting.step(name)
+        if isinstance(step, Adjoined) and name not in paired and at.knows(Conjugate(step.square)):
+            yield at.scalar(step.square) - at.scalar(step.square, True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import count, islice
+from itertools import count, islice, product
 
 from flint import fmpq, fmpq_mat, fmpq_mpoly
 
@@ -14,6 +14,9 @@ Assignment = dict[int, Fraction]
 
 ATTEMPTS = 400
 """How many starting values are tried with each choice of variables."""
+
+FIRST = 6
+"""How many of these are tried with all choices, before the others are tried with any."""
 
 CHOICES = 6
 """How many choices of variables to be solved for are tried."""
@@ -40,9 +43,10 @@ def points(
         return
     gone = {v for v, _ in eliminated}
     open_variables = [v for v in variables if v not in gone]
-    for solved in islice(_choices(rest, open_variables), CHOICES):
+    choices = list(islice(_choices(rest, open_variables), CHOICES))
+    for attempts, solved in product(((0, FIRST), (FIRST, ATTEMPTS)), choices):
         free = [v for v in open_variables if v not in solved]
-        for sequence in islice(_small_numbers(), ATTEMPTS):
+        for sequence in islice(_small_numbers(), *attempts):
             values = {v: next(sequence) for v in free}
             if not _complete(rest, len(solved), values):
                 continue

@@ -17,12 +17,12 @@ def positive(goal: Positive, finder: PointFinder) -> Squares | None:
     if value.denominator or value.parts.keys() != {0}:
         return None
     found = sum_of_squares(value.terms()[0])
-    point = finder.point(at, known, [value, *known])
     zero = cofactors(at.ring.one, [value, *known], ())
-    if found is None or point is None or zero is None:
+    if found is None or zero is None:
         return None
     squares = tuple(
         (fraction_formula(number), formula_in(at.ring.from_terms({0: base})))
         for number, base in found
     )
+    point = finder.point(at, known, [value, *known])
     return Squares(squares, (), point, Proof((tuple(map(formula_in, zero)),)))

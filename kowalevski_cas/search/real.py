@@ -6,7 +6,7 @@ others real ones.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import islice
 
@@ -24,21 +24,33 @@ RATIONAL_ROOTS = 40
 
 
 class RealCoordinates:
-    """Real coordinates for the generators of a space, and its elements in them."""
+    """Real coordinates for the generators of a space, and its elements in them.
 
-    def __init__(self, at: Evaluation, constraints: Sequence[Element] = ()) -> None:
+    Of the roots only those in ``names`` matter; those in ``own`` are coordinates.
+    """
+
+    def __init__(
+        self,
+        at: Evaluation,
+        constraints: Sequence[Element],
+        names: Sequence[str],
+        own: Sequence[str] = (),
+    ) -> None:
         self.ring = ring = at.ring
         pairs = dict(at.setting.conjugates)
         partners = {b: a for a, b in pairs.items()}
-        # A root is a coordinate of its own if others rest on it, or if a constraint
+        # A root is one as well if it has a conjugate, if others rest on it, or if a constraint
         # has terms with it and without it.
-        inner = {bit for r in ring.radicands for mask in r.parts for bit in _bits(mask)}
+        roots = {
+            name: radicand
+            for name, radicand in zip(ring.roots, ring.radicands, strict=True)
+            if name in names and name != "i"
+        }
+        inner = {bit for r in roots.values() for mask in r.parts for bit in _bits(mask)}
         inner |= {bit for element in constraints for bit in _mixed(element)}
-        self.moving = [
-            name
-            for bit, name in enumerate(ring.roots)
-            if name in at.setting.coordinates or (bit in inner and name != "i")
-        ]
+        moving = {*own, *pairs, *partners, *(ring.roots[bit] for bit in inner)}
+        self.moving = [name for name in roots if name in moving]
+        self.radicands = [roots[name] for name in roots if name not in moving]
         self.names = [n for n in (*ring.polynomials.generators, *self.moving)]
         self.context = fmpq_mpoly_ctx.get(
             tuple(f"g{k}" for k in range(len(self.names) + 1)), Ordering.lex
@@ -138,10 +150,26 @@ def _mixed(element: Element) -> Iterator[int]:
 
 
 def real_points(
-    at: Evaluation, zero: Sequence[Element] = (), nonzero: Sequence[Element] = ()
+    at: Evaluation,
+    names: Sequence[str],
+    zero: Sequence[Element] = (),
+    nonzero: Sequence[Element] = (),
 ) -> Iterator[ExactPoint]:
-    """Exact points where some elements vanish and others do not, with rational roots first."""
-    coordinates = RealCoordinates(at, zero)
+    """Exact points where some elements vanish and others do not, with rational roots first.
+
+    ``names`` are those to which a point has to give values. Roots that are variables are
+    rational as long as there are such points.
+    """
+    found = RealCoordinates(at, zero, names, at.setting.coordinates)
+    yield from _points(found, zero, nonzero)
+    other = RealCoordinates(at, zero, names)
+    if other.moving != found.moving:
+        yield from _points(other, zero, nonzero)
+
+
+def _points(
+    coordinates: RealCoordinates, zero: Sequence[Element], nonzero: Sequence[Element]
+) -> Iterator[ExactPoint]:
     constraints = [e for element in zero for e in coordinates.equations(element)]
     constraints = distinct([*constraints, *coordinates.relations()])
     avoid = [
@@ -152,20 +180,25 @@ def real_points(
     ]
     found = points(constraints, range(len(coordinates.names)), avoid)
     radicands = [
-        coordinates.value(radicand)
-        for name, radicand in zip(at.ring.roots, at.ring.radicands, strict=True)
-        if name != "i" and name not in coordinates.moving
+        coordinates.split(coordinates.value(radicand)) for radicand in coordinates.radicands
     ]
+
+    def usable(assignments: Iterable[Assignment]) -> Iterator[tuple[bool, ExactPoint]]:
+        """Points at which no radicand is negative, and whether all are squares."""
+        for assignment in assignments:
+            values = [
+                sum((constant(part, assignment) for part in parts), Fraction(0))
+                for parts in radicands
+            ]
+            if all(value >= 0 for value in values):
+                rational = all(square_root(value) is not None for value in values)
+                yield rational, coordinates.point(assignment)
+
     kept = []
-    for assignment in islice(found, RATIONAL_ROOTS):
-        if all(_is_square(radicand, assignment, coordinates) for radicand in radicands):
-            yield coordinates.point(assignment)
+    for rational, point in usable(islice(found, RATIONAL_ROOTS)):
+        if rational:
+            yield point
         else:
-            kept.append(assignment)
-    yield from (coordinates.point(assignment) for assignment in kept)
-
-
-def _is_square(radicand: fmpq_mpoly, assignment: Assignment, coordinates: RealCoordinates) -> bool:
-    parts = coordinates.split(radicand)
-    value = sum((constant(part, assignment) for part in parts), Fraction(0))
-    return square_root(value) is not None
+            kept.append(point)
+    yield from kept
+    yield from (point for _, point in usable(found))

@@ -12,13 +12,12 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
+from kowalevski_cas.problem.accept import Accepted, Judge, Unproved, Vacuous
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.verify.certificate import CORRECTED, Stored
-from kowalevski_cas.verify.limits import time_limit
-from kowalevski_cas.verify.outcome import Screened, Verdict
+from kowalevski_cas.verify.outcome import Outcome, Screened, Verdict
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
 if TYPE_CHECKING:
@@ -54,8 +53,6 @@ class Bench:
         self.arithmetics = arithmetics
         self.explain = explain
         self.timeout = timeout
-        self.patience = timeout
-        """The seconds for a correction."""
         self.stored = certificates or {}
         self.record = record or {}
         self.points = {name: load_points(name, seed) for name in arithmetics if name in POINTS}
@@ -69,6 +66,8 @@ class Bench:
             for printed in claim.establishes():
                 self.established.setdefault(printed, claim.id)
         self.accepted = self._accepted()
+        self.found: dict[str, Outcome] = {}
+        """What is said about the claims that are decided."""
 
     def _accepted(self) -> dict[Printed, Formula]:
         """What the derivation accepts in place of what is printed."""
@@ -92,34 +91,34 @@ class Bench:
         verdicts = None if stored is None else stored.verdicts(statement)
         if verdicts is not None:
             return verdicts
-        with time_limit(self.timeout):
-            return statement.search()
+        return statement.search()
 
     def _decide(
         self, statement: Statement, verdicts: Verdicts | None, arithmetic: str
     ) -> Decided | Screened:
-        try:
-            with time_limit(self.timeout):
-                points = self.points.get(arithmetic)
-                if points is not None:
-                    from kowalevski_cas.verify.screen import screen  # proving needs no points
+        points = self.points.get(arithmetic)
+        if points is not None:
+            from kowalevski_cas.verify.screen import screen  # proving needs no points
 
-                    return screen(statement, verdicts, points, self.stages)
-                return self._judged(statement, verdicts, arithmetic)
-        except TimeoutError:
-            return Decided(statement, verdicts, Accepted(), Verdict.TIMEOUT, self._late(arithmetic))
+            return screen(statement, verdicts, points, self.stages)
+        return self._judged(statement, verdicts, arithmetic)
 
     def _judged(self, statement: Statement, verdicts: Verdicts | None, arithmetic: str) -> Decided:
-        judge = Judge(self.evaluations_in(arithmetic))
+        judge = Judge(self.evaluations_in(arithmetic), statement.names)
         if verdicts is None:
             message = "neither a proof nor a point where it fails was found"
             return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
         try:
             if isinstance(verdicts, Denial):
                 judge.denies(statement.goals[verdicts.goal], verdicts.evidence)
+                if not statement.claim.refuted_by(verdicts):
+                    message = "what would prove it is false, which does not refute it"
+                    return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, message)
                 return Decided(statement, verdicts, judge.accepted, Verdict.REFUTED)
             for goal, evidence in zip(statement.goals, verdicts, strict=True):
                 judge.holds(goal, evidence)
+        except Vacuous as error:
+            return Decided(statement, None, judge.accepted, Verdict.UNDECIDED, str(error))
         except Unproved as error:
             where = self._file(statement)
             message = f"{where}the evidence does not prove it ({arithmetic}: {error})"
@@ -147,9 +146,6 @@ class Bench:
             return self.evaluations[key]
 
         return of
-
-    def _late(self, what: str) -> str:
-        return f"not decided within {self.timeout:g} s by {what}"
 
     def _products(self) -> int:
         return sum(at.ring.products for at in self._all_evaluations())

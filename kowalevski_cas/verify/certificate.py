@@ -14,8 +14,9 @@ from typing import Any
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.accept import Accepted
-from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read_evidence
+from kowalevski_cas.problem.codec import Data, problem_data
 from kowalevski_cas.problem.evidence import Denial, Evidence
+from kowalevski_cas.problem.evidence_codec import evidence_data, read_evidence
 from kowalevski_cas.problem.goals import Exists, Goal
 from kowalevski_cas.problem.trees import FormatError, encode
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
@@ -45,8 +46,10 @@ class Stored:
             raise FormatError(f"{self.path}: {error}") from None
 
     def _verdicts(self, statement: Statement) -> Verdicts:
-        evidence = self.data.get("evidence")
-        if self.data.get("sign") == "denied" and isinstance(evidence, list) and evidence:
+        evidence, sign = self.data.get("evidence"), self.data.get("sign")
+        if sign not in ("holds", "denied"):
+            raise FormatError("it neither holds nor is denied")
+        if sign == "denied" and isinstance(evidence, list) and evidence:
             entry = dict(evidence[0])
             place = entry.pop("goal", None)
             if not isinstance(place, int) or not 0 <= place < len(statement.goals):

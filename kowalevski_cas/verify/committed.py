@@ -1,13 +1,24 @@
-"""The certificates that are committed with a derivation, checked and compared with its record."""
+"""The certificates that are committed with a derivation: checked, and compared with what it prints.
+
+Nothing in a certificate or in the record is believed to say what the paper prints: the problem of
+each claim is written anew from the printed formulas.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from kowalevski_cas.library import load
+from kowalevski_cas.notation import NotationError
 from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.verify.bench import Bench
 from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
+from kowalevski_cas.verify.corrections import recorded_correction
+from kowalevski_cas.verify.statement import Statement
 
 Record = Mapping[str, Mapping[str, object]]
 
@@ -45,10 +56,12 @@ def certificate_files(folder: Path) -> list[Path]:
 def check_committed(folder: Path, record: Record) -> Checked:
     """Check the certificates in a derivation's folder.
 
-    A certificate is rejected if the record has another statement of the claim, or another sign,
-    than the file; so is one that the record asks for and that is missing.
+    A certificate is rejected if it is about something else than the derivation prints, or the
+    record has another statement of the claim, or another sign; so is one that the record asks for
+    and that is missing. Raises :class:`~kowalevski_cas.library.LibraryError` if the derivation
+    cannot be loaded.
     """
-    found = check_files(certificate_files(folder), record)
+    found = check_files(certificate_files(folder), expected(folder, record))
     for name in wanted(record):
         if not (folder / FOLDER / f"{name}.json").is_file():
             found.rejected[f"{name}.json"] = "it is in the record, and missing"
@@ -63,8 +76,8 @@ def wanted(record: Record) -> list[str]:
     return decided + [f"{CORRECTED}/{c}" for c in decided if record[c].get("correction")]
 
 
-def check_files(paths: Sequence[Path], record: Record | None = None) -> Checked:
-    """Check certificates; against a record, if there is one."""
+def check_files(paths: Sequence[Path], about: Expected | None = None) -> Checked:
+    """Check certificates; those of a derivation have to be about what is expected."""
     found = Checked()
     for path in paths:
         corrected = path.parent.name == CORRECTED
@@ -74,26 +87,51 @@ def check_files(paths: Sequence[Path], record: Record | None = None) -> Checked:
             name = f"{CORRECTED}/{claim}" if corrected else claim
             checker.need(path.name == f"{claim}.json", f"it is about the claim {claim}")
             checker.need(name not in found.accepted, "the claim was certified before")
-            if record is not None:
-                _compare(record.get(claim, {}), certificate, corrected)
+            if about is not None:
+                about.compare(name, certificate, corrected)
         except (OSError, UnicodeDecodeError, checker.Rejected) as error:
-            found.rejected[str(path)] = str(error) or type(error).__name__
+            found.rejected[str(path)] = checker.printable(str(error)) or type(error).__name__
             continue
         found.accepted[name] = certificate
     return found
 
 
-def _compare(
-    entry: Mapping[str, object], certificate: checker.Certificate, corrected: bool
-) -> None:
-    """Reject a certificate that is not about what the record says."""
-    checker.need(entry, "the record has no such claim")
-    stale = "`make record` and `make certificates` write both anew"
-    if corrected:
-        checker.need(entry.get("correction"), f"the record has no correction of it; {stale}")
-        checker.need(certificate.sign == "holds", "a correction has to hold")
-        return
-    same = entry.get("statement") == certificate.digest
-    checker.need(same, f"the record has another statement of it; {stale}")
-    sign = "denied" if entry.get("verdict") == "refuted" else "holds"
-    checker.need(certificate.sign == sign, f"the record has another verdict on it; {stale}")
+@dataclass(frozen=True)
+class Expected:
+    """What certificates have to be about: the record, and the digests of what is printed."""
+
+    record: Record
+    printed: Mapping[str, str]
+
+    def compare(self, name: str, certificate: checker.Certificate, corrected: bool) -> None:
+        """Reject a certificate that is about something else."""
+        entry = self.record.get(certificate.claim)
+        checker.need(entry, "the record has no such claim")
+        assert entry is not None
+        stale = "`make record` and `make certificates` write both anew"
+        if corrected:
+            checker.need(entry.get("correction"), f"the record has no correction of it; {stale}")
+            checker.need(certificate.sign == "holds", "a correction has to hold")
+        else:
+            same = entry.get("statement") == certificate.digest
+            checker.need(same, f"the record has another statement of it; {stale}")
+            sign = "denied" if entry.get("verdict") == "refuted" else "holds"
+            checker.need(certificate.sign == sign, f"the record has another verdict on it; {stale}")
+        same = self.printed.get(name) == certificate.digest
+        checker.need(same, f"the derivation prints another statement of it; {stale}")
+
+
+def expected(folder: Path, record: Record) -> Expected:
+    """What a derivation prints, written anew as problems, with the corrections of its record."""
+    derivation = load(str(folder))
+    bench, found = Bench(derivation, []), dict[str, str]()
+    for claim in derivation.claims:
+        recorded = record.get(claim.id, {}).get("correction")
+        with suppress(NotationError, Meaningless):  # what says nothing has no certificate
+            on = bench.on(claim)
+            found[claim.id] = Statement(claim, on).digest
+            near = recorded_correction(claim, on, recorded) if isinstance(recorded, str) else None
+            if near is not None:
+                mended = Statement(near.claim, on.under(near.texts))
+                found[f"{CORRECTED}/{claim.id}"] = mended.digest
+    return Expected(record, found)

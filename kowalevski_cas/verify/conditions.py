@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
+from kowalevski_cas.algebra.present import divided
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Product
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -106,13 +107,18 @@ def same(formula: Formula, other: Formula, setting: Elaboration) -> bool:
 
 
 def implies(formula: Formula, other: Formula, setting: Elaboration) -> bool:
-    """Whether one expression is a sum of squares that vanishes only where the other one does."""
+    """Whether one expression vanishes only where the other one does.
+
+    It divides the other one, or is a sum of squares of which each does.
+    """
     try:
         first, second = (setting.finder.scalar(setting.plain(f)) for f in (formula, other))
     except Meaningless:
         return False
     if first.parts.keys() != {0} or second.parts.keys() != {0}:
         return False
+    if divided(second.terms()[0], first.terms()[0]) is not None:
+        return True
     bases = [base for _, base in sum_of_squares(first.terms()[0]) or ()]
     gone = {m.index(1) for base in bases if len(base) == 1 for m in base if sum(m) == 1}
     return bool(bases) and all(any(m[k] for k in gone) for m in second.terms()[0])

@@ -14,6 +14,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Fails, Follows
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.vacuous import says_something, unlike
 
 if TYPE_CHECKING:
     from kowalevski_cas.problem.sampled import Sampled
@@ -37,12 +38,21 @@ def _prints(neighbour: Neighbour, formula: Formula) -> bool:
     return printed_of(neighbour) == (formula,)
 
 
-def correction(claim: Claim, on: Elaborations) -> Neighbour | None:
-    """The first neighbour of a refuted claim that is true, the most plausible first."""
-    neighbours = sorted(
-        claim.neighbours(on.texts), key=lambda n: n.edit is not None and n.edit.path[:1] == (0,)
-    )
-    return next(true_ones(neighbours, on), None)
+def corrections(claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
+    """The neighbours of a refuted claim that are true and say something, the likeliest first."""
+    printed = Statement(claim, on)
+    neighbours = sorted(claim.neighbours(on.texts), key=_unlikeliness)
+    for found in true_ones(neighbours, on):
+        if says_something(found, printed):
+            yield found
+
+
+def _unlikeliness(neighbour: Neighbour) -> tuple[bool, bool]:
+    """Names that are not alike are seldom taken for each other; what is defined is seldom wrong."""
+    edit = neighbour.edit
+    if edit is None:
+        return False, False
+    return unlike(edit), edit.path[:1] == (0,)
 
 
 def true_ones(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Neighbour]:

@@ -34,7 +34,7 @@ from kowalevski_cas.problem.evidence import (
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Place, number_formula
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies, same
-from kowalevski_cas.verify.loci import failure_on, rank_on
+from kowalevski_cas.verify.loci import drop_on, failure_on, rank_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
 from kowalevski_cas.verify.shown import named, point
 from kowalevski_cas.verify.statement import Statement, finder_of
@@ -55,9 +55,8 @@ def conditions(statement: Statement, accepted: Accepted, explain: bool) -> tuple
         if locus is not None and explain:
             condition = _where_it_fails(statement, setting, locus, condition)
         found.append(condition)
-    known = {condition.expression for condition in found}
-    found += [one for one in _larger_sets(statement) if one.expression not in known]
-    return tuple(found)
+    singular = {condition.expression: condition for condition in _singular(statement)}
+    return tuple(singular.get(condition.expression, condition) for condition in found)
 
 
 def _needed(statement: Statement, conditions: list[Divided]) -> list[Divided]:
@@ -90,7 +89,7 @@ def _where_it_fails(
     if found is None:
         return condition
     goal, evidence = found
-    judge = Judge(finder_of)
+    judge = Judge(finder_of, statement.names)
     try:
         judge.holds(goal, evidence) if isinstance(goal, Fails) else judge.denies(goal, evidence)
     except Unproved:
@@ -99,25 +98,28 @@ def _where_it_fails(
     return Condition(condition.expression, f"it fails for {locus.words}", witness)
 
 
-def _larger_sets(statement: Statement) -> Iterator[Condition]:
-    """Loci on which a set has another dimension, with a point each."""
-    for goal in statement.goals:
-        if not isinstance(goal, Rank) or not isinstance(statement.claim, Dimension):
-            continue
-        assert isinstance(goal.space, Elaboration)
-        for locus in goal.space.scene.loci:
-            found = rank_on(statement, goal, goal.space, locus)
-            if found is None or found[0] == goal.rank:
-                continue
+def _singular(statement: Statement) -> Iterator[Condition]:
+    """Loci where a set has another dimension or is singular, with a point each."""
+    goal = statement.goals[0]
+    if not isinstance(statement.claim, Dimension) or not isinstance(goal, Rank):
+        return
+    assert isinstance(goal.space, Elaboration)
+    for locus in goal.space.scene.loci:
+        expression = goal.space.texts.expression(locus.condition)
+        found = rank_on(statement, goal, goal.space, locus)
+        if found is not None and found[0] < goal.rank:
             count = len(goal.space.variables)
             own, claimed = count - found[0], count - goal.rank
             words = "the dimension of the set near this point, and the one claimed"
             there = point(found[1].values, goal.space)
-            yield Condition(
-                goal.space.texts.expression(locus.condition),
-                f"for {locus.words} the set has dimension {own}",
-                Counterexample(there, Number(own), Number(claimed), words),
-            )
+            against = Counterexample(there, Number(own), Number(claimed), words)
+            said = f"for {locus.words} the set has dimension {own}"
+            yield Condition(expression, said, against)
+        elif (dropped := drop_on(statement, goal, goal.space, locus)) is not None:
+            words = "the number of independent differentials at this point, and the one needed"
+            there = point(dropped[1].values, goal.space)
+            against = Counterexample(there, Number(dropped[0]), Number(goal.rank), words)
+            yield Condition(expression, f"for {locus.words} the set is singular", against)
 
 
 # -- counterexamples -----------------------------------------------------------------
@@ -149,7 +151,7 @@ def _against(
         return Counterexample(_at(place), Number(own), Number(claimed), words)
     if accepted.differs is not None:
         left, right = map(number_formula, accepted.differs)
-        return Counterexample(_at(place), left, right, _words(goal, place))
+        return Counterexample(_at(place), left, right, _words(statement, goal, place))
     if isinstance(evidence, Regardless) and isinstance(goal, Exists):
         return _regardless(goal, evidence, place)
     return None
@@ -159,7 +161,7 @@ def _at(place: Place) -> Point:
     return point(place.point.values, place.at.setting)
 
 
-def _words(goal: Goal, place: Place) -> str:
+def _words(statement: Statement, goal: Goal, place: Place) -> str:
     """What the two values at a point are, if not the two sides of what is printed."""
     assert isinstance(goal, Follows)
     left, right = _failing(goal, place)
@@ -170,10 +172,12 @@ def _words(goal: Goal, place: Place) -> str:
         which = ("", "second ", "third ")[min(order, 3) - 1]
         whose = " of a given function" if goal.given else ""
         return f"the {which}derivative{whose} along the motion, and zero"
-    if not goal.given:
-        return ""
     sides = to_latex(Relation((left, right), ("=",)))
     what = f" of ${sides}$" if not order and len(sides) < SHORT else ""
+    if not goal.given:
+        printed = statement.claim.formulas(statement.on.texts)
+        own = {member for one in printed if isinstance(one, Relation) for member in one.members}
+        return "" if own & {left, right} or not what else f"the two sides{what}"
     return f"the two sides{what}, at a point where what is given holds"
 
 

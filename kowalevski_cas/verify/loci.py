@@ -86,9 +86,9 @@ def rank_on(
     functions = [*(at.scalar(f) for f in goal.functions), *zero]
     rows = [[at.partial(f, name) for name in setting.variables] for f in functions]
     names = statement.names(setting)
-    avoid = [at.scalar(formula) for formula in setting.nonzero]
+    avoid = [*at.granted, *at.ring.divided_by(functions)]
     best: tuple[int, Point] | None = None
-    for point in islice(real_points(at, zero, [*avoid, *at.ring.divided_by(functions)]), TRIES):
+    for point in islice(real_points(at, names, zero, avoid), TRIES):
         try:
             candidate = Candidate(at, point)
             if not candidate.vanish(zero):
@@ -99,3 +99,24 @@ def rank_on(
         except (ZeroDivisionError, Misplaced):
             continue
     return best
+
+
+def drop_on(
+    statement: Statement, goal: Rank, setting: Elaboration, locus: Locus
+) -> tuple[int, Point] | None:
+    """A point of a set on a locus where fewer differentials are independent, and how many."""
+    from kowalevski_cas.search.find import Finder
+
+    at = setting.finder
+    finder = Finder(finder_of, statement.names)
+    known = [*at.differences(goal.given), *at.differences(setting.equations(locus.equations))]
+    functions = [*(at.scalar(f) for f in goal.functions), *at.differences(goal.given)]
+    rows = [[at.partial(f, name) for name in setting.variables] for f in functions]
+    found: list[int] = []
+
+    def good(candidate: Candidate) -> bool:
+        found.append(rank([[candidate(entry) for entry in row] for row in rows]))
+        return found[-1] < goal.rank
+
+    point = finder.point(at, known, [e for row in rows for e in row], good)
+    return None if point is None else (found[-1], point)

@@ -119,7 +119,8 @@ class Outcome:
     probability that ``probable`` is wrong, ``radius`` that of the ball of ``enclosed``.
     ``formulas`` are those of the claim and ``source`` is how the paper prints them,
     which stands in for them where they cannot be read. ``granted`` lists what the
-    scenes of the claim suppose not to vanish, ``corrected`` the claims whose accepted corrections
+    scenes of the claim suppose not to vanish, ``branches`` the equations by which they choose one
+    of the two values of a printed root, ``corrected`` the claims whose accepted corrections
     it rests on. Words have mathematics between dollars.
     """
 
@@ -143,6 +144,7 @@ class Outcome:
     chance: float | None = None
     radius: float | None = None
     granted: tuple[Formula, ...] = ()
+    branches: tuple[Formula, ...] = ()
     corrected: tuple[str, ...] = ()
 
 

@@ -37,10 +37,19 @@ def describe(outcome: Outcome) -> dict[str, object]:
     }
 
 
-def dump_record(run: Run) -> str:
-    """The record of a run, as JSON."""
-    claims = {outcome.claim: describe(outcome) for outcome in run.outcomes}
+def dump_record(run: Run, recorded: Mapping[str, Mapping[str, object]]) -> str:
+    """The record of a run, as JSON; of claims that came to no end, what was ``recorded``."""
+    claims = {
+        outcome.claim: recorded[outcome.claim] if outcome in open_ones(run) else describe(outcome)
+        for outcome in run.outcomes
+        if outcome not in open_ones(run) or outcome.claim in recorded
+    }
     return _text({"derivation": run.derivation, "digest": run.digest, "claims": claims})
+
+
+def open_ones(run: Run) -> list[Outcome]:
+    """The claims of a run that came to no end, for want of time or by an error."""
+    return [o for o in run.outcomes if o.verdict in (Verdict.TIMEOUT, Verdict.ERROR)]
 
 
 def _text(value: object) -> str:

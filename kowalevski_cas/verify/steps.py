@@ -199,11 +199,16 @@ def _bound(
 
 def _rank(goal: Rank, evidence: At) -> Step:
     count, setting = len(goal.space.variables), finder_of(goal.space).setting
+    where = point(evidence.point.values, setting)
+    if len(goal.functions) == 1:
+        others = " is independent of those of what is given" if goal.given else " does not vanish"
+        return Step(f"At this point its differential{others}: it is no constant.", point=where)
     words = (
         f"{goal.rank} differentials are independent in the space of dimension {count}, so that "
-        f"near this point the common level is a manifold of dimension {count - goal.rank}."
+        f"near this point the common level is a manifold of dimension {count - goal.rank}"
     )
-    return Step(words, point=point(evidence.point.values, setting))
+    words += "." if goal.given else ", and so they are on a dense part of the space."
+    return Step(words, point=where)
 
 
 def _roots(goal: Count, found: Roots) -> Step:

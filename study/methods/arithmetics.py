@@ -2,13 +2,8 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
-from collections.abc import Iterator
-from time import perf_counter
-
 from kowalevski_cas.algebra import load, load_points
-from kowalevski_cas.algebra.points import Answer, Question
+from kowalevski_cas.algebra.points import Question
 from kowalevski_cas.problem.goals import Problem
 from study.labelled import Labelled, holds, identities, residuals
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
@@ -30,42 +25,24 @@ class ExactArithmetic(Method):
     def answer(self, prepared: Problem) -> Measured:
         return {"verdict": ACCEPTED if holds(prepared, self.name) else REJECTED}
 
-    def cold(self, one: Labelled) -> float:
-        """How long the command line takes for one claim."""
-        name, claim = one.id.split("/")[:2]
-        command = [sys.executable, "-m", "kowalevski_cas", "verify", name, "--only", claim]
-        start = perf_counter()
-        subprocess.run(
-            [*command, "--arithmetic", self.name],
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            check=False,
-        )
-        return perf_counter() - start
 
-
-class PointArithmetic(ExactArithmetic):
+class PointArithmetic(Method):
     """Residuals are put to points, and never expanded: what is accepted is likely."""
-
-    proves = False
 
     def prepare(self, one: Labelled) -> Problem:
         load_points(self.name, SEED)
         return one.statement.problem
 
     def answer(self, prepared: Problem) -> Measured:
-        answers = list(self._answers(prepared))
-        for answer in answers:
-            if not answer.holds:
-                verdict = NONE if answer.holds is None else REJECTED
-                return {"verdict": verdict, "reason": answer.words}
-        bounds = [answer.bound for answer in answers if answer.bound is not None]
-        measured = {"verdict": ACCEPTED, "reason": answers[-1].words}
-        return {**measured, "bound": max(bounds)} if bounds else measured
-
-    def _answers(self, problem: Problem) -> Iterator[Answer]:
-        points, of = load_points(self.name, SEED), sampled()
-        for goal in identities(problem):
-            asked = residuals(Problem((goal,)), of)
+        points, of, bounds = load_points(self.name, SEED), sampled(), []
+        for goal in identities(prepared):
             at = of(goal.space)
-            yield points.answer(Question(at.programs, [at.carry(element) for element in asked]))
+            asked = [at.carry(element) for element in residuals(Problem((goal,)), of)]
+            answer = points.answer(Question(at.programs, asked))
+            if answer.holds is None:
+                return {"verdict": NONE, "reason": answer.words}
+            if not answer.holds:
+                return {"verdict": REJECTED}
+            bounds.append(answer.bound)
+        known = [bound for bound in bounds if bound is not None]
+        return {"verdict": ACCEPTED, **({"bound": max(known)} if known else {})}

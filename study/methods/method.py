@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from functools import cache
 from time import perf_counter
 from typing import Any
 
 from kowalevski_cas.export import Inexpressible
 from kowalevski_cas.problem.checker import Rejected
-from kowalevski_cas.problem.codec import evidence_data
 from kowalevski_cas.problem.evidence import Shown
+from kowalevski_cas.problem.evidence_codec import evidence_data
+from kowalevski_cas.problem.goals import Problem
 from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.processes import each, time_limit
+from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.verify.certificate import written
-from kowalevski_cas.verify.limits import time_limit
-from study.labelled import Labelled
+from kowalevski_cas.verify.statement import finder_of
+from study.labelled import Labelled, identities
 from study.step import Measured
 
 ACCEPTED, REJECTED, NONE = "accepted", "rejected", "none"
@@ -36,18 +40,22 @@ class Method(ABC):
         self.share = share
 
     def decide(self, one: Labelled) -> Measured:
-        """The verdict on a statement, with the seconds that it took in a running process."""
+        """The verdict on a statement, with the seconds that it took; a reason if there is none."""
         try:
             prepared = self.prepare(one)
         except (FormatError, Inexpressible, Rejected) as error:
             return {"seconds": None, "verdict": NONE, "reason": str(error.args[0])}
+        (measured,) = each(self._timed, [prepared])
+        return measured
+
+    def _timed(self, prepared: Any) -> Measured:
         start = perf_counter()
         try:
             with time_limit(SECONDS):
                 answer = self.answer(prepared)
         except TimeoutError:
             return {"seconds": SECONDS, "verdict": "timeout", "reason": f"{SECONDS:g} s"}
-        return {"seconds": perf_counter() - start, "reason": "", **answer}
+        return {"seconds": perf_counter() - start, **answer}
 
     @abstractmethod
     def prepare(self, one: Labelled) -> Any:
@@ -57,12 +65,14 @@ class Method(ABC):
     def answer(self, prepared: Any) -> Measured:
         """The verdict on what was prepared; this is what is timed."""
 
-    @abstractmethod
-    def cold(self, one: Labelled) -> float:
-        """The seconds from the start of a process of its own to the verdict on a true statement."""
 
-
+@cache
 def certificate(one: Labelled) -> str:
-    """What the certificate of an identity would be, were it true: it needs no evidence."""
-    nothing = [evidence_data(Shown()) for _ in one.statement.problem.goals]
-    return written(one.statement, "holds", nothing)
+    """What the certificate of an identity would be, were it true: its evidence is a point."""
+    statement, evidence = one.statement, []
+    points = PointFinder(finder_of, statement.names)
+    for goal in identities(Problem(statement.goals)):
+        at = finder_of(goal.space)
+        sides = [side for pair in at.pairs(goal.conclusions[0]) for side in pair]
+        evidence.append(evidence_data(Shown(point=points.point(at, divided=sides))))
+    return written(statement, "holds", evidence)

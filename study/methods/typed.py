@@ -3,7 +3,7 @@
 The space of a statement is evaluated in SymPy's expressions instead of polynomials: a root of
 an expression is ``sqrt``; a variable whose square the paper prints, as
 :math:`z_1^2+x_1y_2=c_1`, stays a symbol and the constant is replaced. Derivatives
-are SymPy's own. This runs in a process of its own, under a limit.
+are SymPy's own.
 """
 
 from __future__ import annotations
@@ -19,13 +19,18 @@ from kowalevski_cas.algebra import load
 from kowalevski_cas.algebra.derivation import Field, along
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Sum
-from kowalevski_cas.problem.codec import read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.goals import Problem
 from kowalevski_cas.problem.space import Adjoined, Setting, generators
-from study.labelled import residuals
+from study.labelled import Labelled, residuals
+from study.methods.method import ACCEPTED, NONE, REJECTED, Method
+from study.process import limit_memory
 from study.step import Measured
 
-METHODS: Mapping[str, Callable[[Any], bool | None]] = {
+MEBIBYTES = 4096
+"""The memory that a statement may take."""
+
+CALLS: Mapping[str, Callable[[Any], bool | None]] = {
     "simplify": lambda e: bool(sympy.simplify(e) == 0),
     "expand": lambda e: bool(sympy.expand(e) == 0),
     "cancel": lambda e: bool(sympy.cancel(e) == 0),
@@ -35,17 +40,35 @@ METHODS: Mapping[str, Callable[[Any], bool | None]] = {
 """Whether an expression is zero, in the words of SymPy; ``equals`` may not know."""
 
 
-def decide(question: Mapping[str, Any]) -> Measured:
-    """Whether a method finds that the identities of a certificate are true."""
-    problem, method = read_problem(question["certificate"]), METHODS[question["method"]]
+class ByHand(Method):
+    """One of the calls with which people ask SymPy whether something is zero."""
+
+    def __init__(self, call: str, share: int | None = None) -> None:
+        super().__init__(f"SymPy {call}", share)
+        self.call = call
+
+    def prepare(self, one: Labelled) -> Problem:
+        CALLS[self.call](sympy.sqrt(sympy.Symbol("x")))  # its modules are loaded beforehand
+        return one.statement.problem
+
+    def answer(self, prepared: Problem) -> Measured:
+        limit_memory(MEBIBYTES)  # of the process of this statement
+        try:
+            return decide(self.call, prepared)
+        except MemoryError:
+            return {"verdict": "timeout", "reason": f"{MEBIBYTES} MiB"}
+
+
+def decide(call: str, problem: Problem) -> Measured:
+    """Whether a call of SymPy finds that a problem of identities is true."""
     for residual in residuals(problem, cache(Typed)):
         assert isinstance(residual, Expression)
-        zero = method(residual.value)
+        zero = CALLS[call](residual.value)
         if zero is None:
-            return {"verdict": "none", "reason": "it does not know"}
+            return {"verdict": NONE, "reason": "it does not know"}
         if not zero:
-            return {"verdict": "rejected", "reason": "something is left that is not 0"}
-    return {"verdict": "accepted", "reason": ""}
+            return {"verdict": REJECTED}
+    return {"verdict": ACCEPTED}
 
 
 class Expression(Element):
@@ -72,14 +95,8 @@ class Expression(Element):
     def __neg__(self) -> Expression:
         return self._made(-self.value)
 
-    def __sub__(self, other: Element) -> Expression:
-        return self._made(self.value - _value(other))
-
     def __mul__(self, other: Element) -> Expression:
         return self._made(self.value * _value(other))
-
-    def __truediv__(self, other: Element) -> Expression:
-        return self._made(self.value / _value(other))
 
     def __pow__(self, exponent: int) -> Expression:
         return self._made(self.value**exponent)

@@ -33,6 +33,17 @@ def test_an_audit_says_what_verify_says():
     }
 
 
+def test_every_claim_of_verify_is_shown_by_its_id_once_with_its_verdict():
+    shown = {f.id: f.verdict for f in audited().formulas if f.id in f.claims}
+    in_words = {outcome.claim: outcome.verdict for outcome in audited().statements}
+    assert not shown.keys() & in_words.keys()
+    run = verify(
+        base().derivation, ["flint"], certificates=base().stored, record=base().record
+    )  # fmt: skip
+    assert shown | in_words == {outcome.claim: outcome.verdict for outcome in run.outcomes}
+    assert [outcome.claim for outcome in audited().false] == ["critical-set"]
+
+
 def test_the_misprints_of_the_paper():
     wrong = [formula.id for formula in audited().formulas if formula.wrong]
     rows = [f"eq10.{k}" for k in (1, 2, 3, 4, 7, 8)]
@@ -74,7 +85,7 @@ def test_the_formulas_stand_in_the_order_of_the_source():
         ),
         (r"\tau=it", r"\tau=-it", "tau.1", {"eq10.1", "eq12"}),
         (r"F_2  = U_1  -", r"F_2  = U_1  +", "F2.1", {"F1-prime", "eq15"}),
-        (r"{\bs \beta} = 0$", r"{\bs \beta} = 3$", "beta.1", {"eq18", "eq19"}),
+        (r"{\bs \beta} = 0$", r"{\bs \beta} = {\bs \alpha}$", "beta.1", {"eq18", "eq19"}),
     ],
 )
 def test_a_changed_definition_is_the_cause(old, new, cause, false):

@@ -2,7 +2,7 @@ from itertools import pairwise
 
 import pytest
 
-from kowalevski_cas.audit import macros
+from kowalevski_cas.audit import definitions, macros
 from kowalevski_cas.audit.macros import expand
 from kowalevski_cas.audit.source import SourceError, decode
 
@@ -76,4 +76,4 @@ def test_definitions_that_are_not_understood_are_noted():
 
 def test_unclosed_definitions_take_no_time():
     expanded = expand(decode("paper.tex", rb"\def\a{" * 100_000))
-    assert len(expanded.notes) == macros.FAILURES
+    assert len(expanded.notes) == definitions.FAILURES

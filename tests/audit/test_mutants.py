@@ -1,11 +1,12 @@
 """Mutants of the paper: what is made, what is noticed, and why something is not."""
 
+from dataclasses import replace
 from random import Random
 
 import pytest
 
 from kowalevski_cas.audit.audit import audit
-from kowalevski_cas.audit.catching import measure
+from kowalevski_cas.audit.catching import Caught, Measurement, measure
 from kowalevski_cas.audit.mutants import sample
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli.mutants import report
@@ -32,6 +33,15 @@ def test_mutants_are_caught():
     found = measure(audited(), sample(audited(), 5, Random(6)))
     assert found.missed == []
     assert "5 mutants" in report(found)
+
+
+def test_what_is_not_decided_in_time_is_neither_caught_nor_missed():
+    [mutant] = sample(audited(), 1, Random(9))
+    survivor = Caught(mutant, "claim", (), False, "", "", late=True, seconds=1.0)
+    found = Measurement([survivor, replace(survivor, late=False)])
+    assert found.late == [survivor]
+    assert found.share() == (0, 1)
+    assert f"not in time {mutant.words}" in report(found)
 
 
 def test_the_derivation_stands_in_for_the_paper():

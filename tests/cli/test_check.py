@@ -8,6 +8,7 @@ import pytest
 from kowalevski_cas.cli import main
 from kowalevski_cas.library import available, find
 from kowalevski_cas.verify.committed import certificate_files
+from tests.problem.tampering import seal
 
 PAPER = find("kharlamov2002")
 
@@ -141,3 +142,52 @@ def test_a_name_that_is_no_text(name, code):
     found = subprocess.run(command, capture_output=True, cwd=PAPER.parents[1])
     assert found.returncode == code
     assert b"\\udcff" in found.stdout + found.stderr and b"Traceback" not in found.stderr
+
+
+@pytest.mark.parametrize("place", ["key", "name", "formula", "sign", "claim", "file"])
+def test_nothing_in_a_file_prints_a_line_of_its_own(copy, capsys, place):
+    false = "x\nCERTIFIED 9 of 9\n"
+    path = copy / "certificates" / "eq6.json"
+    data = json.loads(path.read_text())
+    if place == "key":
+        data["spaces"][0][false] = []
+    elif place == "name":
+        data["spaces"][0]["variables"][0] = false
+    elif place == "formula":
+        data["evidence"] = [{"cofactors": [[false]]}]
+    elif place == "file":
+        path = path.rename(path.with_name(f"{false}.json"))
+    else:
+        data[place] = false
+    path.write_text(json.dumps(data))
+    for arguments in ([str(copy)], [str(path)], ["--full", str(path)]):
+        assert main(["check", *arguments]) == 5
+        lines = capsys.readouterr().out.splitlines()
+        assert not [line for line in lines if line.startswith("CERTIFIED")]
+        assert all(line.isprintable() for line in lines)
+        assert sum(line.startswith("certificates: CERTIFIED") for line in lines) == 1
+
+
+def test_a_triviality_under_the_name_of_a_claim_even_if_the_record_has_its_digest(copy, capsys):
+    path = copy / "certificates" / "eq14.json"
+    goal = {"goal": "follows", "space": 0, "given": [], "conclusions": [[["x", "x"]]]}
+    point = {"roots": [], "values": [["x", 0]]}
+    data = {"spaces": [{"variables": ["x"]}], "goals": [goal], "sign": "holds"}
+    text = seal({**json.loads(path.read_text()), **data, "evidence": [{"point": point}]})
+    path.write_text(text)
+    record = json.loads((copy / "record.json").read_text())
+    entry = {"statement": json.loads(text)["digest"], "verdict": "proved", "correction": None}
+    record["claims"]["eq14"] = {**entry, "conditions": []}
+    (copy / "record.json").write_text(json.dumps(record))
+    (copy / "certificates" / "corrected" / "eq14.json").unlink()
+    for named in (copy, path):
+        assert main(["check", "-q", str(named)]) == 5
+        out = capsys.readouterr().out
+        assert f"REJECTED {path}: the derivation prints another statement of it" in out
+
+
+def test_a_derivation_that_cannot_be_loaded(copy, capsys):
+    (copy / "section1.py").write_text("1/0")
+    for named in (copy, copy / "certificates" / "eq6.json"):
+        assert main(["check", "-q", str(named)]) == 2
+        assert "section1.py:1: ZeroDivisionError" in capsys.readouterr().err

@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 import pytest
 
 from kowalevski_cas.cli import main
+from kowalevski_cas.library import available
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import Session
 
@@ -134,7 +135,7 @@ def test_2_no_such_derivation(cli, tmp_path):
     assert code == 2
     assert (
         err == "kowalevski-cas verify: there is no derivation “euler1758”; the library has: "
-        "kharlamov2002, kharlamov_savushkin2004\n"
+        f"{', '.join(available())}\n"
     )
     code, _, err = cli("verify", tmp_path)
     assert code == 2
@@ -150,14 +151,14 @@ def test_3_undecided(cli, write):
     )
     code, out, _ = cli("verify", write(f's_ = None\ne = s.display("e", "x=v, 2x=2v")\n{relations}'))
     assert code == 3
-    assert "undecided" in out and "neither a proof nor a point where it fails was found" in out
+    assert "what would prove it is false, which does not refute it" in out
 
 
 def test_3_timed_out(cli, write):
     slow = "class Slow(Identity):\n    def search(self, *_):\n        import time\n        time.sleep(3)\n"
     code, out, _ = cli("verify", write(f'{slow}t = s.display("t", "x=x")\ns.claim(Slow("slow", osc, t[1], ""))'), "--timeout", "0.05")  # fmt: skip
     assert code == 3
-    assert "not decided within 0.05 s by the search" in out
+    assert "not decided within 0.05 s" in out
 
 
 def test_4_the_arithmetics_disagree(cli, write, monkeypatch):
@@ -181,8 +182,8 @@ def test_6_nothing_selected(cli):
     code, _, err = cli("verify", "--only", "eq10.55", "--arithmetic", "flint")
     assert code == 6
     assert err.startswith(
-        "kowalevski-cas verify: there is no claim “eq10.55” in kharlamov2002, "
-        "kharlamov_savushkin2004; did you mean eq10.5"
+        f"kowalevski-cas verify: there is no claim “eq10.55” in {', '.join(available())}; "
+        "did you mean eq10.5"
     )
 
 
@@ -440,7 +441,7 @@ def test_a_reader_that_goes_away_is_no_error():
 def test_proving_with_flint_imports_no_other_library():
     script = (
         "import sys; from kowalevski_cas.cli import main; code = main(['verify', '--arithmetic', 'flint']);"
-        "found = {'sympy', 'symengine', 'numpy', 'matplotlib', 'rich', 'jinja2', 'typst', 'difflib'}"
+        "found = {'sympy', 'symengine', 'numpy', 'matplotlib', 'rich', 'typst', 'difflib'}"
         " & set(sys.modules); print(code, sorted(found), file=sys.stderr)"
     )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, cwd=ROOT)
@@ -469,7 +470,7 @@ def test_a_screening_that_saw_nothing_is_no_success(cli):
 def test_a_screening_writes_no_report(cli, write, tmp_path):
     code, _, err = cli("verify", write(TRUE), "--arithmetic", "ball", "--report", tmp_path)
     assert code == 2 and "ball proves nothing: choose flint" in err
-    assert not list(tmp_path.glob("*.tex"))
+    assert not [*tmp_path.glob("*.tex"), *tmp_path.glob("*.html")]
 
 
 def test_a_screening_is_compared_with_the_record(cli):

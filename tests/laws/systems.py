@@ -102,8 +102,7 @@ def _claim(section: Section, scene: Scene, id: str, stated: Stated) -> None:
         case "integral":
             section.claim(FirstIntegral(id, scene, tex[1], "", given=(*given,)))
         case "invariant":
-            names = tuple(f"F_{k}" for k, _ in enumerate(stated.tex, 1))
-            section.claim(InvariantRelations(id, scene, None, "", relations=(*tex,), names=names))
+            section.claim(InvariantRelations(id, scene, None, "", relations=(*tex,)))
         case "implication":
             section.claim(Implication(id, scene, tex[1], "", given=(*given,)))
         case "dimension":

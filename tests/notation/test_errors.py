@@ -69,6 +69,45 @@ def test_an_undeclared_name_is_shown_with_its_neighbours():
         (r"\begin{tikzcd}a\end{tikzcd}", "the environment tikzcd cannot be read"),
         (r"\begin{pmatrix} a & a \\ a \end{pmatrix}", "the rows of the matrix differ in length"),
         ("a\x00", "a control character stands in the formula"),
+        # relations are what they are
+        ("a < 1", "the relation < cannot be read"),
+        (r"a = d \approx 1", r"the relation \approx cannot be read"),
+        # text among formulas
+        (r"a = d\text{ if $d=0$}", "mathematics inside of text cannot be read"),
+        (r"a = d\mbox{$+1$}", "mathematics inside of text cannot be read"),
+        (r"a \hbox{+} d", "mathematics inside of text cannot be read"),
+        (r"a_{\text{$d$}}", "mathematics inside of text cannot be read"),
+        (r"a = 0 \text{ or } d = 0", "the words “or” among formulas are not understood"),
+        (r"a = \textit{d}", "the words “d” among formulas are not understood"),
+        (r"a = d\ref{e}", r"the macro \ref is not known here"),
+        ("$a$ $d$", "the mathematics ends here, and more follows"),
+        (r"\[a\] \[d\]", "the mathematics ends here, and more follows"),
+        # what changes the meaning of what follows
+        (r"\let\a=d a", r"the macro \let is not known here"),
+        (r"\gdef\a{d} a", r"the macro \gdef is not known here"),
+        (r"\edef\a{d} a", r"the macro \edef is not known here"),
+        (r"\catcode`\a=13 a", r"the macro \catcode is not known here"),
+        # applied names
+        (r"F(\tau)", "a product, or F at this argument?"),
+        ("x_1(0)", "a product, or x_1 at this argument?"),
+        (r"\dot F(\tau)^2", r"a product, or \dot F at this argument?"),
+        ("F(a, d)", "a product, or F at this argument?"),
+        ("a^{(2)}", "is this a power? then it needs no brackets"),
+        # vectors
+        (r"\bs\alpha \bs\alpha", "two vectors side by side"),
+        (r"a(\bs\alpha\times\bs\alpha)\bs\alpha", "two vectors side by side"),
+        (r"\bs\alpha + a", "a vector and a number are added"),
+        (r"\bs\alpha = 1", "a vector is set equal to a number"),
+        (r"\bs\alpha^2", "a number is expected here, not a vector"),
+        (r"\frac{a}{\bs\alpha}", "a number is expected here, not a vector"),
+        (r"a/\bs\alpha", "a number is expected here, not a vector"),
+        (r"\bs\alpha \times a", "a vector product of a vector and something else"),
+        # words and dots that stand for nothing
+        (r"a + {\rm const}", "the word const stands at the end of an equation"),
+        (r"a = {\rm const} = d", "the word const stands at the end of an equation"),
+        (r"a\ldots d", "an ellipsis stands for terms, and for nothing else"),
+        ("1\\,000", "two numbers side by side"),
+        (r"\begin{pmatrix} a & \\ & d \end{pmatrix}", "an empty cell in a matrix"),
     ],
 )
 def test_the_message_says_what_is_wrong(tex, message):

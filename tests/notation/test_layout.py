@@ -2,7 +2,7 @@
 
 import pytest
 
-from kowalevski_cas.notation import read_display, split_display, to_latex
+from kowalevski_cas.notation import NotationError, read_display, split_display, to_latex
 from tests.notation import paper
 
 
@@ -55,7 +55,7 @@ def test_nested_arrays_are_rows_and_cells():
         (r"\begin{aligned} a & = b \\ & - c \end{aligned}", [r"a & = b \\ & - c"]),
         (r"a = b \\[-2mm] -c = d", ["a = b", "-c = d"]),
         (r"F = (a+b) \\ (c+d) = 0", [r"F = (a+b)", "(c+d) = 0"]),
-        (r"(a+b) \\ (c+d) = 0", [r"(a+b) \\ (c+d) = 0"]),
+        (r"(a+b) \\ \times (c+d) = 0", [r"(a+b) \\ \times (c+d) = 0"]),
         (r"a = (b \\ + c)", [r"a = (b \\ + c)"]),
         (r"\left\{\begin{array}{l} a=0,\\ b=0 \end{array}\right.", ["a=0", "b=0"]),
         (r"\left\{\begin{array}{l} a=0,\\ b=0 \end{array}\right\}", ["a=0", "b=0"]),
@@ -73,6 +73,50 @@ def test_statements(tex, expected):
         assert len(parts(tex)) == 2
     else:
         assert parts(tex) == expected
+
+
+ROWS = [
+    (r"\begin{align} a &= b \\ c &= d \end{align}", 2),
+    (r"\begin{align} a &= b \\ -c &= d \end{align}", 2),
+    (r"\begin{align} a &= b \\ & -c = d \end{align}", 1),
+    (r"\begin{align} a &= b && c = d \\ x &= y && z = w \end{align}", 4),
+    (r"\begin{eqnarray} a &=& b \\ c &=& d \\ && + e \end{eqnarray}", 2),
+    (r"\begin{eqnarray*} a &=& b \\ &=& c \end{eqnarray*}", 1),
+    (r"\begin{array}{ll} a = b & -c = d \\ x = y & z = w \end{array}", 4),
+    (r"\begin{array}{rcl} a&=&b \\ c&=&d \end{array}", 2),
+    (r"\begin{cases} \dot x = y \\ \dot y = -x \end{cases}", 2),
+    (r"a & = b \cr c & = d", 2),
+]
+
+
+@pytest.mark.parametrize(("tex", "count"), ROWS)
+def test_a_row_that_states_a_relation_is_a_statement_without_a_comma_too(tex, count):
+    assert len(parts(tex)) == count
+
+
+@pytest.mark.parametrize(
+    "tex",
+    [
+        r"a = b \\ (c+d)",
+        r"(a+b) \\ c = d",
+        r"\begin{align} a &= b \\ & c \end{align}",
+        r"a = b \quad c",
+        r"a \quad b = c",
+        r"a \quad b",
+        r"a \\ -b",
+        r"\begin{array}{ll} a & b \\ c & d \end{array}",
+        r"f = \begin{cases} a, & x = 0 \\ b, & x = 1 \end{cases}",
+        r"f = \left\{\begin{array}{l} a \\ b \end{array}\right.",
+        r"\left\{\begin{array}{l} a = b \\ c = d \end{array}\right. = e",
+        r"\frac{\begin{array}{c} a \\ b \end{array}}{c}",
+        r"(a \\ b)",
+        "a = 1,5",
+        "a = 1{,}000",
+    ],
+)
+def test_what_runs_on_is_not_guessed(tex):
+    with pytest.raises(NotationError):
+        split_display(tex)
 
 
 def test_no_name_needs_to_be_known():

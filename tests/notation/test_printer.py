@@ -1,5 +1,8 @@
 """What is printed reads back as the same tree."""
 
+import re
+from xml.etree import ElementTree
+
 import pytest
 from hypothesis import given, settings
 
@@ -17,6 +20,7 @@ from kowalevski_cas.notation import (
     read,
     read_display,
     to_latex,
+    to_mathml,
     to_plain,
     to_typst,
 )
@@ -45,6 +49,27 @@ def test_plain_text_has_no_macro_and_no_brace_of_tex(formula):
     text = to_plain(formula)
     assert not set(text) & set("\\$&\n")
     assert text.count("(") == text.count(")") and text.count("[") == text.count("]")
+
+
+CHILDREN = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3, "mover": 2}
+"""How many elements those of MathML Core hold that have places for them."""
+
+ELEMENTS = {*CHILDREN, "math", "mi", "mn", "mo", "mrow", "msqrt", "mtable", "mtr", "mtd"}
+
+
+@settings(max_examples=300, deadline=None)
+@given(formulas)
+def test_mathml_is_of_its_core_and_says_what_is_printed(formula):
+    math = ElementTree.fromstring(f"<math>{to_mathml(formula)}</math>")
+    for element in math.iter():
+        assert element.tag in ELEMENTS
+        assert len(element) == CHILDREN.get(element.tag, len(element))
+        letters = element.tag in ("mi", "mn", "mo")
+        assert bool((element.text or "").strip()) == letters and not (element.tail or "").strip()
+    text = "".join(math.itertext())
+    assert text.count("(") == text.count(")") and text.count("[") == text.count("]")
+    digits = re.sub(r"\D", "", to_latex(formula))
+    assert sorted(re.sub(r"\D", "", text)) == sorted(digits)
 
 
 @settings(max_examples=100, deadline=None)

@@ -134,7 +134,7 @@ def test_another_function_moves_on_the_set(session, claim, words) -> None:
     one = statement(session, claim, texts.edited(claim.printed, edit))
     denial = one.search()
     assert isinstance(denial, Denial)
-    Judge(finder_of).denies(one.goals[denial.goal], denial.evidence)
+    Judge(finder_of, one.names).denies(one.goals[denial.goal], denial.evidence)
     if denial.goal == 0:
         x = point({Name(name): value for name, value in denial.evidence.point.values.items()})
         assert on_the_sphere(x)
@@ -147,7 +147,7 @@ def test_a_wrong_tree_of_cases_proves_nothing(session) -> None:
     shown = session._evidence(one, "corrected/critical-set")
     converse = shown[1]
     assert isinstance(converse, Shown) and converse.proof.cases
-    Judge(finder_of).holds(one.goals[1], converse)
+    Judge(finder_of, one.names).holds(one.goals[1], converse)
     proof = converse.proof
     for wrong in (
         replace(proof, product=proof.product[:-1], cases=proof.cases[:-1]),
@@ -157,4 +157,4 @@ def test_a_wrong_tree_of_cases_proves_nothing(session) -> None:
         Proof(),
     ):
         with pytest.raises(Unproved):
-            Judge(finder_of).holds(one.goals[1], replace(converse, proof=wrong))
+            Judge(finder_of, one.names).holds(one.goals[1], replace(converse, proof=wrong))

@@ -85,7 +85,7 @@ def denied(session, claim):
     statement = Statement(claim, session.on(claim))
     denial = statement.search()
     assert isinstance(denial, Denial)
-    judge = Judge(finder_of)
+    judge = Judge(finder_of, statement.names)
     judge.denies(statement.goals[denial.goal], denial.evidence)
     return counterexample(statement, denial, judge.accepted)
 

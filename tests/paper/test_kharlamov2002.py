@@ -37,7 +37,10 @@ ERRATA = {
 """Misprints, with what stands in the correct formula."""
 
 CONDITIONS = {
-    "N4-dimension": ["x_1x_2", "c_1c_2"],
+    "M4-dimension": ["(a^2 - b^2)^2 + 4c^2", "a^2b^2 - c^2"],
+    "N4-dimension": ["x_1x_2", "a^2b^2 - c^2", "c_1c_2"],
+    "N4-independence": ["x_1x_2", "x_1 + w_1^2"],
+    "appelrot-dimension": [r"\alpha_1^2 + \alpha_2^2"],
     "eq15": ["x_1x_2"],
     "eq16.invariance": [r"\xi_1^2 + \xi_2^2"],
     "equilibria": ["(a^2 - b^2)^2 + 4c^2"],
@@ -116,7 +119,7 @@ def test_the_conditions_are_named(outcomes, id):
 
 
 def test_conditions_that_are_not_stated_come_with_a_point_where_it_fails(derivation, certificates):
-    ids = ["N4-dimension", "eq16.invariance", "equilibria"]
+    ids = ["M4-dimension", "N4-dimension", "appelrot-dimension", "eq16.invariance", "equilibria"]
     found = verify(derivation, ["flint"], ids, explain=True, certificates=certificates).outcomes
     assert all(any(c.witness is not None for c in outcome.conditions) for outcome in found)
 
@@ -142,6 +145,7 @@ def test_what_rests_on_the_accepted_correction_says_so(outcomes):
     """The unit of (9) is misprinted; the derivation accepts the one with which (10) holds."""
     corrected = {id: outcome.corrected for id, outcome in outcomes.items() if outcome.corrected}
     assert {"eq10.5", "eq12", "N4-dimension"} <= corrected.keys()
+    assert corrected.pop("kowalevski-variable") == ("eq10.1", "eq10.2", "eq10.7", "eq10.8")
     assert set(corrected.values()) == {("eq9.i",)}
     assert not {"eq9.i", "eq4.1", "eq17.1", "critical-set"} & corrected.keys()
 

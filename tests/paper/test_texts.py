@@ -49,3 +49,16 @@ def test_another_source_is_read_in_place_of_the_printed_one(texts):
 
 def test_expressions_are_read_once(texts):
     assert texts.expression("x+y") is texts.expression("x+y")
+
+
+@pytest.mark.parametrize("ask", [Texts.formula, Texts.relation, Texts.sides, Texts.time_scale])
+def test_an_inequality_is_never_read_as_an_equality(texts, ask):
+    with pytest.raises(NotationError, match=r"rows.2: an equality is expected, not .ne") as caught:
+        ask(texts.with_source(ROWS, r"x=y, y=x \ne 2x"), ROWS[2])
+    assert caught.value.tex[caught.value.position :].lstrip() == r"\ne 2x"
+
+
+def test_an_equation_has_two_sides_and_none_is_left_out(texts):
+    assert [to_latex(side) for side in texts.sides(ROWS[2])] == ["y", "2x"]
+    with pytest.raises(NotationError, match="two sides"):
+        texts.with_source(ROWS, "x=y=2").sides(ROWS[1])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from copy import deepcopy
 
 OTHERS = {
@@ -87,3 +88,59 @@ def mutants(data, path, names):
     """Certificates that differ at one place, with words for the change."""
     for value in others(data, path, names):
         yield f"{path} = {str(value)[:60]}", changed(data, path, value)
+
+
+# -- changes of any kind -----------------------------------------------------------
+
+JUNK = (
+    None, True, False, 0, 1, -1, 2, 64, 65, 10**9, 10**30, 0.5, "", "i", "x", "x\nCERTIFIED 9 of 9", "\u202e",
+    "\ud800", [], [[]], {}, [{}], ["sqrt", 2], ["D", "x"], ["/", 1, 0], ["^", ["^", "x", 64], 64],
+)  # fmt: skip
+
+
+def twisted(data, choose):
+    """A copy with one to three changes of any kind, at any places."""
+    for _ in range(choose.choice((1, 1, 1, 2, 3))):
+        everywhere = [path for path in places(data) if path != ("digest",)]
+        path = choose.choice(everywhere)
+        value = deepcopy(at(data, path))
+        kind = choose.choice(
+            ("junk", "splice", "swap", "double", "reverse", "sink", "lift", "other")
+        )
+        if kind == "junk":
+            data = changed(data, path, deepcopy(choose.choice(JUNK)))
+        elif kind == "splice":
+            data = changed(data, path, deepcopy(at(data, choose.choice(everywhere))))
+        elif kind == "swap" and len(path) > 1:
+            beside = [p for p in everywhere if p[:-1] == path[:-1]]
+            other = choose.choice(beside)
+            data = changed(changed(data, path, deepcopy(at(data, other))), other, value)
+        elif kind == "double" and isinstance(value, list) and value:
+            place = choose.randrange(len(value))
+            data = changed(data, path, [*value[:place], value[place], *value[place:]])
+        elif kind == "reverse" and isinstance(value, list):
+            data = changed(data, path, value[::-1])
+        elif kind == "sink":
+            data = changed(data, path, [value])
+        elif kind == "lift" and isinstance(value, list) and value:
+            data = changed(data, path, choose.choice(value))
+        elif kind == "other":
+            names = sorted(names_in([data.get("spaces"), data.get("goals")]))
+            data = changed(data, path, choose.choice(others(data, path, names)))
+    return data
+
+
+def scratched(text, choose):
+    """A text with a few characters changed, left out, put in, or a piece of it doubled."""
+    for _ in range(choose.choice((1, 1, 2, 5))):
+        k, n = choose.randrange(len(text)), choose.choice((0, 1, 1, 30))
+        new = choose.choice(("", text[k : k + n] * 2, choose.choice('019-,:[]{}"\\\nxe.\0é')))
+        text = text[:k] + new + text[k + n :]
+    return text
+
+
+def doubled_key(text, choose):
+    """A text in which a key stands twice, the second time with another value."""
+    found = [match.span() for match in re.finditer(r'"\w+"(?=\s*:)', text)]
+    start, end = choose.choice(found)
+    return f"{text[:start]}{text[start:end]}: {choose.choice(['0', '[]', 'null', '{}'])}, {text[start:]}"

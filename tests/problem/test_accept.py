@@ -84,6 +84,8 @@ I = Adjoined("i", decode(minus(1)))  # noqa: E741
 COMPLEX = Space(("x", "y"), steps=(I,))
 SQUARE, SUM = ["^", "x", 2], plus(["^", "x", 2], ["^", "y", 2])
 ORIGIN = at(x=0, y=0)
+IDENTICALLY = Shown(Proof(), at(x=1, y=2))
+"""The two sides are equal, and there is a point."""
 
 
 class TestHypotheses:
@@ -92,7 +94,10 @@ class TestHypotheses:
         rejected(goal, Shown(Proof((row("x"),)), ORIGIN), "not where it should be")
 
     def test_no_point(self):
-        rejected(follows(["x", 0], given=[["x", 0]]), Shown(Proof((row(1),))), "satisfy")
+        none = "no real point is known that satisfies the hypotheses"
+        rejected(follows(["x", 0], given=[["x", 0]]), Shown(Proof((row(1),))), none)
+        rejected(follows(["x", "x"]), Shown(), none)
+        rejected(Follows(XY, (), equations([1, 0])), Shown(Proof((row(1),))), none)
 
     def test_a_condition_that_vanishes_wherever_the_hypotheses_hold(self):
         goal, proof = follows(["y", 0], given=[["x", 0]]), Proof((row(["/", "y", "x"]),))
@@ -107,9 +112,20 @@ class TestHypotheses:
 
     def test_emptiness_by_what_vanishes_on_the_set(self):
         empty = Follows(XY, (), equations(["x", 0]))
-        rejected(empty, Shown(Proof((row(["/", 1, "x"]),))), "may be zero")
+        proof = Proof((row(["/", 1, "x"]),))
+        rejected(empty, Shown(proof, at(x=1, y=0)), "may be zero")
         granted = replace(empty, space=Space(("x", "y"), nonzero=row("x")))
-        accepted(granted, Shown(Proof((row(["/", 1, "x"]),))))
+        accepted(granted, Shown(proof, at(x=1, y=0)))
+
+    def test_emptiness_in_a_setting_that_is_empty(self):
+        """Where no r is the root of -1 - x², no r is 5; but that says nothing of 5."""
+        square = minus(plus(SQUARE, 1))
+        space = Space(("x",), steps=(Adjoined("r", decode(square)),))
+        empty = Follows(space, (), equations([["^", "r", 2], plus(minus(SQUARE), 4)]))
+        proof = Proof((row(["/", -1, 5]),))
+        for r in (1, "i", ["*", -1, "i"]):
+            rejected(empty, Shown(proof, at(x=0, r=r)), "no root|not a root|not real")
+        rejected(empty, Shown(proof, at(x=0)), "leaves a value out|not real|not where")
 
     def test_emptiness_with_a_point_of_the_set(self):
         empty = Follows(XY, (), equations(["x", 0]))
@@ -121,7 +137,7 @@ class TestHypotheses:
     def test_nothing_stated(self):
         for goal in (Follows(XY, ((),)), Follows(XY, ((), equations(["x", 0])))):
             rejected(goal, Shown(), "nothing is stated")
-        accepted(follows(["x", "x"]), Shown())
+        accepted(follows(["x", "x"]), IDENTICALLY)
 
 
 class TestProofs:
@@ -230,7 +246,7 @@ class TestPoints:
     def test_the_value_of_a_root_left_out(self):
         space = Space(("x",), steps=(Adjoined("r", decode("x")),))
         goal = Follows(space, (equations(["r", 1]), equations(["r", -1])), equations(["x", 1]))
-        denial_rejected(goal, At(at(x=1)), "root out")
+        denial_rejected(goal, At(at(x=1)), "value out")
         denial_rejected(goal, At(at(x=1, r=2)), "not a root there")
         denial_rejected(goal, At(at(x=1, r=-1)), "hold at the point")
 
@@ -260,12 +276,20 @@ class TestPoints:
     def test_the_unit_and_conjugates(self):
         goal = follows([["*", "x", "i"], "y"], space=COMPLEX)
         denial_rejected(goal, At(at(x=1, y=0, i=1)), "not a root")
-        denial_rejected(goal, At(at(x=1, y=0)), "root out")
+        denial_rejected(goal, At(at(x=1, y=0)), "value out")
         pair = Space(("x", "y"), conjugates=(("x", "y"),))
         goal = follows(["x", "y"], space=pair)
         denial_rejected(goal, At(at(x=1, y=2)), "not real")
         denial_rejected(goal, At(at(x="i", y="i")), "not real")
         accepted(goal, At(at(x="i", y=minus("i"))), sign=False)
+
+    def test_a_root_without_a_declared_conjugate_is_real(self):
+        space = Space(("x", "y"), steps=(Adjoined("q", decode("x")),), conjugates=(("x", "y"),))
+        goal = follows(["q", 3], space=space)
+        complex_one = at(x=["*", 2, "i"], y=["*", -2, "i"], q=plus(1, "i"))
+        denial_rejected(goal, At(complex_one), "q is not real there")
+        accepted(goal, At(at(x=4, y=4, q=2)), sign=False)
+        denial_rejected(goal, At(at(x=4, y=5, q=2)), "not real there")
 
     def test_off_the_set_and_on_it(self):
         goal = follows(["y", 1], given=[["x", 1]])
@@ -374,27 +398,27 @@ class TestExists:
 
     def test_names_without_values_and_values_without_names(self):
         goal = self.exists([["D", "x"], ["*", "M", "y"]])
-        accepted(goal, Found({"M": decode(1)}, (Shown(),)))
+        accepted(goal, Found({"M": decode(1)}, (IDENTICALLY,)))
         for values in ({}, {"N": decode(1)}, {"M": decode(1), "N": decode(1)}):
-            rejected(goal, Found(values, (Shown(),)), "no value")
-        for inner in ((), (Shown(), Shown()), (At(ORIGIN),), (None,), None):
+            rejected(goal, Found(values, (IDENTICALLY,)), "no value")
+        for inner in ((), (IDENTICALLY, IDENTICALLY), (At(ORIGIN),), (None,), None):
             rejected(goal, Found({"M": decode(1)}, inner))
-        rejected(goal, Shown(), "no expressions")
+        rejected(goal, IDENTICALLY, "no expressions")
 
     def test_another_value(self):
         goal = self.exists([["D", "x"], ["*", "M", "y"]])
         for tree in (2, "x", "M", "N", ["/", 1, 0]):
-            rejected(goal, Found({"M": decode(tree)}, (Shown(),)))
+            rejected(goal, Found({"M": decode(tree)}, (IDENTICALLY,)))
 
     def test_a_number_that_is_none(self):
         goal = self.exists(["x", "k"], expressions=(), numbers=("k",))
-        rejected(goal, Found({"k": decode("x")}, (Shown(),)), "k is no number")
+        rejected(goal, Found({"k": decode("x")}, (IDENTICALLY,)), "k is no number")
 
     def test_one_value_for_all_goals(self):
         first, second = (identity(self.SPACE, *equations(["M", tree])) for tree in ("x", "y"))
         goal = Exists((first, second), ("M",))
         for tree in ("x", "y"):
-            rejected(goal, Found({"M": decode(tree)}, (Shown(), Shown())), "not equal")
+            rejected(goal, Found({"M": decode(tree)}, (IDENTICALLY, IDENTICALLY)), "not equal")
 
     def test_a_value_that_is_not_defined_on_the_set(self):
         goal = Exists(
@@ -405,7 +429,7 @@ class TestExists:
             ("M",),
         )  # fmt: skip
         values = {"M": decode(["/", "y", "x"])}
-        inner = (Shown(), Shown(Proof(), at(x=0, y=1)))
+        inner = (IDENTICALLY, Shown(Proof(), at(x=0, y=1)))
         rejected(goal, Found(values, inner), "not where|divided by")
 
     def test_a_denial_at_a_pole(self):
@@ -552,16 +576,16 @@ class TestCount:
 class TestMotion:
     def test_a_gap_in_the_field(self):
         space = Space(("x", "y"), field=(Motion(("x",), decode(1), decode("y")),))
-        rejected(follows([["D", "y"], 0], space=space), Shown(), "no equation of motion")
-        rejected(follows([["D", "y"], 0]), Shown(), ".")
+        rejected(follows([["D", "y"], 0], space=space), IDENTICALLY, "no equation of motion")
+        rejected(follows([["D", "y"], 0]), IDENTICALLY, ".")
 
     def test_a_definition_that_moves_otherwise(self):
         rows = (Motion(("x", "z"), decode(["vector", 1, 1]), decode(["vector", 1, 1])),)
         space = Space(("x",), steps=(Let("z", decode(0)),), field=rows)
-        rejected(follows([["D", "x"], 1], space=space), Shown(), "does not move")
+        rejected(follows([["D", "x"], 1], space=space), IDENTICALLY, "does not move")
 
     def test_a_zero_divisor_among_the_roots(self):
         steps = (Adjoined("r", decode(2)), Adjoined("s", decode(8)))
         space = Space(("x",), steps=steps)
         goal = follows([["/", 1, plus("s", ["*", -2, "r"])], "x"], space=space)
-        rejected(goal, Shown(), ".")
+        rejected(goal, IDENTICALLY, ".")

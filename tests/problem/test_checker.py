@@ -1,6 +1,7 @@
 import ast
 import json
 import random
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -11,7 +12,7 @@ from kowalevski_cas.problem import checker
 
 from .tampering import at, changed, others, places, seal
 
-CHECKER = Path(checker.__file__)
+CHECKER = Path(checker.__file__).parent
 FILES = sorted((Path(__file__).parent / "handwritten").glob("*.json"))
 TEXTS = {path.stem: path.read_text(encoding="utf-8") for path in FILES}
 
@@ -32,11 +33,28 @@ def rejected(data, message=None):
 
 class TestProgram:
     def test_it_needs_the_standard_library_only(self):
-        tree = ast.parse(CHECKER.read_text(encoding="utf-8"))
-        assert not [node for node in ast.walk(tree) if isinstance(node, ast.Assert)]
-        modules = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
-        modules |= {a.name for n in ast.walk(tree) if isinstance(n, ast.Import) for a in n.names}
+        trees = [ast.parse(path.read_text(encoding="utf-8")) for path in CHECKER.glob("*.py")]
+        nodes = [node for tree in trees for node in ast.walk(tree)]
+        assert len(trees) > 5 and not [node for node in nodes if isinstance(node, ast.Assert)]
+        found = [node for node in nodes if isinstance(node, ast.ImportFrom)]
+        assert {node.level for node in found} == {0, 1}
+        modules = {node.module for node in found if not node.level}
+        modules |= {a.name for n in nodes if isinstance(n, ast.Import) for a in n.names}
         assert {module.split(".")[0] for module in modules} <= sys.stdlib_module_names
+
+    def test_it_runs_wherever_it_is_taken(self, tmp_path):
+        away = shutil.copytree(CHECKER, tmp_path / "elsewhere" / "another_name")
+        for name in (
+            "fractions.py",
+            "re.py",
+            "json.py",
+        ):  # none of these may be taken for the library's
+            for folder in (tmp_path, away.parent):
+                (folder / name).write_text("raise SystemExit('shadowed')")
+        command = [sys.executable, "-I", "-S", str(away), *map(str, FILES)]
+        found = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, timeout=60)
+        assert found.returncode == 0, found.stderr
+        assert found.stdout == run(*FILES).stdout
 
     @pytest.mark.parametrize("flags", [("-I", "-S"), ("-I", "-S", "-O")])
     def test_all_are_accepted(self, flags):

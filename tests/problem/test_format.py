@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.checker.__main__ import main
 
 from .oracle import is_true
 from .tampering import changed, names_in, others, places, seal
@@ -17,7 +18,7 @@ SAID = re.search(r"```text\n(.*?)```", DOCUMENT, re.S).group(1)
 def test_the_example_of_the_document_is_accepted(tmp_path, capsys):
     path = tmp_path / "circles.json"
     path.write_text(EXAMPLE, encoding="utf-8")
-    assert checker.main([str(path)]) == 0
+    assert main([str(path)]) == 0
     assert capsys.readouterr().out == SAID
 
 

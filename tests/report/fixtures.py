@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from hashlib import sha256
+from itertools import groupby
 from typing import Any
 
-from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
+from kowalevski_cas.notation import Edit, Formula, NotationError, Vocabulary, read_display
+from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.report import Item, Row, Section, contents
+from kowalevski_cas.report.document import Document
 from kowalevski_cas.verify.outcome import (
     Condition,
     Correction,
@@ -60,9 +65,14 @@ def step(words: str, tex: str = "") -> Step:
 
 
 def correction(
-    tex: str, words: str, verdict: Verdict, conditions: tuple[Condition, ...] = ()
+    tex: str, words: str, verdict: Verdict, conditions: tuple[Condition, ...] = (), place: str = ""
 ) -> Correction:
-    return Correction(read(tex), words, verdict, conditions)
+    """A correction; with a ``place``, one of what is printed in the display of this name."""
+    if not place:
+        return Correction(read(tex), words, verdict, conditions)
+    printed = Printed(Display(place, tex, "1"), 1)
+    edit = Edit("sign", (1,), read(tex)[0], words, read_display(tex, WORDS)[0], WORDS)
+    return Correction(read(tex), words, verdict, conditions, printed, edit)
 
 
 AWAY_FROM_THETA = condition(
@@ -220,7 +230,7 @@ def outcomes() -> tuple[Outcome, ...]:
             "The unit of the change of variables, in the line above (9)",
             R,
             counterexample=counterexample(point({"i": "i"}), "-1", "1"),
-            correction=correction("i^2 = -1", "a minus sign is missing", P),
+            correction=correction("i^2 = -1", "a minus sign is missing", P, place="eq9.i"),
         ),
         claim(
             "eq9",
@@ -270,7 +280,10 @@ def outcomes() -> tuple[Outcome, ...]:
                 if k < 5
                 else None,
                 correction=correction(
-                    tex.replace("w_3", r"\omega_3"), "$w_3$ is not defined: $\\omega_3$", P
+                    tex.replace("w_3", r"\omega_3"),
+                    "$w_3$ is not defined: $\\omega_3$",
+                    P,
+                    place="eq10",
                 )
                 if k < 5
                 else None,
@@ -483,6 +496,7 @@ def outcomes() -> tuple[Outcome, ...]:
                 "a factor",
                 C,
                 (condition(r"\alpha_1^2+\alpha_2^2", ""),),
+                "eq21",
             ),
         ),
         claim(
@@ -550,3 +564,27 @@ def run(*chosen: Outcome) -> Run:
         digest=sha256(b"run").hexdigest(),
         vocabulary=WORDS,
     )
+
+
+def in_order(run: Run) -> tuple[Section, ...]:
+    """The claims by section; what is called ``eq10.3`` is a row of the display (10)."""
+    found = []
+    for number, title in run.sections:
+        outcomes = [outcome for outcome in run.outcomes if outcome.section == number]
+        items = []
+        for name, ones in groupby(outcomes, lambda one: re.sub(r"\.\d+$", "", one.claim)):
+            rows = tuple(Row(one.formulas, one.source, (one,)) for one in ones)
+            label = f"({name[2:]})" if re.fullmatch(r"eq\d+", name) else ""
+            if rows[0].source:
+                items.append(Item(rows, (), label))
+            else:
+                items += [Item(outcomes=row.outcomes) for row in rows]
+        if outcomes:
+            found.append(Section(number, title, tuple(items)))
+    return tuple(found)
+
+
+def document(*chosen: Outcome) -> Document:
+    """The report of the whole run, or of the outcomes given."""
+    known = run(*chosen)
+    return contents(known, in_order(known))

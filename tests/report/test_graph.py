@@ -68,4 +68,9 @@ def test_boxes_do_not_overlap_and_layers_are_no_wider_than_the_page() -> None:
 def test_svg_is_well_formed_and_self_contained() -> None:
     root = ElementTree.fromstring(svg(picture(outcomes())))
     assert root.tag.endswith("svg")
-    assert len(root.findall("{*}rect")) == len(picture(outcomes()).boxes)
+    boxes = picture(outcomes()).boxes
+    links = [link.get("href") for link in root.findall("{*}a")]
+    assert links == [f"#claim.{box.name}" for box in boxes] != []
+    assert len(root.findall("{*}a/{*}rect")) == len(boxes)
+    titles = [title.text or "" for title in root.findall("{*}a/{*}title")]
+    assert titles[links.index("#claim.eq9.i")] == "i² = 1" and all(titles)

@@ -1,15 +1,18 @@
 """Pictures that other commands left beside a report."""
 
 import json
+from io import BytesIO
 from pathlib import Path
+from random import Random
 
 import pytest
+from PIL import Image
 from pypdf import PdfReader
 
 from kowalevski_cas.pictures import new_figure, save, style
-from kowalevski_cas.report import pdf, render_latex, write_report
-from kowalevski_cas.report.plates import Plate, plates
-from tests.report.fixtures import P, claim, run
+from kowalevski_cas.report import contents, pdf, render_html, render_latex, write_report
+from kowalevski_cas.report.plates import Plate, for_a_page, plates
+from tests.report.fixtures import P, claim, in_order, run
 
 SMALL = run(claim("a", "1", "x=x", "", P))
 CAPTION = "A line, drawn with 50% of the ink; $x_1=2$."
@@ -42,14 +45,29 @@ def test_a_list_that_cannot_be_read_shows_nothing(tmp_path: Path, text: str) -> 
     assert plates(tmp_path, "kharlamov2002") == ()
 
 
+def test_a_page_carries_it_small(tmp_path: Path) -> None:
+    rng = Random(1)
+    size = (1600, 40)
+    noise = Image.new("RGB", size)
+    noise.putdata([tuple(rng.choices(range(256), k=3)) for _ in range(size[0] * size[1])])
+    noise.save(tmp_path / "noise.png")
+    small = for_a_page(tmp_path / "noise.png")
+    assert len(small) < (tmp_path / "noise.png").stat().st_size / 3
+    assert Image.open(BytesIO(small)).size == (1200, 30)
+    assert for_a_page(tmp_path / "noise.png") == small
+
+
 @pytest.mark.parametrize("engine", ["typst", pytest.param("latex", marks=needs_latex)])
 def test_they_are_in_the_pdf(tmp_path: Path, engine: pdf.Engine) -> None:
     offer(tmp_path / "motion")
-    written = write_report(SMALL, tmp_path, engine=engine)
+    written = write_report(SMALL, in_order(SMALL), tmp_path, engine=engine)
     text = " ".join(page.extract_text() for page in PdfReader(written.pdf).pages)
     assert "drawn with 50% of the ink" in " ".join(text.split())
     source = written.tex.read_text(encoding="utf-8")
-    assert source == render_latex(SMALL, plates(tmp_path, "kharlamov2002"))
+    shown = contents(SMALL, in_order(SMALL), plates=plates(tmp_path, "kharlamov2002"))
+    assert source == render_latex(shown)
+    page = written.html.read_text(encoding="utf-8")
+    assert page == render_html(shown, tmp_path) and 'src="data:image/png;base64,' in page
     before = written.pdf.read_bytes()
     offer(tmp_path / "motion", heights=(1, 0))
-    assert write_report(SMALL, tmp_path, engine=engine).pdf.read_bytes() != before
+    assert write_report(SMALL, in_order(SMALL), tmp_path, engine=engine).pdf.read_bytes() != before

@@ -2,11 +2,12 @@ import json
 
 import pytest
 
-from kowalevski_cas.report import pdf, render_latex, write_report
+from kowalevski_cas.report import write_report
+from kowalevski_cas.report.facts import facts
 from kowalevski_cas.report.witnesses import Witness, arithmetics, programs
 from kowalevski_cas.verify.outcome import Verdict
 
-from .fixtures import claim, run
+from .fixtures import claim, in_order, run
 
 P, R = Verdict.PROVED, Verdict.REFUTED
 DIGESTS = {"eq6": "6" * 64, "eq7": "7" * 64}
@@ -61,37 +62,24 @@ def test_an_arithmetic_confirms_only_its_own_verdict():
     ]  # fmt: skip
 
 
-class TestPage:
-    def section(self, text):
-        return text.partition("what has to be trusted}")[2].partition(r"\section{")[0]
+class TestFacts:
+    def test_who_confirms_what(self):
+        known = run()
+        digests = {outcome.claim: "0" * 64 for outcome in known.outcomes if outcome.claim != "eq7"}
+        rocq = Witness("Rocq", "8.16", frozenset({"eq6"}))
+        content = json.loads(facts(known, digests, (rocq,)))
+        assert content["versions"]["Rocq"] == "8.16"
+        assert list(content["claims"]) == [outcome.claim for outcome in known.outcomes]
+        assert content["claims"]["eq6"]["confirmed by"] == ["Rocq"]
+        assert content["claims"]["eq7"]["certificate"] is None
+        assert content["claims"]["eq9"]["rests on"] == ["eq9.i"]
 
-    def test_without_certificates_nobody_claims_that_there_are(self):
-        text = self.section(render_latex(run()))
-        assert "What is not proved." in text
-        assert "checker has" not in text and "Digest" not in text
-
-    def test_with_certificates_and_programs(self, tmp_path):
-        known = run().outcomes
-        digests = {outcome.claim: f"{k:064d}"[::-1] for k, outcome in enumerate(known, 1)}
-        rocq = Witness("Rocq", "8.16", frozenset([known[0].claim]))
-        text = render_latex(run(), (), digests, (rocq,))
-        page = self.section(text)
-        assert f"All {len(known)} claims have a certificate" in page
-        assert "Rocq has read the same certificates" in page
-        rows = [row for row in page.splitlines() if r"\texttt{" in row and r"\\" in row]
-        assert len(rows) == len(known)
-        marks = page.count(r"$\bullet$")
-        assert marks >= len(known) + 1
-        assert "8.16" in text
-        assert text == render_latex(run(), (), digests, (rocq,))
-
-    @pytest.mark.parametrize("engine", ["latex", "typst"])
-    def test_it_is_typeset(self, engine, tmp_path):
-        if engine == "latex" and not pdf.latex_command():
-            pytest.skip("there is no LaTeX")
-        known = run().outcomes
-        digests = {outcome.claim: "a" * 64 for outcome in known}
+    def test_a_report_comes_with_them(self, tmp_path):
+        known = run()
+        digests = {outcome.claim: "a" * 64 for outcome in known.outcomes}
         says(tmp_path, "rocq", confirmed=digests)
-        written = write_report(run(), tmp_path, digests, engine=engine)
-        assert written.pdf.read_bytes().startswith(b"%PDF")
-        assert "& Rocq" in written.tex.read_text(encoding="utf-8")
+        written = write_report(known, in_order(known), tmp_path, digests, engine="typst")
+        (rocq,) = programs(tmp_path, "kharlamov2002", digests)
+        text = (tmp_path / "kharlamov2002.json").read_text(encoding="utf-8")
+        assert text == facts(known, digests, (rocq,))
+        assert f"Rocq confirms {len(digests)}" in written.html.read_text(encoding="utf-8")

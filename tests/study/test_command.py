@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
 from kowalevski_cas.cli import run
-from study import command
+from kowalevski_cas.pictures import style
+from kowalevski_cas.report.plates import plates
+from study import STEPS, command, load, page
+from study.command import FULL
+from study.store import stored
 from tests.study.toys import Interrupt
 
 
@@ -18,8 +23,9 @@ def main(arguments):
 @pytest.fixture
 def step(monkeypatch):
     step = Interrupt()
-    monkeypatch.setattr(command, "STEPS", {"toys": "toys"})
-    monkeypatch.setattr(command, "load", lambda name: step)
+    for module in (command, page):
+        monkeypatch.setattr(module, "STEPS", ("toys",))
+        monkeypatch.setattr(module, "load", lambda name: step)
     return step
 
 
@@ -29,6 +35,35 @@ def test_a_study_says_what_it_measured_and_what_failed(step, tmp_path, capsys):
     assert {path.name for path in tmp_path.iterdir()} == {"toys.png", "data"}
     head = json.loads((tmp_path / "data" / "toys.jsonl").read_text().splitlines()[0])
     assert head["quick"] is True and {"processor", "Python", "sympy"} <= head["machine"].keys()
+
+
+def test_a_whole_study_has_a_page_with_its_captions_and_lists_what_a_report_shows(
+    step, tmp_path, monkeypatch
+):
+    monkeypatch.setattr(page, "REPORTED", ("toys",))
+    folder = tmp_path / "study"
+    assert main(["-o", str(folder)]) == 0
+    assert f"![toys](toys.png)\n\n{step.CAPTION}" in (folder / "README.md").read_text()
+    (plate,) = plates(tmp_path, "kharlamov2002")
+    assert (plate.place, plate.caption) == ("study/toys", step.CAPTION)
+
+
+def test_the_committed_page_has_the_charts_and_the_captions_of_this_version(tmp_path):
+    committed = Path(__file__).parents[2] / FULL
+    assert {path.stem for path in (committed / "data").iterdir()} == set(STEPS)
+    assert {path.stem for path in committed.glob("*.png")} == set(STEPS)
+    for name in STEPS:
+        (tmp_path / f"{name}.png").touch()
+    page.write_page(tmp_path)
+    for name in ("README.md", "plates.json"):
+        assert (tmp_path / name).read_text() == (committed / name).read_text()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", STEPS)
+def test_the_committed_measurements_can_be_drawn(name):
+    with style():
+        assert load(name).draw(stored(name, Path(__file__).parents[2] / FULL)).axes
 
 
 def test_drawing_measures_nothing(step, tmp_path):

@@ -1,15 +1,15 @@
 from __future__ import annotations
 
-import json
+from time import sleep
 
 import pytest
 
-from study.labelled import TRUE, labelled
-from study.methods import ACCEPTED, NONE, REJECTED, methods
-from study.methods.certificates import answer, certificate
+from study.labelled import labelled
+from study.methods import ACCEPTED, NONE, REJECTED, method, methods, typed
+from study.methods.certificates import answer
 from study.methods.typed import decide
 
-FOUND = {method.name: method for method in methods()}
+FOUND = {one.name: one for one in methods()}
 
 
 @pytest.fixture(scope="module")
@@ -20,9 +20,9 @@ def statements():
 
 @pytest.mark.parametrize("name", [name for name in FOUND if name not in ("rocq", "floating")])
 def test_a_method_accepts_what_is_true_and_rejects_what_is_not(statements, name):
-    method = FOUND[name]
-    assert method.decide(statements["c1"])["verdict"] == ACCEPTED
-    false = method.decide(statements["c1/vanishes at small integers"])
+    one = FOUND[name]
+    assert one.decide(statements["c1"])["verdict"] == ACCEPTED
+    false = one.decide(statements["c1/vanishes at small integers"])
     assert false["verdict"] == REJECTED
     assert false["seconds"] > 0
 
@@ -36,17 +36,28 @@ def test_points_at_which_a_near_miss_vanishes_deceive_no_method(statements, name
 
 
 def test_expand_leaves_something_of_a_true_identity_with_a_root(statements):
-    question = {"method": "expand", "certificate": json.loads(certificate(statements["F1-prime"]))}
-    assert decide(question)["verdict"] == REJECTED
-    assert decide(question | {"method": "ratsimp"})["verdict"] == ACCEPTED
+    problem = statements["F1-prime"].statement.problem
+    assert decide("expand", problem)["verdict"] == REJECTED
+    assert decide("ratsimp", problem)["verdict"] == ACCEPTED
+
+
+def test_a_limit_of_time_or_memory_is_no_answer(statements, monkeypatch):
+    def slow(_):
+        sleep(60)
+
+    def large(_):
+        return bytearray(2**34)
+
+    for call, seconds, reason in ((slow, 1.0, "1 s"), (large, 20.0, "4096 MiB")):
+        by_hand = typed.ByHand("expand")
+        monkeypatch.setattr(method, "SECONDS", seconds)
+        monkeypatch.setattr(by_hand, "prepare", lambda one: one.statement.problem)
+        monkeypatch.setitem(typed.CALLS, "expand", call)
+        found = by_hand.decide(statements["c1"])
+        assert (found["verdict"], found["reason"]) == ("timeout", reason)
 
 
 def test_an_objection_that_does_not_say_no_is_no_answer():
     assert answer("")["verdict"] == ACCEPTED
     assert answer("fails: 7 statement")["verdict"] == REJECTED
     assert answer("Attempt to save an incomplete proof")["verdict"] == NONE
-
-
-def test_a_method_starts_cold(statements):
-    true = next(s for s in statements.values() if s.kind == TRUE)
-    assert FOUND["checker"].cold(true) > 0

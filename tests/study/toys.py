@@ -1,9 +1,7 @@
-"""A step with a few trivial methods, and functions for a worker."""
+"""A step with a few trivial methods."""
 
 from __future__ import annotations
 
-import os
-import time
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
@@ -14,12 +12,13 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 TITLE = "toys"
+CAPTION = "Some methods, and what $x$ costs."
 
 
 class Interrupt:
     """The step of this module, with a list of what was run and a task that may interrupt."""
 
-    TITLE = TITLE
+    TITLE, CAPTION = TITLE, CAPTION
 
     def __init__(self, at: str = "") -> None:
         self.at = at
@@ -37,30 +36,7 @@ class Interrupt:
             raise ValueError("it cannot")
         return {"seconds": 0.5, "verdict": "proved", "reason": ""}
 
-    def draw(self, rows: Sequence[Row]) -> dict[str, Figure]:
+    def draw(self, rows: Sequence[Row]) -> Figure:
         figure = new_figure(2, 1)
         figure.suptitle(" ".join(row["method"] for row in rows))
-        return {"toys": figure}
-
-
-def double(question: float) -> Measured:
-    return {"verdict": "proved", "answer": 2 * question}
-
-
-def sleep(question: float) -> Measured:
-    time.sleep(question)
-    return {"verdict": "proved"}
-
-
-def swell(question: int) -> Measured:
-    return {"verdict": "proved", "size": len(bytearray(question * 2**20))}
-
-
-def end(question: int) -> Measured:
-    if question:
-        os._exit(question)
-    return {"verdict": "proved"}
-
-
-def fail(question: str) -> Measured:
-    raise ValueError(question)
+        return figure

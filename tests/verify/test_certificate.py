@@ -18,7 +18,7 @@ from kowalevski_cas.verify.committed import certificate_files
 from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import Session, verify
 from kowalevski_cas.verify.statement import Statement
-from tests.problem.tampering import at, changed, names_in, others, places
+from tests.problem.tampering import at, changed, names_in, others, places, twisted
 
 PAPERS = ("kharlamov2002", "kharlamov_savushkin2004")
 
@@ -153,6 +153,24 @@ def test_no_tampered_evidence_makes_the_run_crash_or_the_verdict_another(
         session.stored = forged(certificates, id, changed(evidence, path, value))
         outcome = session.decide(claims[id])
         assert outcome.verdict in (record[id]["verdict"], "error"), (id, path, value)
+
+
+def test_evidence_twisted_in_any_way_is_an_error_or_a_proof_for_the_checker_too(written):
+    folder, _ = written
+    derivation, stored, record = load(folder.name), load_certificates(folder), load_record(folder)
+    session = Session(derivation, ["flint"], record=record)
+    choose = random.Random(2004)
+    for claim in choose.choices(derivation.claims, k=120):
+        new = twisted({key: stored[claim.id].data[key] for key in ("evidence", "sign")}, choose)
+        data = {**stored[claim.id].data, "evidence": None, "sign": None, **new}
+        session.stored = {**stored, claim.id: Stored(stored[claim.id].path, data)}
+        outcome = session.decide(claim)
+        if outcome.verdict == "error":
+            assert outcome.message.startswith(f"{stored[claim.id].path}: "), new
+        else:
+            assert outcome.verdict == record[claim.id]["verdict"], new
+            for text in dict(session.certificates(claim)).values():
+                checker.check(text)
 
 
 @pytest.mark.parametrize("arithmetic", EXACT)

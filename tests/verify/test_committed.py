@@ -2,6 +2,7 @@
 
 import json
 import random
+import shutil
 import subprocess
 import sys
 from functools import cache
@@ -11,12 +12,28 @@ import pytest
 
 from kowalevski_cas.library import available, find
 from kowalevski_cas.problem import checker
-from kowalevski_cas.verify.committed import certificate_files, check_committed, check_files, wanted
+from kowalevski_cas.verify.committed import (
+    certificate_files,
+    check_committed,
+    check_files,
+    expected,
+    wanted,
+)
 from kowalevski_cas.verify.record import load_record
 from tests.problem.oracle import is_true
-from tests.problem.tampering import at, changed, names_in, others, places, seal
+from tests.problem.tampering import (
+    at,
+    changed,
+    doubled_key,
+    names_in,
+    others,
+    places,
+    scratched,
+    seal,
+    twisted,
+)
 
-CHECKER = Path(checker.__file__)
+CHECKER = Path(checker.__file__).parent
 FILES = [path for name in available() for path in certificate_files(find(name))]
 FIRST = find("kharlamov2002") / "certificates"
 TEXTS = {
@@ -64,6 +81,13 @@ def test_words():
     )
 
 
+@pytest.fixture
+def paper(tmp_path):
+    """The derivation of the first paper, with its record and without a certificate."""
+    others = shutil.ignore_patterns("__pycache__", "certificates")
+    return shutil.copytree(FIRST.parent, tmp_path / "paper", ignore=others)
+
+
 class TestRecord:
     DATA = certificate("eq6")
 
@@ -73,61 +97,135 @@ class TestRecord:
         entry = {"statement": self.DATA["digest"], "verdict": "proved", **entry}
         return check_committed(folder, {"eq6": entry, "eq7": {"verdict": "undecided"}})
 
-    def test_as_recorded(self, tmp_path):
-        found = self.checked(tmp_path)
+    def test_as_recorded(self, paper):
+        found = self.checked(paper)
         assert found.digests == {"eq6": self.DATA["digest"]} and not found.rejected
         assert found.without == ("eq7",) and found.total == 1
 
-    def test_another_statement(self, tmp_path):
-        (why,) = self.checked(tmp_path, statement="0123456789abcdef").rejected.values()
+    def test_another_statement(self, paper):
+        (why,) = self.checked(paper, statement="0123456789abcdef").rejected.values()
         assert "another statement" in why and "make certificates" in why
 
-    def test_another_verdict(self, tmp_path):
-        (why,) = self.checked(tmp_path, verdict="refuted").rejected.values()
+    def test_another_verdict(self, paper):
+        (why,) = self.checked(paper, verdict="refuted").rejected.values()
         assert "another verdict" in why and "make certificates" in why
 
-    def test_of_another_claim(self, tmp_path):
-        (why,) = self.checked(tmp_path, claim="eq4.1").rejected.values()
+    def test_of_another_claim(self, paper):
+        (why,) = self.checked(paper, claim="eq4.1").rejected.values()
         assert "it is about the claim eq4.1" in why
 
-    def test_a_correction_that_is_not_recorded(self, tmp_path):
-        found = self.checked(tmp_path, where="certificates/corrected")
+    def test_a_correction_that_is_not_recorded(self, paper):
+        found = self.checked(paper, where="certificates/corrected")
         assert any("no correction" in why for why in found.rejected.values())
         assert found.rejected["eq6.json"] == "it is in the record, and missing"
 
-    def test_a_correction_that_is_denied(self, tmp_path):
-        (tmp_path / "certificates" / "corrected").mkdir(parents=True)
+    def test_a_correction_that_is_denied(self, paper):
+        (paper / "certificates" / "corrected").mkdir(parents=True)
         for folder in ("certificates", "certificates/corrected"):
-            (tmp_path / folder / "eq14.json").write_text(TEXTS["eq14"], encoding="utf-8")
+            (paper / folder / "eq14.json").write_text(TEXTS["eq14"], encoding="utf-8")
         entry = {
             "statement": certificate("eq14")["digest"],
             "verdict": "refuted",
             "correction": "x",
         }
-        (why,) = check_committed(tmp_path, {"eq14": entry}).rejected.values()
+        (why,) = check_committed(paper, {"eq14": entry}).rejected.values()
         assert "a correction has to hold" in why
 
-    def test_one_that_says_something_else_under_the_same_digest(self, tmp_path):
+    def test_one_that_says_something_else_under_the_same_digest(self, paper):
         """The digest is that of what the file states: it cannot be kept for something else."""
         data = {**self.DATA, "goals": [{**self.DATA["goals"][0], "conclusions": [[[1, 1]]]}]}
-        (tmp_path / "certificates").mkdir()
-        path = tmp_path / "certificates" / "eq6.json"
+        (paper / "certificates").mkdir()
+        path = paper / "certificates" / "eq6.json"
         path.write_text(json.dumps(data))
-        assert not check_files(certificate_files(tmp_path)).digests
+        assert not check_files(certificate_files(paper)).digests
         path.write_text(seal(data))
         entry = {"statement": self.DATA["digest"], "verdict": "proved"}
-        assert not check_committed(tmp_path, {"eq6": entry}).digests
+        assert not check_committed(paper, {"eq6": entry}).digests
 
-    def test_one_that_is_missing(self, tmp_path):
+    def test_one_that_is_missing(self, paper):
         entry = {"statement": self.DATA["digest"], "verdict": "proved", "correction": "x"}
-        found = check_committed(tmp_path, {"eq6": entry})
+        found = check_committed(paper, {"eq6": entry})
         missing = "it is in the record, and missing"
         assert found.rejected == {"eq6.json": missing, "corrected/eq6.json": missing}
 
-    def test_one_of_a_claim_that_is_not_made(self, tmp_path):
-        self.checked(tmp_path)
-        (why,) = check_committed(tmp_path, {}).rejected.values()
+    def test_one_of_a_claim_that_is_not_made(self, paper):
+        self.checked(paper)
+        (why,) = check_committed(paper, {}).rejected.values()
         assert "no such claim" in why
+
+
+class TestPrint:
+    """A certificate is compared with what is printed, whatever it and the record say."""
+
+    def checked(self, paper, data, where="certificates", **entry):
+        (paper / where).mkdir(parents=True, exist_ok=True)
+        text = seal(data)
+        (paper / where / f"{data['claim']}.json").write_text(text, encoding="utf-8")
+        record = load_record(paper)
+        record[data["claim"]] |= {"statement": json.loads(text)["digest"], **entry}
+        return check_files(certificate_files(paper), expected(paper, record))
+
+    @pytest.mark.parametrize("claim", ["eq14", "eq6", "M4-dimension", "limit", "critical-set"])
+    def test_a_triviality_under_the_name_of_a_claim(self, paper, claim):
+        goal = {"goal": "follows", "space": 0, "given": [], "conclusions": [[["x", "x"]]]}
+        trivial = {"spaces": [{"variables": ["x"]}], "goals": [goal], "sign": "holds"}
+        evidence = [{"point": {"roots": [], "values": [["x", 0]]}}]
+        data = {**certificate(claim), **trivial, "evidence": evidence}
+        assert checker.check(seal(data)).summary() == f"{claim}: x = x"
+        found = self.checked(paper, data, verdict="proved")
+        assert not found.accepted
+        (why,) = found.rejected.values()
+        assert "prints another statement" in why
+
+    @pytest.mark.parametrize("name", available())
+    def test_each_certificate_is_about_what_is_printed(self, name):
+        folder = find(name)
+        printed = expected(folder, load_record(folder)).printed
+        paths = {
+            path: path.relative_to(folder / "certificates")
+            for path in FILES
+            if path.is_relative_to(folder)
+        }
+        assert printed == {
+            place.with_suffix("").as_posix(): json.loads(path.read_text(encoding="utf-8"))["digest"]
+            for path, place in paths.items()
+        }
+
+    def test_the_statement_of_another_claim(self, paper):
+        data = {**certificate("eq7"), "claim": "eq6"}
+        found = self.checked(paper, data)
+        assert not found.accepted and "prints another" in "".join(found.rejected.values())
+
+    def test_the_correction_of_another_claim(self, paper):
+        data = {**certificate("corrected/eq10.1"), "claim": "eq10.2"}
+        found = self.checked(paper, data, "certificates/corrected")
+        assert not found.accepted and "prints another" in "".join(found.rejected.values())
+
+    def test_a_correction_that_is_no_edit_of_the_print(self, paper):
+        data = {**certificate("eq6"), "claim": "eq14"}
+        found = self.checked(paper, data, "certificates/corrected", correction="x_1 = x_1")
+        assert not found.accepted and "prints another" in "".join(found.rejected.values())
+
+    def test_a_print_that_has_changed(self, paper):
+        section = paper / "section1.py"
+        (paper / "certificates").mkdir()
+        shutil.copy(FIRST / "eq6.json", paper / "certificates")
+        record = {"eq6": load_record(paper)["eq6"]}
+        assert check_committed(paper, record).accepted
+        text = section.read_text(encoding="utf-8")
+        assert "J_1^2  + J_2^2" in text
+        section.write_text(text.replace("J_1^2  + J_2^2", "J_1^2  - J_2^2"), encoding="utf-8")
+        (why,) = check_committed(paper, record).rejected.values()
+        assert "prints another" in why
+
+    def test_a_print_that_cannot_be_read(self, paper):
+        section = paper / "section1.py"
+        (paper / "certificates").mkdir()
+        shutil.copy(FIRST / "eq6.json", paper / "certificates")
+        text = section.read_text(encoding="utf-8")
+        section.write_text(text.replace("J_1^2  + J_2^2", "J_1^2  + ("), encoding="utf-8")
+        (why,) = check_committed(paper, {"eq6": load_record(FIRST.parent)["eq6"]}).rejected.values()
+        assert "prints another" in why
 
 
 class TestStatements:
@@ -161,7 +259,7 @@ class TestStatements:
 
     def test_a_rank_with_dependent_functions(self):
         data = certificate("M4-independence")
-        goal = data["goals"][0]
+        goal = data["goals"][-1]
         goal["functions"] = [goal["functions"][0]] * len(goal["functions"])
         rejected(data)
 
@@ -248,3 +346,60 @@ def test_tampering():
 @pytest.mark.slow
 def test_tampering_at_thousands_of_places():
     tampered(6000)
+
+
+UNKNOWN = "no point was found"
+"""The oracle has no points where too many roots would have to be there."""
+
+
+def verdict(text):
+    """Whether the checker accepts a text: what it accepts is true, what it rejects it calls so."""
+    try:
+        checker.check(text)
+    except checker.Rejected as error:
+        assert str(error).isprintable()
+        return False
+    true, why = is_true(json.loads(text))
+    assert true or UNKNOWN in why, f"{text[:2000]} got through: {why}"
+    return True
+
+
+def counted(many, change, seed):
+    """How many certificates are accepted after a change; they are of both papers."""
+    choose = random.Random(seed)
+    return sum(
+        verdict(change(choose.choice(FILES).read_text(encoding="utf-8"), choose))
+        for _ in range(many)
+    )
+
+
+CHANGES = {
+    "twisted": lambda text, choose: seal(twisted(json.loads(text), choose)),
+    "scratched": scratched,
+    "doubled": doubled_key,
+    "exchanged": lambda text, choose: exchanged(text, choose),
+}
+
+
+def exchanged(text, choose):
+    """The statement of one claim with the evidence of another one."""
+    other = json.loads(choose.choice(FILES).read_text(encoding="utf-8"))
+    part = choose.choice([("evidence", "sign"), ("spaces",), ("goals",), ("spaces", "goals")])
+    return seal({**json.loads(text), **{key: other[key] for key in part}})
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_what_is_changed_in_any_way_is_rejected_or_true(change):
+    assert counted(150, CHANGES[change], change) < 75
+    if change == "doubled":
+        assert counted(50, CHANGES[change], 1) == 0
+
+
+@pytest.mark.slow
+def test_thousands_of_changes(capsys):
+    through = {name: counted(1500, change, 2002) for name, change in CHANGES.items()}
+    with capsys.disabled():
+        print(
+            f"\n{1500 * len(through)} certificates that were changed; true all the same: {through}"
+        )
+    assert max(through.values()) < 500

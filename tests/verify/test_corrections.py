@@ -1,11 +1,26 @@
 """Corrections are proposals: nothing rests on one that the derivation does not accept."""
 
+from dataclasses import dataclass
+from time import sleep
+
 import pytest
 
-from kowalevski_cas.paper.claims import Definition, Identity
+from kowalevski_cas.paper.claims import Definition, Identity, Implication, InvariantRelations
 from kowalevski_cas.paper.derivation import Scene, Section
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.verify.corrections import printed_of, true_ones
 from kowalevski_cas.verify.outcome import in_latex
-from tests.paper.small import Oscillator, decide
+from kowalevski_cas.verify.run import verify
+from tests.paper.small import Oscillator, decide, derivation
+
+
+@dataclass(frozen=True, eq=False)
+class Slow(Definition):
+    """A definition of which the corrections come late."""
+
+    def neighbours(self, texts):
+        sleep(60)
+        yield from super().neighbours(texts)
 
 
 @pytest.fixture
@@ -71,10 +86,91 @@ def test_what_is_accepted_in_place_of_what_is_right():
     section, printed, both = scene_with("D = x^2")
     section.accept(printed[1], "D = x^3")
     own, use = decide(section, *both)
-    assert own.verdict == "error" and use.verdict == "refuted"
+    assert own.verdict == "error"
+    assert (use.verdict, use.message) == ("undecided", "rests on own")
+
+
+def test_what_is_accepted_and_claimed_nowhere_proves_nothing():
+    section, printed, (_, use) = scene_with("D = x^3")
+    section.accept(printed[1], "D = x^2")
+    (use,) = decide(section, use)
+    assert (use.verdict, use.message) == ("undecided", "rests on D.1")
+
+
+def test_a_claim_by_itself_is_decided_with_what_it_rests_on():
+    section, printed, both = scene_with("D = x^3")
+    section.accept(printed[1], "D = x^2")
+    section.claim(*both)
+    (use,) = verify(derivation(section), ["flint"], ["use"]).outcomes
+    assert use.verdict == "proved"
+    section.accept(printed[1], "D = 2x^2")
+    (use,) = verify(derivation(section), ["flint"], ["use"]).outcomes
+    assert (use.verdict, use.message) == ("undecided", "rests on own")
+
+
+def test_what_rests_on_a_correction_for_which_there_was_no_time_is_undecided():
+    section, printed, (own, use) = scene_with("D = x^3")
+    section.accept(printed[1], "D = x^2")
+    own = Slow(own.id, own.scene, own.printed, own.words, own.equation)
+    own, use = decide(section, own, use, timeout=1)
+    assert (own.verdict, own.message) == ("timeout", "no correction was found within the time")
+    assert (use.verdict, use.message) == ("undecided", "rests on own")
+    assert use.counterexample is None and use.correction is None
 
 
 def test_a_hopeless_formula_has_none(small):
     claim = Identity("t", small.scene, small("x^5+7=v^3-x+2"), "")
     (outcome,) = decide(small.section, claim)
     assert outcome.verdict == "refuted" and outcome.correction is None
+
+
+@pytest.mark.parametrize("name", ["F", r"\rho", "G"])
+def test_what_does_not_move_is_no_correction_of_what_does(name):
+    """In the system of Lorenz the zeros of x² − 2σz move on it for b = 2σ only, and σ = 0 does."""
+    section = Section("1", "Lorenz")
+    motion = section.display(
+        "motion", r"\dot x=\sigma(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-bz"
+    )
+    scene = Scene(
+        "Lorenz", "", variables=("x", "y", "z"), constants=(r"\sigma", "r", "b"),
+        field=(motion[1], motion[2], motion[3]),
+    )  # fmt: skip
+    scene = scene.defining(section.display("function", rf"{name}=x^2-2\sigma z"))
+    zeros = section.inline("zeros", f"{name}=0")
+    claim = InvariantRelations("t", scene, None, "", relations=(zeros[1],))
+    assert r"\sigma = 0" in true_neighbours(section, claim)
+    (outcome,) = decide(section, claim)
+    assert outcome.verdict == "refuted" and outcome.correction is None
+
+
+def true_neighbours(section, claim):
+    """What is true one edit away from a claim, in LaTeX, be it vacuous or not."""
+    texts = derivation(section).texts(None, *claim.scenes())
+    return {
+        in_latex(printed_of(n)) for n in true_ones(claim.neighbours(texts), Elaborations(texts))
+    }
+
+
+VACUOUS = {
+    "the same sides": ("xE=vE", "vE = vE"),
+    "a constant does not move": (r"\dot x=0", r"\dot{k} = 0"),
+    "a function that vanishes as a factor": ("x+k=0", "E(x + k) = 0"),
+}
+
+
+@pytest.mark.parametrize(("printed", "proposed"), VACUOUS.values(), ids=VACUOUS)
+def test_what_is_true_of_itself_is_not_proposed(small, printed, proposed):
+    level = small.section.inline("level", "E=0")
+    claim = Implication("t", small.scene, small(printed), "", given=(level[1],))
+    assert proposed in true_neighbours(small.section, claim)
+    (outcome,) = decide(small.section, claim)
+    assert outcome.correction is None or in_latex(outcome.correction.formulas) != proposed
+
+
+def test_a_correction_leaves_true_what_was_true():
+    section, _, (own, _) = scene_with("D = x^3")
+    keeps = section.inline("keeps", "xD = x^4")
+    keeping = Identity("keeps", own.scene, keeps[1], "")
+    own, keeping = decide(section, own, keeping)
+    assert (own.verdict, own.correction) == ("refuted", None)
+    assert keeping.verdict == "proved"

@@ -1,5 +1,6 @@
 """The record: any difference is seen, in either direction; what cannot be read is said."""
 
+import json
 from dataclasses import replace
 
 import pytest
@@ -10,7 +11,7 @@ from kowalevski_cas.verify.record import RecordError, differences, dump_record, 
 
 @pytest.fixture
 def recorded(run, tmp_path):
-    (tmp_path / "record.json").write_text(dump_record(run), encoding="utf-8")
+    (tmp_path / "record.json").write_text(dump_record(run, {}), encoding="utf-8")
     return load_record(tmp_path)
 
 
@@ -68,3 +69,11 @@ def test_bytes_that_are_no_text_are_an_unreadable_record(tmp_path):
     (tmp_path / "record.json").write_bytes(b"\xff\xfe\x80")
     with pytest.raises(RecordError, match="`make record` writes it anew"):
         load_record(tmp_path)
+
+
+@pytest.mark.parametrize("verdict", [Verdict.TIMEOUT, Verdict.ERROR])
+def test_of_a_claim_that_came_to_no_end_the_record_keeps_what_it_has(run, recorded, verdict):
+    late = with_outcome(run, "eq15", verdict=verdict, conditions=())
+    assert json.loads(dump_record(late, recorded))["claims"] == recorded
+    anew = json.loads(dump_record(late, {}))["claims"]
+    assert anew == {id: entry for id, entry in recorded.items() if id != "eq15"}

@@ -1,6 +1,5 @@
 """The run: verdicts, disagreements, limits of time, errors that are outcomes."""
 
-import signal
 import time
 from dataclasses import dataclass
 from typing import ClassVar
@@ -10,9 +9,9 @@ import pytest
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.problem.accept import Accepted
-from kowalevski_cas.verify.limits import time_limit
+from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import Decided, Session
+from kowalevski_cas.verify.run import Session
 from tests.paper.small import Oscillator, decide, derivation, verdicts
 
 
@@ -63,23 +62,13 @@ def test_a_claim_whose_evidence_is_not_found_in_time_is_a_timeout(small):
     claim = LongSearch("t", small.scene, small("x=x"), "")
     (outcome,) = decide(small.section, claim, timeout=0.05)
     assert outcome.verdict == "timeout"
-    assert outcome.message == "not decided within 0.05 s by the search"
+    assert outcome.message == "not decided within 0.05 s"
 
 
 def test_a_timeout_in_one_arithmetic_is_a_timeout(small):
     outcome = one(Slow, small, Identity("t", small.scene, small("x=x"), ""), timeout=600)
     assert outcome.verdict == "timeout"
-    assert outcome.message == "not decided within 600 s by sympy"
-
-
-def test_a_limit_of_time_is_taken_away_again():
-    with time_limit(60):
-        assert signal.getitimer(signal.ITIMER_REAL)[0] > 0
-    assert signal.getitimer(signal.ITIMER_REAL) == (0, 0)
-    with pytest.raises(TimeoutError), time_limit(0.02):
-        time.sleep(5)
-    with time_limit(None):
-        pass
+    assert outcome.message == "not decided within 600 s"
 
 
 def test_a_formula_that_cannot_be_read_is_an_error_of_its_claim_only(small):

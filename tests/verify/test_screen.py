@@ -7,8 +7,11 @@ from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import contradictions
 from kowalevski_cas.verify.run import verify
 
-BEYOND = {"ansatz-exponents", "equilibria", "critical-set", "last-multiplier"}
-"""Claims that say what no point can show."""
+BEYOND = {
+    "ansatz-exponents", "equilibria", "critical-set", "last-multiplier",
+    "M4-dimension", "N4-dimension", "appelrot-dimension",
+}  # fmt: skip
+"""Claims that say what no point can show, or on which no random points are found."""
 
 
 @pytest.fixture(scope="module", params=POINTS)
@@ -25,6 +28,8 @@ def test_the_paper_is_screened_as_it_is_recorded(screening, record):
         elif recorded == "refuted":
             assert outcome.verdict is Verdict.REFUTED, outcome
             assert outcome.counterexample is not None and outcome.counterexample.point.values
+        elif (outcome.claim, str(outcome.verdict)) == ("N4-independence", "undecided"):
+            assert "Singular matrix" in outcome.message  # in floating point, where (15) is solved
         else:
             assert outcome.verdict in (Verdict.PROBABLE, Verdict.ENCLOSED), outcome
             assert not outcome.verdict.green

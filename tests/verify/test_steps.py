@@ -29,7 +29,10 @@ def steps(told):
 
 
 def test_a_first_integral(steps):
-    assert steps("eq4.1") == [("The derivative along the vector field vanishes identically.", [])]
+    assert steps("eq4.1") == [
+        ("The derivative along the vector field vanishes identically.", []),
+        ("At this point its differential does not vanish: it is no constant.", []),
+    ]
 
 
 def test_a_derivative_is_by_the_time_of_its_scene(steps):
@@ -39,10 +42,11 @@ def test_a_derivative_is_by_the_time_of_its_scene(steps):
 
 
 def test_an_equation_that_follows_is_a_combination_of_what_is_given(steps):
-    generated, combined = steps("J3")
+    generated, combined, *_, point = steps("J3")
     assert generated[1][0].startswith("d/dt[(ω₁² + ω₂²)ω₃ + 2(ω₁α₃ + ω₂β₃)] = ")
     assert combined[0] == "Left minus right side is a combination of what is given:"
     assert combined[1][0].endswith(" = (−α₂ − β₁)J₁ + (α₁ − β₂)J₂")
+    assert point[0].startswith("At this point its differential is independent")
 
 
 def test_both_directions_of_an_equivalence_stand_together(steps):
@@ -72,8 +76,9 @@ def test_cases_eliminants_and_numbers(steps):
     assert steps("kowalevski-variable")[0][0] == "The numbers that the program found:"
 
 
-def test_a_dimension_is_near_a_point(told):
-    (step,) = told["M4-dimension"].steps
+def test_a_dimension_is_that_at_a_point_and_a_combination_for_all_others(told):
+    step, everywhere = told["M4-dimension"].steps
+    assert everywhere.words.startswith("Left minus right side is a combination of what is given")
     assert step.point is not None and len(step.point.values) == 9
     assert "near this point the common level is a manifold of dimension 4" in step.words
 
@@ -84,6 +89,13 @@ def test_a_counterexample_says_what_its_values_are(told):
     (condition,) = told["eq16.invariance"].conditions
     words = "derivative of a given function along the motion, and zero"
     assert condition.witness.words.endswith(words)
+
+
+def test_an_equation_that_is_not_the_one_claimed_is_named(told):
+    assert told["eq9.i"].counterexample.words.startswith(
+        r"the two sides of $2\frac{\dot{z}_1}{i} ="
+    )
+    assert told["eq14"].counterexample.words == ""
 
 
 def test_a_correction_that_is_accepted_is_named_by_what_rests_on_it(told):

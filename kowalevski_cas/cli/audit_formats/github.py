@@ -8,7 +8,7 @@ from kowalevski_cas.cli.formats.github import annotation
 
 
 def render(audit: Audit) -> str:
-    """An error for each formula that is wrong, a warning for what is not decided or moved."""
+    """An error for what is wrong, a warning for what is not decided or moved."""
     lines = []
     for index, formula in enumerate(audit.formulas):
         message = explained(audit, index) or formula.verdict
@@ -23,6 +23,8 @@ def render(audit: Audit) -> str:
         lines.append(annotation(level, place, formula.id, f"{formula.verdict}: {message}"))
     for outcome in audit.statements:
         if not outcome.verdict.green:
-            words = f"{outcome.verdict}: {outcome.words}"
-            lines.append(annotation("warning", (audit.source.path, 1), outcome.claim, words))
+            words = f"{outcome.verdict}: {outcome.message or outcome.words}"
+            level = "error" if outcome in audit.false else "warning"
+            place = audit.source.path, audit.lines.get(outcome.claim, 1)
+            lines.append(annotation(level, place, outcome.claim, words))
     return "".join(f"{line}\n" for line in lines)

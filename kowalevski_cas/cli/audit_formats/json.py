@@ -23,7 +23,7 @@ def render(audit: Audit) -> str:
             "formulas": len(audit.formulas),
             **audit.counts,
             "claims": Counter(str(outcome.verdict) for outcome in audit.outcomes.values()),
-            "wrong": sum(formula.wrong for formula in audit.formulas),
+            "wrong": audit.wrong,
             "moved": [formula.id for formula in audit.formulas if formula.moved],
             "notes": [{"line": line, "words": words} for line, words in audit.notes],
             "seconds": round(audit.seconds, 6),
@@ -57,6 +57,7 @@ def _statement(audit: Audit, outcome: Outcome) -> dict[str, Any]:
     return {
         "id": outcome.claim,
         "words": outcome.words,
+        "line": audit.lines.get(outcome.claim),
         "verdict": str(outcome.verdict),
         "conditions": conditions(outcome.conditions),
         "counterexample": counterexample(outcome.counterexample),

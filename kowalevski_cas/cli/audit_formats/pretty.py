@@ -11,7 +11,7 @@ from kowalevski_cas.audit.audited import Audited
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.audit_formats import located, said
 from kowalevski_cas.notation import Vocabulary
-from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
+from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome
 
 MARKS = {
     "proved": ("✓", "32"),
@@ -77,16 +77,18 @@ def _wrong(audit: Audit) -> list[str]:
             if why := "; ".join(said(audit, index)):
                 lines.append(f"    why       {plain.words(why, vocabulary)}")
             lines += _evidence(formula.correction, formula.counterexample, vocabulary)
-    for outcome in audit.statements:
-        if outcome.verdict is Verdict.REFUTED:
-            lines.append(f"  {outcome.claim} is refuted: {plain.words(outcome.words, vocabulary)}")
-            if printed := plain.formulas(outcome.formulas, outcome.source):
-                lines.append(f"    printed   {printed}")
-            causes = audit.session.causes.get(outcome.claim, ())
-            if causes:
-                named = ", ".join(located(audit, cause.place) for cause in causes)
-                lines.append(f"    why       because of {named}")
-            lines += _evidence(outcome.correction, outcome.counterexample, vocabulary)
+    for outcome in audit.false:
+        line = audit.lines.get(outcome.claim)
+        place = f"{audit.source.path}:{line}: " if line else ""
+        words = plain.words(outcome.words, vocabulary)
+        lines.append(f"  {place}{outcome.claim} is refuted: {words}")
+        if printed := plain.formulas(outcome.formulas, outcome.source):
+            lines.append(f"    printed   {printed}")
+        causes = audit.session.causes.get(outcome.claim, ())
+        if causes:
+            named = ", ".join(located(audit, cause.place) for cause in causes)
+            lines.append(f"    why       because of {named}")
+        lines += _evidence(outcome.correction, outcome.counterexample, vocabulary)
     return ["", "What is wrong", *lines] if lines else []
 
 
@@ -115,16 +117,15 @@ def _restrictions(audit: Audit) -> list[str]:
 
 
 def _statements(audit: Audit, colour: bool) -> list[str]:
-    lines = [
-        _statement(outcome, audit.session.texts.vocabulary, colour) for outcome in audit.statements
-    ]
+    lines = [_statement(outcome, audit, colour) for outcome in audit.statements]
     return ["", "Statements in words", *lines] if lines else []
 
 
-def _statement(outcome: Outcome, vocabulary: Vocabulary, colour: bool) -> str:
-    head = _head(str(outcome.verdict), colour)
+def _statement(outcome: Outcome, audit: Audit, colour: bool) -> str:
+    line, head = audit.lines.get(outcome.claim, ""), _head(str(outcome.verdict), colour)
     said = f"{outcome.words}: {outcome.message}" if outcome.message else outcome.words
-    return f"       {outcome.claim:<20} {head} {plain.words(said, vocabulary)}"
+    text = plain.words(said, audit.session.texts.vocabulary)
+    return f"{line:>5}  {outcome.claim:<20} {head} {text}"
 
 
 def _summary(audit: Audit) -> str:

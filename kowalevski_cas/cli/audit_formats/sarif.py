@@ -11,7 +11,7 @@ from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.cli.audit_formats import explained
 
 RULES = {
-    "refuted": "The formula is false at an exact point.",
+    "refuted": "The formula, or the statement, is false at an exact point.",
     "suspect": "A changed definition makes other formulas false.",
     "error": "The formula has no meaning where it stands.",
     "unreadable": "The formula cannot be read.",
@@ -24,7 +24,7 @@ WARNINGS = ("undecided", "timeout", "moved")
 
 
 def render(audit: Audit) -> str:
-    """One run, a result for each formula that an author has to look at."""
+    """One run, a result for each formula or statement that an author has to look at."""
     results = []
     for index, formula in enumerate(audit.formulas):
         rule = formula.verdict if formula.verdict in RULES else "moved" if formula.moved else ""
@@ -32,6 +32,9 @@ def render(audit: Audit) -> str:
             continue
         message = f"{formula.id}: {explained(audit, index) or RULES[rule]}"
         results.append(_result(audit, rule, message, formula.line, formula.column))
+    for outcome in audit.false:
+        message = f"{outcome.claim}: {outcome.words}"
+        results.append(_result(audit, "refuted", message, audit.lines.get(outcome.claim, 1), 1))
     value = {
         "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
         "version": "2.1.0",

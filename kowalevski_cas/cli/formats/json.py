@@ -66,6 +66,7 @@ def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
         "products": outcome.products,
         "counterexample": counterexample(outcome.counterexample),
         "correction": correction(outcome.correction),
+        "branches": [to_latex(formula) for formula in outcome.branches],
         "rests_on": list(outcome.rests_on),
         "corrected": list(outcome.corrected),
         "digest": outcome.digest,

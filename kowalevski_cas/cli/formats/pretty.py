@@ -50,6 +50,8 @@ def _line(outcome: Outcome, colour: bool) -> str:
     notes = [plain.where(outcome.conditions)] if outcome.conditions else []
     if outcome.verdict is Verdict.REFUTED:
         notes = ["see the errata"]
+    if outcome.branches:
+        notes.append(f"with {plain.formulas(outcome.branches)}")
     if outcome.corrected:
         notes.append(f"with the correction of {', '.join(outcome.corrected)}")
     if outcome.chance is not None:

@@ -36,7 +36,9 @@ class Polynomials(Language, Format, ABC):
         writer.comment(f"{certificate['claim']}, certificate {certificate['digest']}")
         spaces, goals = (deepcopy(certificate[key]) for key in ("spaces", "goals"))
         try:
-            problem = checker.Problem(spaces, goals, Traced(writer, [5 * checker.WORK]), Space)
+            problem = checker.Problem(
+                spaces, goals, Traced(writer, checker.Budget(5 * checker.WORK)), Space
+            )
             for space in problem.spaces:
                 assert isinstance(space.ring, Traced)
                 space.ring.trusting = self.trusting

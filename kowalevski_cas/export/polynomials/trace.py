@@ -72,8 +72,8 @@ class Writer:
 class Traced(checker.Ring):
     """A ring whose elements know how the program writes them."""
 
-    def __init__(self, writer: Writer, work: list[int]) -> None:
-        super().__init__(work)
+    def __init__(self, writer: Writer, budget: checker.Budget) -> None:
+        super().__init__(budget)
         self.trusting = False
         self.writer = writer
         self.prefix = f"s{next(writer.rings)}"
@@ -82,7 +82,7 @@ class Traced(checker.Ring):
         self.below = self._divisors()
 
     def another(self) -> Traced:
-        return Traced(self.writer, self.work)
+        return Traced(self.writer, self.budget)
 
     def adjoin(self, name: str) -> checker.Element:
         wish = name.replace("1/", "over_") if name.startswith("1/") else identifier(name)

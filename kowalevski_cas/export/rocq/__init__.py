@@ -66,7 +66,8 @@ class Program(Format):
     conclusions, of which one holds, they say that products of their differences vanish.
 
     It leaves out points whose coordinates are no Gaussian rational numbers, since their
-    roots would have to be numbers that can be computed with; and what needs an order or
+    roots would have to be numbers that can be computed with, and what rests on them, but for
+    identities, which are said without their point; and what needs an order or
     real numbers: positive formulas, numbers of solutions, and splits into cases, since
     squares that add up to zero vanish for real numbers only.
     """
@@ -89,7 +90,7 @@ class Program(Format):
             raise Inexpressible(f"the checker says: {error.args[0]}") from None
 
     def _text(self, certificate: Json) -> str:
-        ring = checker.Ring([10 * checker.WORK])
+        ring = checker.Ring(checker.Budget(10 * checker.WORK))
         problem = checker.Problem(certificate["spaces"], certificate["goals"], ring)
         spaces: list[Space] = []
         for k, checked in enumerate(problem.spaces):

@@ -146,8 +146,8 @@ def follows(section: Theorems, name: str, goal: Json, evidence: Json) -> None:
     """Where the given equations hold, the products of one difference of each conclusion vanish."""
     space = section.space
     given, conclusions = space.sides(goal["given"]), [*map(space.sides, goal["conclusions"])]
-    if "point" in evidence:
-        place = Place(space, evidence["point"], given)
+    if given or not evidence["point"]["roots"]:
+        place = Place(space, evidence["point"], given if conclusions else [])
         section.computed(f"{name}_not_vacuous", place)
     if len(conclusions) == 1:
         (pairs,) = conclusions

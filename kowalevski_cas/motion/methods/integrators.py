@@ -19,11 +19,6 @@ TOLERANCE = 1e-12
 """The relative and absolute tolerance unless another is asked for."""
 
 
-PILOT, MOST = 10**4, 10**10
-"""After so many evaluations of the rates it is seen whether the last time is within reach: the
-others, at the same pace, should not be more than so many, which take a day or several."""
-
-
 def initial_state(motion: Motion) -> Array:
     """The state at t = 0 from which integrators start."""
     start: Array = (
@@ -58,7 +53,7 @@ def integrate(
             states[chosen] = start
             continue
         solution = solve_ivp(
-            _within_reach(method, right, sign, forward[-1]),
+            _towards(sign, right),
             (0.0, forward[-1]),
             start,
             method=method,
@@ -73,20 +68,6 @@ def integrate(
     return states
 
 
-def _within_reach(
-    method: str, right: Function, sign: float, last: float
-) -> Callable[[float, Array], list[float]]:
-    """The rates in the direction of time, until it is seen that the last time is out of reach."""
-    evaluations = 0
-
-    def rates(t: float, y: Array) -> list[float]:
-        nonlocal evaluations
-        evaluations += 1
-        if evaluations == PILOT and t * (MOST / PILOT) < last:
-            raise MethodError(
-                f"{method} has come to t = {sign * t:.3g} after {PILOT} evaluations: "
-                f"t = {sign * last:g} is out of its reach; the closed form is not slower there"
-            )
-        return [sign * rate for rate in right(*y.tolist())]
-
-    return rates
+def _towards(sign: float, right: Function) -> Callable[[float, Array], list[float]]:
+    """The rates in a direction of time."""
+    return lambda t, y: [sign * rate for rate in right(*y.tolist())]

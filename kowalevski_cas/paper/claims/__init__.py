@@ -20,6 +20,7 @@ from kowalevski_cas.paper.claims.limit import Limit
 from kowalevski_cas.paper.claims.measure import LastMultiplier
 from kowalevski_cas.paper.claims.reality import Reality
 from kowalevski_cas.paper.claims.scaling import Scaling
+from kowalevski_cas.paper.claims.union import Union
 
 __all__ = [
     "ChangedEquation",
@@ -45,5 +46,6 @@ __all__ = [
     "Reality",
     "Scaling",
     "SolvedExponents",
+    "Union",
     "Unit",
 ]

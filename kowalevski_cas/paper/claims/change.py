@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from kowalevski_cas.notation import Conjugate, Name, NotationError
+from kowalevski_cas.notation import Conjugate, Formula, Name, NotationError
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.forms import chain
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.inverse import SingularChange
 from kowalevski_cas.paper.scene import Change, Scene
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.goals import Goal, identity
+from kowalevski_cas.problem.goals import Goal, Rank, identity
 from kowalevski_cas.problem.space import Meaningless
 
 
@@ -33,14 +34,22 @@ class ChangedEquation(Claim):
 
 @dataclass(frozen=True, eq=False)
 class InvertibleChange(Claim):
-    """The change to ``scene`` has an inverse, and ``pairs`` are conjugates of each other."""
+    """The change to ``scene`` has an inverse, and ``pairs`` are conjugates of each other.
+
+    A linear change that has none is refuted by its rank.
+    """
 
     old: Scene
     pairs: tuple[tuple[str, str], ...]
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         old = on(self.old)
-        inverse = on(self.scene).inverse
+        try:
+            inverse = on(self.scene).inverse
+        except SingularChange:
+            new = self.scene.variables
+            yield Rank(old, tuple(map(old.formula, new)), (), len(new))
+            return
         yield identity(old, *((Name(name), inverse[name]) for name in old.variables))
         bars = ((old.formula(b), Conjugate(old.formula(a))) for a, b in self.pairs)
         yield identity(old, *bars)
@@ -51,29 +60,44 @@ class InvertibleChange(Claim):
         yield from change.formulas
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
-        first = self.pairs[0][0]
-        claim = replace(self, pairs=((first, first),))
-        yield Neighbour(f"{first} as its own conjugate", claim, texts)
+        for first, _ in self.pairs[:1]:
+            claim = replace(self, pairs=((first, first),))
+            yield Neighbour(f"{first} as its own conjugate", claim, texts)
+
+
+ONE, OTHER = [True, False], [False, True]
+"""Holding with the printed unit and not with the other one, and the converse."""
 
 
 @dataclass(frozen=True, eq=False)
 class Unit(Claim):
     """The printed square of the imaginary unit makes the change lead to the printed ``rows``.
 
-    A row may be misprinted itself: those have to hold that do so with one of the two units,
-    with the one that makes more of them hold.
+    A row may be misprinted itself, or hold with either unit. So those vote that hold with one
+    of the two only, and the unit with which more of them hold is the right one.
     """
 
     rows: tuple[Printed, ...]
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        others = (on.under(neighbour.texts) for neighbour in self.neighbours(on.texts))
-        rows = max((self._rows_that_hold(one) for one in (on, *others)), key=len) or self.rows
-        space = on(self.scene)
+        other = on.under(on.texts.reading({self.own: self._other(on.texts)}))
+        held = [(row, self._holds(row, on), self._holds(row, other)) for row in self.rows]
+        votes = [[row for row, *both in held if both == wanted] for wanted in (ONE, OTHER)]
+        if len(votes[0]) == len(votes[1]):
+            raise Meaningless(
+                f"as many rows ask for the unit at {self.own.place} as for the other one: "
+                "name rows of which more hold with one unit and not with the other"
+            )
+        space, rows = on(self.scene), max(votes, key=len)
         yield identity(space, *(sides for row in rows for sides in chain(on, space, row)))
 
-    def _rows_that_hold(self, on: Elaborations) -> tuple[Printed, ...]:
-        return tuple(row for row in self.rows if self._holds(row, on))
+    def _other(self, texts: Texts) -> Formula:
+        """The equation with the other sign on its right side."""
+        edits = [n.edit for n in self.neighbours(texts) if n.edit is not None]
+        if not edits:
+            raise Meaningless(f"the square of a unit is expected at {self.own.place}")
+        changed = edits[0].formula
+        return texts.statement(self.own).formula if texts.formula(self.own) == changed else changed
 
     def _holds(self, row: Printed, on: Elaborations) -> bool:
         try:

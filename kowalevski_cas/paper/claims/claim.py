@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.evidence import Evidence
+from kowalevski_cas.paper.texts import Printed, Texts, check_attributes
+from kowalevski_cas.problem.evidence import Denial, Evidence
 from kowalevski_cas.problem.goals import Goal
 from kowalevski_cas.problem.space import Meaningless, Setting
 
@@ -45,14 +45,20 @@ class Claim(ABC):
     """One statement of the paper, on its scene.
 
     ``printed`` is the place of the formula, if the claim is one formula;
-    ``words`` says what is claimed. Whatever else a claim is about, its places, scenes and
-    neighbours, follows from the types of its attributes.
+    ``words`` says what is claimed, and ``sentence`` is the author's sentence that claims it, word
+    for word, where the formula alone does not. Whatever else a claim is about, its places, scenes
+    and neighbours, follows from the types of its attributes.
     """
 
     id: str
     scene: Scene
     printed: Printed | None
     words: str
+    sentence: str = field(default="", kw_only=True)
+
+    def __post_init__(self) -> None:
+        """Refuse displays and single values where tuples are expected."""
+        check_attributes(self, f"the claim {self.id}")
 
     @property
     def own(self) -> Printed:
@@ -74,6 +80,10 @@ class Claim(ABC):
         """
         return {}
 
+    def refuted_by(self, denial: Denial) -> bool:
+        """Whether what denies a goal denies the claim; a goal may be more than what is claimed."""
+        return True
+
     def places(self) -> Iterator[Printed]:
         """The places of the paper that the claim names, its own first; not those of its scenes."""
         for value in self._attributes():
@@ -88,7 +98,7 @@ class Claim(ABC):
 
     def _attributes(self) -> Iterator[object]:
         """The attributes, those in tuples and in claims that are attributes included."""
-        waiting: list[object] = [getattr(self, field.name) for field in fields(self)]
+        waiting: list[object] = [getattr(self, own.name) for own in fields(self)]
         while waiting:
             value = waiting.pop(0)
             if isinstance(value, tuple):
@@ -118,10 +128,10 @@ class Claim(ABC):
         for printed in self.establishes():
             for edit in edits(texts.statement(printed), texts.vocabulary, names):
                 yield Neighbour(edit.words, self, texts, printed, edit)
-        for field in fields(self):
-            value = getattr(self, field.name)
+        for attribute in fields(self):
+            value = getattr(self, attribute.name)
             if type(value) is int:
                 for number in dict.fromkeys((value - 1, value + 1, 2 * value)):
-                    words = f"{field.name} {number} instead of {value}"
-                    changed: dict[str, Any] = {field.name: number}
+                    words = f"{attribute.name} {number} instead of {value}"
+                    changed: dict[str, Any] = {attribute.name: number}
                     yield Neighbour(words, replace(self, **changed), texts)

@@ -17,13 +17,12 @@ from kowalevski_cas.notation import (
     edits,
 )
 from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
-from kowalevski_cas.paper.claims.forms import equation, equations, expression, vanishes
+from kowalevski_cas.paper.claims.forms import equation, equations, expression, moving, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.evidence import Evidence
 from kowalevski_cas.problem.goals import Follows, Goal
-from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Equation
 
 
@@ -49,7 +48,7 @@ class CriticalSet(Claim):
         critical = self._critical(space, value, level[0])
         yield Follows(space, (critical,), (*goals, level), self.main)
         yield Follows(space, (goals,), (*critical, level))
-        slopes = (vanishes(Partial(level[0], name)) for name in _moving(space, level[0]))
+        slopes = (vanishes(Partial(level[0], name)) for name in moving(space, level[0]))
         yield Follows(space, (), (level, *slopes))
 
     def search(
@@ -74,7 +73,7 @@ class CriticalSet(Claim):
     def _critical(
         self, space: Elaboration, function: Formula, surface: Formula
     ) -> tuple[Equation, ...]:
-        on = _moving(space, surface)
+        on = moving(space, surface)
         rates: list[Formula] = [Partial(function, n) for n in space.variables if n not in on]
         for a, b in combinations(on, 2):
             one = Product((Partial(surface, a), Partial(function, b)))
@@ -96,10 +95,3 @@ class CriticalSet(Claim):
     def establishes(self) -> Iterator[Printed]:
         """Nothing: the function is what it is, whatever its critical points are."""
         yield from ()
-
-
-def _moving(space: Elaboration, formula: Formula) -> list[str]:
-    """The variables that stand in a formula, and in what it is defined by."""
-    reach = Reach(space)
-    reach.formula(formula)
-    return [name for name in space.variables if name in reach.names]

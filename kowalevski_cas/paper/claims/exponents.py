@@ -22,7 +22,7 @@ from kowalevski_cas.paper.claims.forms import (
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.evaluate import rational_terms
+from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Fails, Follows, Goal
 from kowalevski_cas.problem.space import Equation, Meaningless
 

@@ -4,22 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 from kowalevski_cas.notation import Formula, Name, Power, Relation
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import equations, members, rate, vanishes
+from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.goals import Fails, Follows, Goal, identity
+from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Meaningless
 
 
 @dataclass(frozen=True, eq=False)
 class FirstIntegral(Claim):
-    """The printed expression is constant along every motion on the set ``given``.
+    """The printed expression is constant along every motion on the invariant set ``given``.
 
-    With a set, the claim includes that it is not constant off the set.
+    All members of a printed chain are the same function, which is not constant by itself: its
+    differential is independent of those of the set at a real point. With a set, the claim
+    includes that the set is invariant, and that the function is not constant off the set.
     """
 
     given: tuple[Printed, ...] = ()
@@ -27,12 +31,15 @@ class FirstIntegral(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        still = tuple(vanishes(rate(space.plain(m))) for m in self.constants(on, space))
-        if not self.given:
-            yield identity(space, *still)
-            return
-        yield Follows(space, (still,), equations(on, space, self.given), self.main)
-        yield Fails(space, (still,))
+        same = [space.plain(member) for member in self.constants(on, space)]
+        still = tuple(vanishes(rate(member)) for member in same)
+        given = equations(on, space, self.given)
+        yield Follows(space, ((*still, *pairwise(same)),), given, self.main)
+        if self.given:
+            yield Fails(space, (still,))
+            invariant = InvariantRelations(self.id, self.scene, None, "", self.given, self.main)
+            yield from invariant.goals(on)
+        yield Rank(space, (same[-1],), given, 1 + len(space.finder.differences(given)))
 
     def constants(self, on: Elaborations, space: Elaboration) -> list[Formula]:
         """The members that have to be constant; not names that are defined by the others."""
@@ -44,13 +51,15 @@ class FirstIntegral(Claim):
 
 
 def _is_level(formula: Formula, space: Elaboration) -> bool:
-    """Whether a member is a name, or its power, for the value of the integral only."""
+    """Whether a member is a name, or its power, for the value of the integral only.
+
+    Then it is a constant of the scene, or has no meaning there.
+    """
     if isinstance(formula, Power):
         formula = formula.base
     if not isinstance(formula, Name):
         return False
     try:
-        space.step(formula.name)
+        return space.step(formula.name) is None and formula.name in space.constants
     except Meaningless:
         return True
-    return False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
 from kowalevski_cas.notation import (
@@ -18,7 +18,9 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.matrices import Rows, is_matrix, rows, sizes
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Equation, Meaningless
 from kowalevski_cas.problem.trees import MARK
 
@@ -59,13 +61,27 @@ def members(relation: Relation) -> list[Formula]:
 
 
 def chain(on: Elaborations, space: Elaboration, printed: Printed) -> list[Equation]:
-    """The equations of a printed chain; ``= const`` says that the first member does not move."""
+    """The equations of a printed chain; ``= const`` says that the first member does not move.
+
+    Matrices are equal entry by entry.
+    """
     relation = on.texts.relation(printed)
+    if is_matrix(relation.members[0], space):
+        return [*_entries([rows(member, space) for member in relation.members])]
     found = [space.plain(member) for member in members(relation)]
     equations = list(pairwise(found))
     if isinstance(relation.members[-1], Constant):
         equations.append(vanishes(rate(found[0])))
     return equations
+
+
+def _entries(matrices: Sequence[Rows]) -> Iterator[Equation]:
+    """The equations between the entries of matrices that are equal."""
+    for left, right in pairwise(matrices):
+        if sizes(left) != sizes(right):
+            raise Meaningless("the matrices differ in size")
+        for a, b in zip(left, right, strict=True):
+            yield from zip(a, b, strict=True)
 
 
 def equation(on: Elaborations, space: Elaboration, printed: Printed) -> Equation:
@@ -95,6 +111,13 @@ def expression(on: Elaborations, space: Elaboration, printed: Printed) -> Formul
 def first_member(on: Elaborations, space: Elaboration, printed: Printed) -> Formula:
     """The first member of a printed chain."""
     return space.plain(members(on.texts.relation(printed))[0])
+
+
+def moving(space: Elaboration, formula: Formula) -> list[str]:
+    """The variables that stand in a formula, and in what it is defined by."""
+    reach = Reach(space)
+    reach.formula(formula)
+    return [name for name in space.variables if name in reach.names]
 
 
 Matrix = list[list[Formula]]

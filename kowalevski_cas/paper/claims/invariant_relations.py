@@ -29,7 +29,6 @@ class InvariantRelations(Claim):
     """
 
     relations: tuple[Printed, ...]
-    names: tuple[str, ...]
     main: tuple[tuple[str, ...], ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:

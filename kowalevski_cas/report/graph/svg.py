@@ -1,4 +1,4 @@
-"""The picture as SVG, for Typst and for browsers."""
+"""The picture as SVG, for Typst and for browsers, where boxes lead to claims and have classes."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from xml.sax.saxutils import escape
 
 from kowalevski_cas.report.graph.drawing import BOX, LETTER, Box, Line, Picture
 from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.names import anchor
 from kowalevski_cas.verify.outcome import Verdict
 
 _STYLE: Final = {
@@ -52,7 +53,7 @@ def _box(box: Box) -> str:
     sign = _SIGN.get(box.verdict)
     mark = (
         f'<path transform="translate({start + 1.3:.2f} {box.y:.2f})" d="{sign}" '
-        'fill="none" stroke="#000" stroke-width="0.35"/>'
+        'class="sign" fill="none" stroke="#000" stroke-width="0.35"/>'
         if sign
         else f'<text x="{start + 1.3:.2f}" y="{box.y + 0.85:.2f}" font-size="2.6" '
         f'text-anchor="middle">{escape(MARKS[box.verdict].sign)}</text>'
@@ -63,6 +64,8 @@ def _box(box: Box) -> str:
         f"{escape(box.label)}</text>"
     )
     return (
-        f'<rect x="{left:.1f}" y="{top:.1f}" width="{box.width:.1f}" height="{BOX}" rx="0.8" '
-        f"{style}/>{mark}{label}"
+        f'<a href="#claim.{anchor(box.name)}" class="{box.verdict}">'
+        f"<title>{escape(box.says or box.label)}</title>"
+        f'<rect class="box" x="{left:.1f}" y="{top:.1f}" width="{box.width:.1f}" '
+        f'height="{BOX}" rx="0.8" {style}/>{mark}{label}</a>'
     )

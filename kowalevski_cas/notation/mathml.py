@@ -1,0 +1,125 @@
+"""Formula to MathML Core, which browsers set and screen readers read."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from html import escape
+
+from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Number, Quotient, Root
+from kowalevski_cas.notation.printer import Printer
+from kowalevski_cas.notation.unicode import SIGNS, styled, symbol
+
+_ACCENTS = {r"\hat": "^", r"\tilde": "~", r"\check": "ˇ", r"\vec": "→"}
+_DOTS = {1: "˙", 2: "¨", 3: "⃛", 4: "⃜"}
+_ATOM = re.compile(r"<(m[ion])>[^<]*</\1>")
+
+
+class MathML(Printer):
+    """Each part is a run of elements; brackets grow with what they hold."""
+
+    plus, minus, times, cross = (f"<mo>{sign}</mo>" for sign in "+−·×")
+    d, partial_d, prime, dots, const = (
+        "<mi>d</mi>",
+        "<mi>∂</mi>",
+        "′",
+        "<mi>…</mi>",
+        "<mi>const</mi>",
+    )
+    comma = "<mo>,</mo>"
+    round, square, braces = (
+        (f"<mo>{opening}</mo>", f"<mo>{closing}</mo>") for opening, closing in ("()", "[]", "{}")
+    )
+
+    def begins_with_number(self, text: str) -> bool:
+        return text.startswith("<mn>")
+
+    def number(self, formula: Number) -> str:
+        return f"<mn>{formula.value}</mn>"
+
+    def name(self, formula: Name) -> str:
+        return self._name(formula, 0)
+
+    def _name(self, formula: Name, dots: int) -> str:
+        """A letter under dots, with its index."""
+        parts = symbol(formula.name)
+        upright = parts.font == r"\mathrm" and len(parts.letter) == 1
+        letter = escape(styled(parts.letter, parts.font))
+        text = f'<mi mathvariant="normal">{letter}</mi>' if upright else f"<mi>{letter}</mi>"
+        if parts.font in _ACCENTS:
+            text = _over(text, _ACCENTS[parts.font])
+        while dots:
+            text = _over(text, _DOTS[min(dots, 4)])
+            dots -= min(dots, 4)
+        index = "".join(map(_atom, parts.index))
+        return f"<msub>{text}{_one(index)}</msub>" if index else text
+
+    def upright(self, word: str) -> str:
+        return f"<mi>{word}</mi>"
+
+    def sign(self, sign: str) -> str:
+        return f"<mo>{escape(SIGNS[sign])}</mo>"
+
+    def joined(self, parts: Iterable[str]) -> str:
+        return "".join(parts)
+
+    def between(self, opening: str, text: str, closing: str) -> str:
+        return f"<mrow>{opening}{text}{closing}</mrow>"
+
+    def fraction(self, above: str, below: str) -> str:
+        return f"<mfrac>{_one(above)}{_one(below)}</mfrac>"
+
+    def quotient(self, formula: Quotient) -> str:
+        return self.fraction(self(formula.numerator), self(formula.denominator))
+
+    def raised(self, base: str, exponent: str) -> str:
+        """A power; that of a letter with an index stands above the index."""
+        if base.startswith("<msub>") and base.find("</msub>") == len(base) - len("</msub>"):
+            inner = base.removeprefix("<msub>").removesuffix("</msub>")
+            return f"<msubsup>{inner}{_one(exponent)}</msubsup>"
+        return f"<msup>{_one(base)}{_one(exponent)}</msup>"
+
+    def primed(self, argument: Formula, order: int) -> str:
+        text = self(argument)
+        text = text if isinstance(argument, Name) else self.bracketed(text)
+        return self.raised(text, f"<mo>{self.prime * order}</mo>")
+
+    def root(self, formula: Root) -> str:
+        return f"<msqrt>{self(formula.argument)}</msqrt>"
+
+    def conjugate(self, formula: Conjugate) -> str:
+        return _over(self(formula.argument), "¯")
+
+    def dotted(self, argument: Formula, order: int) -> str:
+        if isinstance(argument, Name):
+            return self._name(argument, order)
+        return _over(self.bracketed(self(argument)), _DOTS[min(order, 4)])
+
+    def rows(self, rows: Sequence[Sequence[str]]) -> str:
+        cells = "".join(f"<mtr><mtd>{'</mtd><mtd>'.join(row)}</mtd></mtr>" for row in rows)
+        return self.between(self.round[0], f"<mtable>{cells}</mtable>", self.round[1])
+
+
+def _over(text: str, accent: str) -> str:
+    return f'<mover accent="true">{_one(text)}<mo>{accent}</mo></mover>'
+
+
+def _atom(text: str) -> str:
+    return f"<mn>{text}</mn>" if text.isdigit() else f"<mi>{escape(text)}</mi>"
+
+
+def _one(text: str) -> str:
+    """The text as one element, where the place has room for one only."""
+    return text if _ATOM.fullmatch(text) else f"<mrow>{text}</mrow>"
+
+
+MATHML = MathML()
+
+
+def to_mathml(formula: Formula) -> str:
+    r"""The formula in MathML, without the element ``math`` around it.
+
+    >>> to_mathml(Quotient(Name(r"\omega_1"), Number(2)))
+    '<mfrac><mrow><msub><mi>ω</mi><mn>1</mn></msub></mrow><mn>2</mn></mfrac>'
+    """
+    return MATHML(formula)

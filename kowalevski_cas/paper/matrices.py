@@ -1,0 +1,120 @@
+"""Matrices that are printed by their rows: sums, products, derivatives, determinants."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import reduce
+
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Product,
+    Sum,
+    Vector,
+    to_latex,
+)
+from kowalevski_cas.notation.values import rank
+from kowalevski_cas.notation.vocabulary import MATRIX
+from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.problem.space import Meaningless
+
+Rows = tuple[tuple[Formula, ...], ...]
+
+
+def is_matrix(formula: Formula, setting: Meaning) -> bool:
+    """Whether a formula stands for a matrix."""
+    return rank(formula, setting.texts.vocabulary) == MATRIX
+
+
+def rows(formula: Formula, setting: Meaning, within: tuple[str, ...] = ()) -> Rows:
+    """The entries of a matrix, in the operations of a space.
+
+    Raises :class:`Meaningless` if there are none, or if one of the names ``within`` whose
+    definition it stands is used in it.
+    """
+
+    def of(part: Formula) -> Rows:
+        return rows(part, setting, within)
+
+    match formula:
+        case Name(name) if name in within:
+            raise Meaningless(f"{name} is defined by itself", name)
+        case Name(name) if name in setting.scene.definitions:
+            setting.places[name] = (setting.scene.definitions[name],)
+            setting.applied.add(name)
+            return rows(setting.definition(name), setting, (*within, name))
+        case Vector(lines) if all(isinstance(line, Vector) for line in lines):
+            return tuple(tuple(map(setting.plain, line.children())) for line in lines)
+        case Negative(argument):
+            return _each(of(argument), Negative)
+        case Derivative(argument, mark):
+            return _each(of(argument), lambda entry: setting.plain(Derivative(entry, mark)))
+        case Sum(terms):
+            size = len(next(of(term) for term in terms if is_matrix(term, setting)))
+            return reduce(
+                _sum,
+                (
+                    of(term) if is_matrix(term, setting) else _multiple(setting.plain(term), size)
+                    for term in terms
+                ),
+            )
+        case Product(factors):
+            matrices = [of(factor) for factor in factors if is_matrix(factor, setting)]
+            scalars = tuple(setting.plain(f) for f in factors if not is_matrix(f, setting))
+            whole = reduce(_product, matrices)
+            return _each(whole, lambda entry: Product((*scalars, entry))) if scalars else whole
+    raise Meaningless(f"{to_latex(formula)} is no matrix that is known here")
+
+
+def sizes(matrix: Rows) -> tuple[int, int]:
+    """The numbers of rows and columns."""
+    return len(matrix), len(matrix[0])
+
+
+def determinant(matrix: Rows) -> Formula:
+    """The determinant, by minors of the first row; raises :class:`Meaningless` without one."""
+    if len(matrix) != len(matrix[0]):
+        raise Meaningless("the determinant of a matrix that is not square")
+    if len(matrix) == 1:
+        return matrix[0][0]
+    terms: list[Formula] = []
+    for k, entry in enumerate(matrix[0]):
+        minor = determinant(tuple((*row[:k], *row[k + 1 :]) for row in matrix[1:]))
+        term = Product((entry, minor))
+        terms.append(Negative(term) if k % 2 else term)
+    return Sum(tuple(terms))
+
+
+def _multiple(value: Formula, size: int) -> Rows:
+    """What a number stands for in a sum of matrices: a multiple of the unit matrix."""
+    return tuple(tuple(value if i == j else Number(0) for j in range(size)) for i in range(size))
+
+
+def _each(matrix: Rows, function: Callable[[Formula], Formula]) -> Rows:
+    return tuple(tuple(map(function, row)) for row in matrix)
+
+
+def _sum(left: Rows, right: Rows) -> Rows:
+    if sizes(left) != sizes(right):
+        raise Meaningless("matrices that differ in size are added")
+    return tuple(tuple(map(_plus, a, b)) for a, b in zip(left, right, strict=True))
+
+
+def _plus(a: Formula, b: Formula) -> Formula:
+    return Sum((a, b))
+
+
+def _product(left: Rows, right: Rows) -> Rows:
+    if sizes(left)[1] != sizes(right)[0]:
+        raise Meaningless("matrices are multiplied whose sizes do not fit")
+    columns = tuple(zip(*right, strict=True))
+    return tuple(
+        tuple(
+            Sum(tuple(Product(pair) for pair in zip(row, column, strict=True)))
+            for column in columns
+        )
+        for row in left
+    )

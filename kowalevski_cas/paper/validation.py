@@ -1,0 +1,100 @@
+"""What a scene has to be, so that its statements mean what they say.
+
+Whatever is taken for granted, conjugated or measured by another time is examined once, before
+anything is decided there. An error says on which scene and at which place, and what to do.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Name
+from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.space import Adjoined, Meaningless
+from kowalevski_cas.search.squares import sum_of_squares
+
+
+def validate(setting: Meaning) -> None:
+    """Raise :class:`Meaningless` for a setting in which anything or nothing could be shown."""
+    for examine in (_pairs, _clock, _roots, _assumptions):
+        examine(setting)
+
+
+def _refuse(setting: Meaning, what: str, advice: str, name: str | None = None) -> Meaningless:
+    return Meaningless(f"on the scene “{setting.scene.name}” {what}: {advice}", name)
+
+
+def _pairs(setting: Meaning) -> None:
+    """A conjugation is an involution of the variables, of the constants, and of the roots."""
+    pairs = setting.conjugates
+    twice = [name for name, count in Counter(n for p in pairs for n in p).items() if count > 1]
+    if twice:
+        what = f"{twice[0]} stands in two pairs of conjugates"
+        raise _refuse(setting, what, "name each variable in one pair, and no real one", twice[0])
+    kinds = [{*setting.variables}, {*setting.constants}, {*setting.roots}]
+    for pair in pairs:
+        for name in pair:
+            setting.step(name)
+        if not any({*pair} <= kind for kind in kinds):
+            what = f"{pair[0]} and {pair[1]} are said to be conjugates"
+            advice = "pair two variables, two constants, or two roots that the scene declares"
+            raise _refuse(setting, what, advice, pair[0])
+        squares = [step.square for n in pair if isinstance(step := setting.step(n), Adjoined)]
+        if squares and not _same(setting, setting.finder.scalar(squares[0], True), squares[1]):
+            what = f"{pair[0]} and {pair[1]} are said to be conjugates, and their squares are not"
+            raise _refuse(setting, what, "mend the pair or the squares", pair[0])
+
+
+def _same(setting: Meaning, value: Element, formula: object) -> bool:
+    return (value - setting.finder.scalar(formula)).is_zero  # type: ignore[arg-type]
+
+
+def _clock(setting: Meaning) -> None:
+    """The other time of a scene is one."""
+    if setting.scene.clock is not None:
+        check_time(setting, setting.scene.clock)
+
+
+def check_time(setting: Meaning, printed: Printed) -> None:
+    """Another time is a multiple of the time by a constant that is not zero."""
+    scale = setting.finder.scalar(setting.plain(setting.texts.time_scale(printed)))
+    moving = [n for n in setting.variables if not setting.finder.partial(scale, n).is_zero]
+    if scale.is_zero or moving:
+        what = f"{printed.place} gives a time that {'stands still' if scale.is_zero else 'varies'}"
+        raise _refuse(setting, what, "print it as a constant other than zero, times t")
+
+
+def _roots(setting: Meaning) -> None:
+    """A real root has a radicand that is not negative everywhere."""
+    for name in setting.roots:
+        step = setting.step(name)
+        if name == "i" or not isinstance(step, Adjoined) or not _is_real(setting, name):
+            continue
+        radicand = setting.finder.scalar(step.square)
+        parts = radicand.terms()
+        if radicand.denominator or parts.keys() != {0}:
+            continue
+        if sum_of_squares({m: -value for m, value in parts[0].items()}) is not None:
+            what = f"{name} is real, and its square is nowhere positive"
+            raise _refuse(setting, what, "print it with $i$, or mend the radicand", name)
+
+
+def _is_real(setting: Meaning, name: str) -> bool:
+    """Whether a root and all names in its radicand are their own conjugates."""
+    paired = {n for pair in setting.conjugates for n in pair}
+    if name in paired:
+        return False
+    radicand = setting.finder.scalar(Name(name)) ** 2
+    return all(setting.finder.partial(radicand, n).is_zero for n in paired & {*setting.variables})
+
+
+def _assumptions(setting: Meaning) -> None:
+    """What is taken for granted not to vanish does not vanish by the relations."""
+    product = setting.finder.ring.one
+    for tex, formula in zip(setting.scene.nonzero, setting.nonzero, strict=True):
+        product = product * setting.finder.scalar(formula)
+        if product.is_zero:
+            what = f"{tex} is taken for granted not to vanish, and the relations make it vanish"
+            raise _refuse(setting, what, "leave it out, or mend the relations")

@@ -1,0 +1,285 @@
+"""What formulas mean: values, division by what does not vanish, derivatives, conjugates.
+
+A formula of a statement may divide by all that does not vanish identically: it is about the
+points where its formulas are defined, and what it divides by becomes one more divisor that
+is known not to vanish there. A formula of the evidence divides by known divisors only.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from functools import partial, reduce
+from typing import Self
+
+from .polynomials import MASK, Element, Ring
+from .reading import Json, Rejected, exponent, label, need, operation, pairs
+
+Value = tuple[Element, ...]  # a number, or the components of a vector
+Rates = dict[str, Element]
+
+
+class Map:
+    """What elements of a ring become among formulas where its generators have values."""
+
+    def __init__(self, ring: Ring, images: dict[str, Element], space: Formulas) -> None:
+        self.ring, self.images, self.space = ring, images, space
+        for name in ring.roots.keys() & images.keys():
+            square = ring.roots[name]
+            rest = images[name] * images[name] - self(square)
+            need(rest.vanishes(), f"{name} does not keep its square")
+        for name in ring.powers.keys() & images.keys():
+            base, power = ring.powers[name]
+            same = space.is_power(images[name], self(base), self(power))
+            need(same, f"{name} may be no power of its base")
+
+    def __call__(self, element: Element) -> Element:
+        at = [(name, self.ring.at[name]) for name in element.generators()]
+        for name, _ in at:
+            if name not in self.images:
+                need(name in self.ring.divisors, f"{name} has no value")
+                self.images[name] = self.space.inverse(self(self.ring.divisors[name]))
+        ring, found = self.space.ring, list[Element]()
+        powers: dict[tuple[str, int], Element] = {}
+        for m, c in element.terms.items():
+            term = Element(ring, {0: c}, element.below)
+            for name, shift in at:
+                if e := m >> shift & MASK:
+                    if (name, e) not in powers:
+                        powers[name, e] = self.images[name] ** e
+                    term = term * powers[name, e]
+            found.append(term)
+        return ring.total(found)
+
+
+class Formulas:
+    """Names with values, among them roots, powers, and divisors that are known not to vanish.
+
+    ``env`` has the values of names, ``bar`` the conjugates of generators, ``known`` the inverses
+    of divisors with words for these, ``rates`` the vector field.
+    """
+
+    def __init__(self, ring: Ring, variables: list[str], constants: list[str]) -> None:
+        self.ring, self.variables, self.constants = ring, variables, constants
+        self.stating = True
+        self.known: dict[str, str] = {}
+        self.env: dict[str, Value] = {}
+        self.bar: dict[str, Element] = {}
+        self.mirror: Map | None = None
+        self.rates: Rates | None = None
+        self.waiting: set[str] = set()  # variables that have no rate yet
+
+    def local(self) -> Self:
+        """A copy for one goal: what the goal brings in is forgotten with it."""
+        other = copy.copy(self)
+        self.ring.spend(1 + (len(self.env) >> 2))
+        other.env, other.known = dict(self.env), dict(self.known)
+        other.rates = None if self.rates is None else dict(self.rates)
+        return other
+
+    def carried(self, ring: Ring, images: dict[str, Element]) -> Map:
+        """What elements of a ring become here, where its generators have values."""
+        return Map(ring, images, self)
+
+    @contextmanager
+    def statement(self, stating: bool = True) -> Iterator[None]:
+        """Formulas that are read here belong to the statement, or do not."""
+        before, self.stating = self.stating, stating
+        yield
+        self.stating = before
+
+    def bind(self, name: Json) -> tuple[str, Element]:
+        """A new generator for a name that is bound in a goal."""
+        own = f":{label(name)}"
+        need(name not in self.env, "a bound name has another meaning")
+        if own not in self.ring.at:
+            self.ring.adjoin(own)
+        self.env[name] = (self.ring.generator(own),)
+        return own, self.ring.generator(own)
+
+    # values
+
+    def scalar(self, tree: Json) -> Element:
+        """The value of a formula that is no vector."""
+        value = self.value(tree)
+        need(len(value) == 1, "a number is expected, no vector")
+        return value[0]
+
+    def value(self, tree: Json) -> Value:
+        """The value of a formula."""
+        self.ring.spend(1)
+        if type(tree) is str:
+            need(tree in self.env, f"{tree:.80} is not defined")
+            return self.env[tree]
+        if type(tree) is int:
+            return (self.ring.number(tree),)
+        op, parts = operation(tree)
+        if op == "^":
+            return (self.scalar(parts[0]) ** exponent(parts[1]),)
+        if op == "d":
+            return (self.partial(*parts),)
+        if op in ("vector", "diag"):
+            return tuple(map(self.scalar, parts))
+        values = [self.value(part) for part in parts]
+        if len(values) == 1:
+            return tuple(self.unary(op, e) for e in values[0])
+        if op == "+":
+            need(len({*map(len, values)}) == 1, "a number is added to a vector")
+            return tuple(map(self.ring.total, zip(*values, strict=True)))
+        return reduce(partial(self.binary, op), values)
+
+    def unary(self, op: str, element: Element) -> Element:
+        """An operation on a component."""
+        if op == "-":
+            return -element
+        if op == "D":
+            return self.derivative(element)
+        if op == "conj":
+            return self.conj(element)
+        found = [n for n, square in self.ring.roots.items() if (square - element).vanishes()]
+        need(found, "a root is taken that is not declared")
+        return self.ring.generator(found[0])
+
+    def binary(self, op: str, a: Value, b: Value) -> Value:
+        """A product or a quotient, by components, or a product of vectors."""
+        if op == "cross":
+            need(len(a) == len(b) == 3, "a vector product is one of vectors in space")
+            return tuple(a[j] * b[k] - a[k] * b[j] for j, k in ((1, 2), (2, 0), (0, 1)))
+        need(op != "dot" or len(a) == len(b) > 1, "a scalar product is one of two vectors")
+        b = tuple(map(self.inverse, b)) if op == "/" else b
+        a, b = (a * len(b) if len(a) == 1 else a), (b * len(a) if len(b) == 1 else b)
+        need(len(a) == len(b), "vectors have different lengths")
+        products = tuple(x * y for x, y in zip(a, b, strict=True))
+        return (self.ring.total(products),) if op == "dot" else products
+
+    def differences(self, equations: Json) -> list[Element]:
+        """Left minus right sides, by components."""
+        both = [(self.value(left), self.value(right)) for left, right in pairs(equations)]
+        need(all(len(a) == len(b) for a, b in both), "a number is equal to a vector")
+        return [x - y for a, b in both for x, y in zip(a, b, strict=True)]
+
+    # division
+
+    def inverse(self, element: Element, words: str = "") -> Element:
+        """One over the element: the other values over its norm, a product of divisors.
+
+        The words are for the case that a new divisor has to be entered.
+        """
+        above, norm = element.normed()
+        words = words if above.value() == 1 else ""
+        norm, powers = norm.cleared()
+        need(norm.terms, "it divides by zero")
+        above = above * powers
+        for name in self.known:
+            while (quotient := norm.over(self.ring.divisors[name])) is not None:
+                norm, above = quotient, above * self.ring.generator(name)
+        if norm.value() is None:
+            content, norm = norm.primitive()
+            return above * self._part(norm, words) * self.ring.number(1 / content)
+        return above * self.ring.number(1 / Fraction(norm.value() or 0))
+
+    def _part(self, norm: Element, words: str) -> Element:
+        """One over a polynomial that divides a known divisor, or becomes one."""
+        for name in self.known:
+            if (quotient := self.ring.divisors[name].over(norm)) is not None:
+                return quotient * self.ring.generator(name)
+        if not self.stating:
+            raise Rejected(f"it divides by what may be zero: {norm.words():.200}")
+        same = (n for n, divisor in self.ring.divisors.items() if divisor.terms == norm.terms)
+        if not (name := next(same, "")):
+            name = f"1/{len(self.ring.divisors)}"
+            self.ring.adjoin(name)
+            self.ring.divisors[name] = norm
+        self.known[name] = words or norm.words()
+        return self.ring.generator(name)
+
+    def enter(self, element: Element, words: str) -> None:
+        """Know that an element does not vanish."""
+        with self.statement():
+            self.inverse(element, words)
+
+    # derivatives
+
+    def along(self, element: Element, rates: Rates) -> Element:
+        """The derivative; what has no rate is constant, or follows from its relation."""
+        found = list[Element]()
+        for name in element.generators():
+            if name not in rates:
+                rates[name] = self._rate(name, rates)
+            if rates[name].terms:
+                found.append(element.partial(name) * rates[name])
+        return self.ring.total(found)
+
+    def _rate(self, name: str, rates: Rates) -> Element:
+        """The derivative of a generator without a rate of its own."""
+        ring, own = self.ring, self.ring.generator(name)
+        need(name not in ring.unknown, f"{name} is unknown, and so is its derivative")
+        need(name not in self.waiting, f"the derivative of {name} is not known yet")
+        if name in ring.divisors:
+            return -own * own * self.along(ring.divisors[name], rates)
+        if name in ring.powers:
+            base, power = ring.powers[name]
+            return power * own * self.along(base, rates) * self.inverse(base)
+        change = self.along(ring.roots[name], rates) if name in ring.roots else ring.number(0)
+        half = change.partial(name) * ring.number(Fraction(1, 2))
+        if (change - own * (half + half)).vanishes():
+            return half
+        return change * own * self.inverse(own * own + own * own)
+
+    def derivative(self, element: Element) -> Element:
+        """The derivative along the vector field."""
+        if self.rates is None:
+            raise Rejected("there is no vector field")
+        return self.along(element, self.rates)
+
+    def partial(self, name: Json, tree: Json) -> Element:
+        """A partial derivative; other variables and constants stay."""
+        need(type(name) is str and name in self.bar, "it is no variable")
+        related = {*self.ring.roots, *self.ring.powers}
+        related |= {n for _, power in self.ring.powers.values() for n in power.generators()}
+        need(name not in related, f"{name} is no variable")
+        fixed = dict.fromkeys((*self.variables, *self.constants), self.ring.number(0))
+        return self.along(self.scalar(tree), fixed | {name: self.ring.number(1)})
+
+    # conjugates and powers
+
+    def conj(self, element: Element) -> Element:
+        """The complex conjugate; that of a divisor does not vanish either."""
+        conjugate = self.reflection()(element)
+        defined = self.env.keys() | self.ring.divisors.keys()
+        need({*conjugate.generators()} <= defined, "a conjugate is not defined yet")
+        return conjugate
+
+    def reflection(self) -> Map:
+        """The conjugation: an involution, under which roots and powers keep what they are."""
+        if self.mirror is None:
+            space = self.local()
+            space.stating = True
+            self.mirror = space.carried(self.ring, dict(self.bar))
+        return self.mirror
+
+    def is_real(self, element: Element) -> bool:
+        """Whether an element is its own conjugate."""
+        return (self.conj(element) - element).vanishes()
+
+    def all_real(self) -> bool:
+        """Whether all names are."""
+        return all(e.terms == {self.ring.unit[name]: 1} for name, e in self.bar.items())
+
+    def is_power(self, value: Element, base: Element, power: Element) -> bool:
+        """Whether a value is known to be a power: this very generator, or a power of 1."""
+        for name, (own, to) in self.ring.powers.items():
+            if value.terms == {self.ring.unit[name]: 1} and value.below == 1:
+                return (own - base).vanishes() and (to - power).vanishes()
+        return value.value() == base.value() == 1
+
+
+def rational(formulas: Formulas, tree: Json) -> Fraction:
+    """The value of a formula of integers."""
+    formulas.ring.spend(20)
+    number = Formulas(Ring(formulas.ring.budget), [], []).scalar(tree).value()
+    if number is None:
+        raise Rejected("a rational number is expected")
+    return number

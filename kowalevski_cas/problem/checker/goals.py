@@ -1,0 +1,170 @@
+"""Goals: what is stated over a space, what shows it, and what denies it."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from itertools import product
+from math import prod
+from typing import ClassVar
+
+from .evidence import PROOF, combined, independent, locate, minors, settle, squares_of
+from .reading import Json, items, names_in, need, pairs, part_of, record, say, say_all
+from .spaces import Space
+
+
+class Goal(ABC):
+    """A goal over a space, in which the conditions of its evidence are known.
+
+    ``holds`` and ``denied`` return if the evidence shows the goal, or denies it; else they reject.
+    ``words`` says it in plain letters; ``KEYS`` are those of its data.
+    """
+
+    KEYS: ClassVar[str]
+
+    @abstractmethod
+    def __init__(self, space: Space, data: Json) -> None: ...
+
+    @abstractmethod
+    def holds(self, evidence: Json) -> None: ...
+
+    @abstractmethod
+    def denied(self, evidence: Json) -> None: ...
+
+    @staticmethod
+    @abstractmethod
+    def words(data: Json) -> str: ...
+
+
+def wherever(data: Json) -> str:
+    """The given equations of a goal."""
+    return f" wherever {say_all(data['given'])}" if data["given"] else ""
+
+
+class Follows(Goal):
+    """Where the given equations hold, one of the conclusions does."""
+
+    KEYS = "given conclusions"
+
+    def __init__(self, space: Space, data: Json) -> None:
+        self.space = space
+        with space.statement():
+            self.given = space.differences(data["given"])
+            self.conclusions = [space.differences(one) for one in items(data["conclusions"])]
+        stated = self.conclusions or self.given
+        need(stated and all(self.conclusions), "nothing is stated")
+
+    def holds(self, evidence: Json) -> None:
+        # for an empty set, a condition that holds nowhere on it would be the whole proof
+        record(evidence, "point", f"away {PROOF}" if self.conclusions else PROOF)
+        locate(self.space, evidence["point"], self.given if self.conclusions else [])
+        one = self.space.ring.number(1)
+        goals = [prod(choice, start=one) for choice in product(*self.conclusions)]
+        settle(self.space, goals, self.given, part_of(evidence, PROOF))
+
+    def denied(self, evidence: Json) -> None:
+        record(evidence, "point", "away")
+        at = locate(self.space, evidence["point"], self.given)
+        for conclusion in self.conclusions:
+            need(any(at(e).differs() for e in conclusion), "the two sides may be equal")
+
+    @staticmethod
+    def words(data: Json) -> str:
+        if not data["conclusions"]:
+            return f"there is no real point where {say_all(data['given'])}"
+        return " or ".join(map(say_all, data["conclusions"])) + wherever(data)
+
+
+class Fails(Follows):
+    """At a point where the given equations hold, each conclusion fails."""
+
+    def holds(self, evidence: Json) -> None:
+        super().denied(evidence)
+
+    def denied(self, evidence: Json) -> None:
+        """It follows, and without a condition: where one fails, the goal might hold."""
+        need("away" not in evidence, "it may fail where a condition does")
+        super().holds(evidence)
+
+
+class Rank(Goal):
+    """At a point the differentials of functions and given equations are so many, independent."""
+
+    KEYS = "functions given rank"
+
+    def __init__(self, space: Space, data: Json) -> None:
+        self.space, self.stated = space, data["rank"]
+        one = space.ring.number(1)
+        with space.statement():
+            self.given = space.differences(data["given"])
+            chosen = [e for tree in items(data["functions"]) for e in space.value(tree)]
+            chosen += self.given
+            need(chosen and space.variables, "nothing is stated")
+            self.matrix = [[space.along(e, {v: one}) for v in space.variables] for e in chosen]
+
+    def holds(self, evidence: Json) -> None:
+        self._independent(evidence)
+        need(len(self.matrix) == self.stated, f"the rank is {len(self.matrix)}")
+
+    def denied(self, evidence: Json) -> None:
+        """Their number is another one, or they depend on each other everywhere."""
+        if "minors" not in evidence:
+            self._independent(evidence)
+            need(len(self.matrix) != self.stated, "the rank is as stated")
+            return
+        record(evidence, "minors")
+        square = len(self.matrix) <= len(self.space.variables)
+        found = minors(self.space.ring, self.matrix) if square else []
+        for minor, row in zip(found, items(evidence["minors"], len(found)), strict=True):
+            need(combined(self.space, minor, row, self.given), "a minor may differ from zero")
+
+    def _independent(self, evidence: Json) -> None:
+        record(evidence, "point", "away")
+        independent(locate(self.space, evidence["point"], self.given), self.matrix)
+
+    @staticmethod
+    def words(data: Json) -> str:
+        trees = [*data["functions"], *(["+", a, ["-", b]] for a, b in data["given"])]
+        shown, size = ", ".join(map(say, trees)), data["rank"]
+        whole = f"the differentials of {shown}, {size} in number, are independent at a real point"
+        return whole + (f" with {say_all(data['given'])}" if data["given"] else "")
+
+
+class Positive(Goal):
+    """A formula is positive where the given equations hold."""
+
+    KEYS = "given formula"
+
+    def __init__(self, space: Space, data: Json) -> None:
+        self.space = space
+        with space.statement():
+            self.given = space.differences(data["given"])
+            self.formula = space.scalar(data["formula"])
+
+    def holds(self, evidence: Json) -> None:
+        """It is a sum of squares there, and not zero."""
+        record(evidence, "point squares cofactors", "away zero")
+        space, (row,) = self.space, items(evidence["cofactors"], 1)
+        locate(space, evidence["point"], self.given)
+        rest = self.formula - squares_of(space, evidence["squares"])
+        need(combined(space, rest, row, self.given), "the two sides are not equal")
+        if "zero" in evidence:
+            settle(space, [space.ring.number(1)], [*self.given, self.formula], evidence["zero"])
+        else:
+            space.inverse(self.formula)
+
+    def denied(self, evidence: Json) -> None:
+        """At a point it is a number that is not positive."""
+        record(evidence, "point", "away")
+        value = locate(self.space, evidence["point"], self.given)(self.formula).value()
+        need(value is not None and value <= 0, "it is positive, or no rational number")
+
+    @staticmethod
+    def words(data: Json) -> str:
+        return f"{say(data['formula'])} > 0{wherever(data)}"
+
+
+def names_of(data: Json) -> set[str]:
+    """All names in the formulas of a goal."""
+    lists = [*items(data.get("conclusions", [])), data.get("given", [])]
+    sides = [side for equations in lists for both in pairs(equations) for side in both]
+    return names_in(["", *sides, *items(data.get("functions", [])), data.get("formula", 0)])

@@ -1,0 +1,195 @@
+"""What a certificate may be made of: a few shapes of JSON, names, and the bounds of it all."""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import Any
+
+FORMAT, VERSION = "kowalevski-cas certificate", 2
+SIZE = 1_000_000  # characters of a file
+WORK = 4_000_000  # steps in the check of a file, by the terms and the size of numbers
+BITS = 6_000  # of an integer
+DEGREE = 1_000  # total, of a polynomial
+NAMES = 150  # generators of a ring
+
+Json = Any
+
+_WORD = r"[\w\\^*()+\-/.,']"
+NAME = re.compile(
+    rf"(?:[A-Za-z]|\\(?=[A-Za-z]))(?:\w|\\(?=[A-Za-z])|\^(?=[A-Za-z*{{\\])|(?<=\^)\*|\{{{_WORD}+\}})*",
+    re.ASCII,
+)
+
+
+def printable(text: str) -> str:
+    """The text in a line of printable letters."""
+    return re.sub("[^ -~]", "?", text)
+
+
+class Rejected(Exception):
+    """The certificate does not prove what it states; the message is printable."""
+
+    def __init__(self, message: str) -> None:
+        super().__init__(printable(message))
+
+
+def need(condition: object, message: str) -> None:
+    """Reject the certificate unless the condition holds."""
+    if not condition:
+        raise Rejected(message)
+
+
+class Budget:
+    """The steps that are left for the check of a file."""
+
+    def __init__(self, steps: int = WORK) -> None:
+        self.left = steps
+
+    def spend(self, steps: int) -> None:
+        """Count steps."""
+        self.left -= steps
+        if self.left < 0:
+            raise Rejected("it takes too much work")
+
+
+# -- JSON --------------------------------------------------------------------------
+
+
+def parsed(text: str) -> Json:
+    """The data of a certificate of this format."""
+    need(len(text) < SIZE, "it is too long")
+    hooks: Json = {"parse_int": _integer, "parse_float": _no_number, "parse_constant": _no_number}
+    data = json.loads(text, object_pairs_hook=_unique, **hooks)
+    need(type(data) is dict and data.get("format") == FORMAT, "it is no certificate")
+    old = type(data.get("version")) is int and data["version"] == 1
+    need(not old, "it is a certificate of format 1: make certificates renews it")
+    need(repr(data.get("version")) == repr(VERSION), "it has another format")
+    return record(data, "format version claim spaces goals sign evidence digest")
+
+
+def _unique(both: list[tuple[str, Json]]) -> Json:
+    data = dict(both)
+    need(len(data) == len(both), "a key stands twice")
+    return data
+
+
+def _integer(digits: str) -> int:
+    need(len(digits) * 3 < BITS, "a number is too large")
+    return int(digits)
+
+
+def _no_number(digits: str) -> Json:
+    raise Rejected(f"{digits:.20} is no integer")
+
+
+def record(data: Json, required: str, optional: str = "") -> Json:
+    """A JSON object that has all of the required keys, and no others but the optional ones."""
+    need(type(data) is dict, "an object is expected")
+    need({*required.split()} <= data.keys(), f"a key is missing, one of: {required}")
+    need(data.keys() <= {*required.split(), *optional.split()}, "a key is unknown")
+    return data
+
+
+def part_of(data: Json, keys: str) -> Json:
+    """The part of an object under some keys."""
+    return {key: data[key] for key in keys.split() if key in data}
+
+
+def items(data: Json, *sizes: int) -> list[Json]:
+    """A JSON list, of one of the sizes."""
+    need(type(data) is list, "a list is expected")
+    need(not sizes or len(data) in sizes, "a list has another length")
+    return data  # type: ignore[no-any-return]
+
+
+def pairs(data: Json) -> list[list[Json]]:
+    """A list of lists of two."""
+    return [items(pair, 2) for pair in items(data)]
+
+
+def integer(data: Json, least: int, most: int) -> int:
+    """An integer between two bounds."""
+    need(type(data) is int and least <= data <= most, "a number is odd")
+    return data  # type: ignore[no-any-return]
+
+
+def label(data: Json) -> str:
+    """A name."""
+    need(type(data) is str and NAME.fullmatch(data), f"a name is odd: {data!a:.80}")
+    return data  # type: ignore[no-any-return]
+
+
+def labels(data: Json) -> list[str]:
+    """A list of names, all different."""
+    found = [label(name) for name in items(data)]
+    need(len({*found}) == len(found), "a name is given twice")
+    return found
+
+
+# -- formulas ----------------------------------------------------------------------
+
+MANY = 1_000_000
+OPERATIONS = {  # how many formulas they take
+    "+": (2, MANY), "*": (2, MANY), "/": (2, MANY), "-": (1, 1), "^": (2, 2), "sqrt": (1, 1),
+    "D": (1, 1), "d": (2, 2), "conj": (1, 1), "vector": (1, MANY), "diag": (1, MANY),
+    "dot": (2, 2), "cross": (2, 2),
+}  # fmt: skip
+LARGEST_EXPONENT = 64
+
+
+def operation(tree: Json) -> tuple[str, list[Json]]:
+    """The operation of a formula that is neither a name nor a number, and its formulas."""
+    op, *parts = items(tree) or [""]
+    need(type(op) is str and op in OPERATIONS, "an operation is not understood")
+    least, most = OPERATIONS[op]
+    need(least <= len(parts) <= most, f"{op} is one of another number of formulas")
+    return op, parts
+
+
+def exponent(tree: Json) -> int:
+    """The exponent of a power."""
+    return integer(tree, 0, LARGEST_EXPONENT)
+
+
+def names_in(tree: Json) -> set[str]:
+    """The names in a formula."""
+    found, waiting = set[str](), [tree]
+    while waiting:
+        tree = waiting.pop()
+        if type(tree) is list:
+            waiting += tree[1:]
+        elif type(tree) is str:
+            found.add(tree)
+    return found
+
+
+def factors(tree: Json) -> list[Json]:
+    """The factors of a formula that is a product or a power; numbers do not count."""
+    if type(tree) is not list:
+        return [tree]
+    op, parts = operation(tree)
+    if op == "*":
+        kept = [part for part in parts if type(part) is not int or part == 0]
+        return [factor for part in kept for factor in factors(part)]
+    if op == "^" and exponent(parts[1]) > 0:
+        return factors(parts[0])
+    return [tree]
+
+
+def say(tree: Json) -> str:
+    """A formula in plain letters."""
+    if type(tree) is int:
+        return str(tree)
+    if type(tree) is not list:
+        return label(tree)
+    op, parts = operation(tree)
+    words = [*map(say, parts)]
+    if len(words) > 1 and op in ("+", "*", "/", "^"):
+        return f"({f' {op} '.join(words)})"
+    return f"(-{words[0]})" if op == "-" else f"{op}({', '.join(words)})"
+
+
+def say_all(equations: Json) -> str:
+    """Equations in plain letters."""
+    return ", ".join(f"{say(left)} = {say(right)}" for left, right in pairs(equations))

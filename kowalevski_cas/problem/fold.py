@@ -1,0 +1,294 @@
+"""Formulas in a ring: a fold over the tree, for anything that gives names their values."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.algebra.tower import Element, Ring
+from kowalevski_cas.notation import (
+    Conjugate,
+    CrossProduct,
+    Derivative,
+    Diagonal,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Partial,
+    Power,
+    Product,
+    Quotient,
+    Root,
+    ScalarProduct,
+    Sum,
+    Vector,
+    to_latex,
+)
+from kowalevski_cas.problem.space import Equation, Meaningless
+
+
+class Triple(tuple[Element, ...]):
+    """The components of a vector, or the diagonal of a matrix."""
+
+    __slots__ = ()
+
+
+Value = Element | Triple
+
+
+class Fold(ABC):
+    """Values of formulas, by those of names, roots and derivatives.
+
+    ``names`` are the generators that stand for themselves in the ``ring``.
+    """
+
+    ring: Ring
+    names: tuple[str, ...]
+
+    @abstractmethod
+    def value(self, name: str, conjugated: bool = False) -> Value:
+        """The value of a name, or its conjugate; raises :class:`Meaningless` if it has none."""
+
+    @abstractmethod
+    def root(self, argument: Formula, conjugated: bool = False) -> Element:
+        """The square root that is declared for an expression."""
+
+    @abstractmethod
+    def derivative(self, element: Element) -> Element:
+        """The derivative along the field."""
+
+    @abstractmethod
+    def partial(self, element: Element, name: str) -> Element:
+        """The partial derivative by a generator."""
+
+    @property
+    @abstractmethod
+    def time_sign(self) -> int:
+        """1 if the time is real, −1 if it is imaginary."""
+
+    def __call__(self, formula: Formula, conjugated: bool = False) -> Value:
+        """The value of a formula, or of its complex conjugate.
+
+        Raises :class:`Meaningless` if a name has no meaning, if vectors and scalars are
+        mixed up, or if a denominator vanishes identically.
+        """
+        rule = _RULES.get(type(formula))
+        if rule is None:
+            raise Meaningless(f"{to_latex(formula)} has no value of its own")
+        return rule(formula, self, conjugated)
+
+    def scalar(self, formula: Formula, conjugated: bool = False) -> Element:
+        """The value of a formula that has to be a scalar."""
+        value = self(formula, conjugated)
+        if isinstance(value, Triple):
+            raise Meaningless(f"{to_latex(formula)} is a vector where a scalar is expected")
+        return value
+
+    def vector(self, formula: Formula, conjugated: bool = False) -> Triple:
+        """The value of a formula that has to be a vector."""
+        value = self(formula, conjugated)
+        if not isinstance(value, Triple):
+            raise Meaningless(f"{to_latex(formula)} is a scalar where a vector is expected")
+        return value
+
+    def components(self, formula: Formula) -> tuple[Element, ...]:
+        """The value of a formula as a tuple of scalars."""
+        value = self(formula)
+        return tuple(value) if isinstance(value, Triple) else (value,)
+
+    def pairs(self, equations: Sequence[Equation]) -> list[tuple[Element, Element]]:
+        """The values of both sides, component by component."""
+        found = []
+        for left, right in equations:
+            a, b = self.components(left), self.components(right)
+            if len(a) != len(b):
+                raise Meaningless("the sides of an equation are a vector and a scalar")
+            found += list(zip(a, b, strict=True))
+        return found
+
+    def differences(self, equations: Sequence[Equation]) -> list[Element]:
+        """The left sides minus the right sides, component by component."""
+        return [left - right for left, right in self.pairs(equations)]
+
+    def polynomial(self, formula: Sum) -> Element | None:
+        """The value of a sum of monomials in generators, which is what searches find."""
+        places = self._places
+        if not places:
+            return None
+        terms: Terms = {}
+        for term in formula.terms:
+            monomial = _monomial(term, places)
+            if monomial is None:
+                return None
+            exponents, value = monomial
+            terms[exponents] = terms.get(exponents, Fraction(0)) + value
+        return self.ring.from_terms({0: terms})
+
+    @cached_property
+    def _places(self) -> dict[str, int]:
+        """Where generators that stand for themselves stand among those of the ring."""
+        names = self.ring.polynomials.generators
+        return {name: k for k, name in enumerate(names)} if names == self.names else {}
+
+
+def _monomial(
+    formula: Formula, places: Mapping[str, int]
+) -> tuple[tuple[int, ...], Fraction] | None:
+    """The exponents and the coefficient of a product of numbers and powers of generators."""
+    value = Fraction(1)
+    if isinstance(formula, Negative):
+        value, formula = -value, formula.argument
+    exponents = [0] * len(places)
+    for factor in formula.factors if isinstance(formula, Product) else (formula,):
+        power = 1
+        if isinstance(factor, Power) and isinstance(factor.exponent, Number):
+            power, factor = factor.exponent.value, factor.base
+        if isinstance(factor, Number):
+            value *= factor.value**power
+        elif isinstance(factor, Name) and factor.name in places:
+            exponents[places[factor.name]] += power
+        else:
+            return None
+    return tuple(exponents), value
+
+
+# -- rules -----------------------------------------------------------------------
+
+
+def multiply(left: Value, right: Value) -> Value:
+    """The product of scalars, of a scalar and a vector, or of a diagonal matrix and a vector."""
+    if isinstance(left, Triple) and isinstance(right, Triple):
+        return Triple(a * b for a, b in zip(left, right, strict=True))
+    if isinstance(left, Triple):
+        assert isinstance(right, Element)
+        return Triple(a * right for a in left)
+    if isinstance(right, Triple):
+        return Triple(left * b for b in right)
+    return left * right
+
+
+def _add(left: Value, right: Value) -> Value:
+    if isinstance(left, Triple) and isinstance(right, Triple):
+        return Triple(a + b for a, b in zip(left, right, strict=True))
+    if isinstance(left, Triple) or isinstance(right, Triple):
+        raise Meaningless("a vector is added to a scalar")
+    return left + right
+
+
+def _each(value: Value, function: Callable[[Element], Element]) -> Value:
+    return Triple(map(function, value)) if isinstance(value, Triple) else function(value)
+
+
+def _sum(formula: Sum, at: Fold, bar: bool) -> Value:
+    if not bar and (polynomial := at.polynomial(formula)) is not None:
+        return polynomial
+    first, *rest = (at(term, bar) for term in formula.terms)
+    for value in rest:
+        first = _add(first, value)
+    return first
+
+
+def _product(formula: Product, at: Fold, bar: bool) -> Value:
+    first, *rest = (at(factor, bar) for factor in formula.factors)
+    for value in rest:
+        first = multiply(first, value)
+    return first
+
+
+def _inverse(element: Element, formula: Formula) -> Element:
+    try:
+        return element.inverse()
+    except ZeroDivisionError:
+        shown = to_latex(formula)
+        raise Meaningless(f"division by {shown}, which vanishes identically") from None
+
+
+def _quotient(formula: Quotient, at: Fold, bar: bool) -> Value:
+    value = at(formula.numerator, bar)
+    for divisor, exponent in divisors_of(formula.denominator):
+        below = at(divisor, bar)
+        if isinstance(below, Triple):
+            inverse: Value = Triple(_inverse(entry, divisor) for entry in below)
+        else:
+            inverse = _inverse(below, divisor) ** exponent
+        value = multiply(value, inverse)
+    return value
+
+
+def divisors_of(formula: Formula) -> Iterator[tuple[Formula, int]]:
+    """The factors of a denominator as it is printed, with exponents."""
+    match formula:
+        case Product(factors):
+            for factor in factors:
+                yield from divisors_of(factor)
+        case Power(base, Number(exponent)):
+            yield base, exponent
+        case _:
+            yield formula, 1
+
+
+def _power(formula: Power, at: Fold, bar: bool) -> Value:
+    base = at.scalar(formula.base, bar)
+    match formula.exponent:
+        case Number(exponent):
+            return base**exponent
+        case Negative(Number(exponent)):
+            return _inverse(base, formula.base) ** exponent
+    raise Meaningless(f"{to_latex(formula.exponent)} is no exponent that can be used here")
+
+
+def _scalar_product(formula: ScalarProduct, at: Fold, bar: bool) -> Value:
+    left, right = (at.vector(f, bar) for f in (formula.left, formula.right))
+    total = at.ring.zero
+    for a, b in zip(left, right, strict=True):
+        total = total + a * b
+    return total
+
+
+def _cross_product(formula: CrossProduct, at: Fold, bar: bool) -> Value:
+    (a1, a2, a3), (b1, b2, b3) = (at.vector(f, bar) for f in (formula.left, formula.right))
+    return Triple((a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1))
+
+
+def _derivative(formula: Derivative, at: Fold, bar: bool) -> Value:
+    rate = _each(at(formula.argument, bar), at.derivative)
+    if bar and at.time_sign < 0:
+        return _each(rate, lambda element: -element)
+    return rate
+
+
+_RULES: dict[type[Formula], Callable[[Any, Fold, bool], Value]] = {
+    Number: lambda f, at, _: at.ring.number(f.value),
+    Name: lambda f, at, bar: at.value(f.name, bar),
+    Sum: _sum,
+    Negative: lambda f, at, bar: _each(at(f.argument, bar), lambda element: -element),
+    Product: _product,
+    Quotient: _quotient,
+    Power: _power,
+    Root: lambda f, at, bar: at.root(f.argument, bar),
+    Derivative: _derivative,
+    Partial: lambda f, at, bar: _each(
+        at(f.argument, bar), lambda element: at.partial(element, f.by)
+    ),
+    Conjugate: lambda f, at, bar: at(f.argument, not bar),
+    Vector: lambda f, at, bar: Triple(at.scalar(entry, bar) for entry in f.components),
+    Diagonal: lambda f, at, bar: Triple(at.scalar(entry, bar) for entry in f.entries),
+    ScalarProduct: _scalar_product,
+    CrossProduct: _cross_product,
+}
+
+
+def rational_terms(element: Element) -> Fraction | None:
+    """The value of an element that is a rational number; ``None`` if it is none."""
+    parts = element.terms()
+    if not parts:
+        return Fraction(0)
+    if element.denominator or parts.keys() != {0} or any(map(any, parts[0])):
+        return None
+    (value,) = parts[0].values()
+    return value

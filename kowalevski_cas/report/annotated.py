@@ -1,0 +1,202 @@
+"""The author's paper with every formula where it stands, and its verdict beside it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from kowalevski_cas import __version__
+from kowalevski_cas.audit.audit import Audit
+from kowalevski_cas.audit.displays import DISPLAYS, Typed, find_formulas
+from kowalevski_cas.audit.listing import guessed
+from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
+from kowalevski_cas.paper.texts import Display as Printed
+from kowalevski_cas.report.contents import Contents
+from kowalevski_cas.report.document import (
+    Block,
+    Claim,
+    Code,
+    Display,
+    Document,
+    Heading,
+    Inline,
+    Link,
+    Paragraph,
+    Sign,
+    Text,
+)
+from kowalevski_cas.report.names import anchor
+from kowalevski_cas.report.places import Item, sections
+from kowalevski_cas.report.prose import FIRST, Placed, read_article
+from kowalevski_cas.report.sentences import listed
+from kowalevski_cas.verify.outcome import Run, Verdict
+
+_CLOSING: Final = {"$": "$", "$$": "$$", "\\[": "\\]", "\\(": "\\)"}
+_END: Final = re.compile(r"\\end\s*\{document\}")
+
+
+def annotated(audit: Audit) -> Document:
+    """The source of an audit as a page.
+
+    Raises:
+        ProseError: if the text around the formulas cannot be read.
+    """
+    return _Annotated(audit).document()
+
+
+@dataclass
+class _Annotated:
+    audit: Audit
+
+    def __post_init__(self) -> None:
+        audit, derivation = self.audit, self.audit.session.derivation
+        self.run = run = Run(
+            derivation.name, derivation.title, derivation.author, derivation.source,
+            tuple((s.number, s.title) for s in derivation.sections),
+            tuple(audit.outcomes.values()), tuple(audit.session.arithmetics), {}, "",
+            audit.session.texts.vocabulary,
+        )  # fmt: skip
+        paper = sections(run, derivation, audit.session.texts)
+        self.contents = Contents(run, paper, {}, ())
+        self.items: dict[str, list[Item]] = {}
+        self.begins: dict[str, str] = {}
+        for section in paper:
+            waiting: list[Item] = []
+            last: list[Item] | None = None
+            first = next((item.display for item in section.items if item.display), "")
+            self.begins[first] = f"section.{anchor(section.number)}"
+            for item in section.items:
+                if item.display:
+                    self.items[item.display] = last = [*waiting, item]
+                    waiting = []
+                else:
+                    (waiting if last is None else last).append(item)
+        self.text = audit.expanded.text
+        self.typed = list(find_formulas(self.text, audit.source.body))
+        self.names = guessed(self.typed)
+        self.placed = {
+            (p.typed.start, p.typed.end): p.display for p in audit.places if p.typed is not None
+        }
+
+    def document(self) -> Document:
+        """The page: the verdict, the paper, what stands nowhere in it."""
+        run, source = self.run, self.audit.source
+        blocks = read_article(self._without_formulas(), self._placed(), self._labels())
+        found = {d.id for d in self.placed.values()}
+        lost = [item for id, items in self.items.items() if id not in found for item in items]
+        if lost:
+            blocks.append(Heading(("Not found in this text",), "lost"))
+            blocks += [block for item in lost for block in self.contents.passages.item(item)]
+        head = [*self.contents.verdict(), Heading(("The paper",), "paper")]
+        shown = (*head, *blocks, *self.contents.graph(), *self.contents.trust())
+        by: Text = (
+            f"The source {source.path.rpartition('/')[2]} with a verdict beside every formula, by "
+            f"kowalevski_cas {__version__}: ",
+            Code(f"kowalevski-cas audit {source.path.rpartition('/')[2]} --report DIR"), ".",
+        )  # fmt: skip
+        title = f"“{run.title}”, verified formula by formula"
+        return Document(title, title, ((run.author, "."), by), shown)
+
+    # -- formulas -------------------------------------------------------------------
+
+    def _placed(self) -> list[Placed]:
+        return [self._one(typed) for typed in self.typed]
+
+    def _one(self, typed: Typed) -> Placed:
+        display = self.placed.get((typed.start, typed.end))
+        if display is not None and display.id in self.items:
+            return self._known(typed, display)
+        formulas = _read(typed.tex, self.run.vocabulary) or _read(typed.tex, self.names)
+        if typed.inline:
+            text = listed([(one,) for one in formulas], ", ") or (Code(typed.tex),)
+            return Placed(text, inline=True)
+        return Placed((), (Display(formulas, typed.tex),))
+
+    def _known(self, typed: Typed, display: Printed) -> Placed:
+        """A formula that the derivation knows: with what is claimed of it."""
+        items = self.items[display.id]
+        own = next(item for item in items if item.display == display.id)
+        formulas = [formula for row in own.rows for formula in row.formulas]
+        blocks = [*self._wrong(display)]
+        if display.id in self.begins:
+            blocks.insert(0, Paragraph((), anchor=self.begins[display.id]))
+        for item in items:
+            if item.all or not typed.inline:
+                blocks += self.contents.passages.item(item)
+        if not typed.inline:
+            return Placed((), tuple(blocks))
+        shown_here: list[Inline] = [*listed([(one,) for one in formulas], ", ")]
+        for outcome in own.all[:1]:
+            sign = Link(f"claim.{anchor(outcome.claim)}", (Sign(outcome.verdict),))
+            shown_here += ["\u00a0", sign]
+        return Placed(tuple(shown_here) or (Code(typed.tex),), tuple(blocks), inline=True)
+
+    def _wrong(self, display: Printed) -> Iterator[Block]:
+        """What is wrong with a formula that nothing is claimed of."""
+        for one in self.audit.formulas:
+            here = one.id.partition(".")[0] == display.id or one.id == display.id
+            if here and one.wrong and not one.claims:
+                phrases = self.contents.phrases
+                said: Text = (f"{one.verdict.capitalize()}. ", *phrases.sentence(one.message))
+                if one.breaks:
+                    said = (*said, " Because of it, these fail: ", *phrases.links(one.breaks), ".")
+                yield Claim(Verdict.ERROR, "", said, (Code(one.id),))
+
+    # -- the text -------------------------------------------------------------------
+
+    def _without_formulas(self) -> str:
+        """The body of the text with a letter for each formula."""
+        pieces: list[str] = []
+        at = self.audit.source.body
+        for number, typed in enumerate(self.typed):
+            start, end = self._around(typed)
+            if start >= at:
+                pieces += [self.text[at:start], chr(FIRST + number)]
+            else:  # another row of the environment before
+                pieces.append(chr(FIRST + number))
+            at = max(at, end)
+        rest = self.text[at:]
+        end_of_document = _END.search(rest)
+        return "".join([*pieces, rest[: end_of_document.start()] if end_of_document else rest])
+
+    def _around(self, typed: Typed) -> tuple[int, int]:
+        """The interval of a formula with what opens and closes it."""
+        closing = _CLOSING.get(typed.kind)
+        if typed.trouble:
+            return typed.start, typed.end
+        if closing:
+            return typed.start - len(typed.kind), typed.end + len(closing)
+        opened = self.text.rfind(f"\\begin{{{typed.kind}}}", 0, typed.start)
+        closed = self.text.find(f"\\end{{{typed.kind}}}", typed.end)
+        last = closed + len(typed.kind) + len("\\end{}") if closed >= 0 else typed.end
+        return opened if opened >= 0 else typed.start, last
+
+    def _labels(self) -> Mapping[str, Link]:
+        """What references show: the numbers of displays, as TeX counts them."""
+        number = 0
+        found: dict[str, Link] = {}
+        for typed in self.typed:
+            if typed.kind in DISPLAYS and typed.kind not in ("displaymath", "dmath", "math"):
+                number += 1
+            display = self.placed.get((typed.start, typed.end))
+            for label in typed.labels:
+                known = display.label.strip("()") if display else ""
+                found[label] = Link(self._target(display), (known or str(number),))
+        return found
+
+    def _target(self, display: Printed | None) -> str:
+        """Where a reference to a display leads."""
+        items = self.items.get(display.id, ()) if display else ()
+        own: Sequence[Item] = [item for item in items if display and item.display == display.id]
+        if own and own[0].all:
+            return f"claim.{anchor(own[0].all[0].claim)}"
+        return f"display.{anchor(own[0].display)}" if own else "paper"
+
+
+def _read(tex: str, vocabulary: Vocabulary) -> tuple[Formula, ...]:
+    try:
+        return tuple(statement.formula for statement in read_display(tex, vocabulary))
+    except NotationError:
+        return ()

@@ -1,0 +1,236 @@
+"""What a report says, from its title to its last section."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from textwrap import shorten
+from typing import Final
+
+from kowalevski_cas import __version__
+from kowalevski_cas.notation import print_prose, read_prose, to_plain
+from kowalevski_cas.report.document import (
+    Block,
+    Code,
+    Document,
+    Emphasis,
+    Graph,
+    Heading,
+    Link,
+    Paragraph,
+    Shown,
+    Sign,
+    Table,
+    Text,
+)
+from kowalevski_cas.report.findings import Findings
+from kowalevski_cas.report.graph import picture
+from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.names import anchor
+from kowalevski_cas.report.passages import Passages
+from kowalevski_cas.report.places import Section
+from kowalevski_cas.report.plates import Plate
+from kowalevski_cas.report.sentences import Phrases, listed, nonzero
+from kowalevski_cas.report.witnesses import Witness, arithmetics
+from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
+
+
+def contents(
+    run: Run,
+    sections: Sequence[Section],
+    certified: Mapping[str, str] | None = None,
+    programs: Sequence[Witness] = (),
+    plates: Sequence[Plate] = (),
+) -> Document:
+    """The report of a run.
+
+    Args:
+        run: what was decided.
+        sections: the paper in its order, with the same outcomes.
+        certified: the digests of the certificates that the checker accepts, by claim.
+        programs: which programs confirm which certificates.
+        plates: the pictures of the derivation.
+    """
+    return Contents(run, sections, certified or {}, programs).document(plates)
+
+
+class Contents:
+    """The parts of a report of a run."""
+
+    def __init__(
+        self,
+        run: Run,
+        sections: Sequence[Section],
+        certified: Mapping[str, str],
+        programs: Sequence[Witness],
+    ) -> None:
+        self.run, self.sections, self.certified, self.programs = run, sections, certified, programs
+        names = {c: name for s in sections for item in s.items for c, name in item.names()}
+        self.phrases = Phrases(run.vocabulary, (o.claim for o in run.outcomes), names)
+        self.passages = Passages(self.phrases, certified, programs)
+        copied = any(section.copied for section in sections)
+        self.findings = Findings(self.phrases, run.outcomes, copied)
+
+    def document(self, plates: Sequence[Plate]) -> Document:
+        run = self.run
+        blocks = [
+            *self.verdict(),
+            *(block for section in self.sections for block in self.passages.section(section)),
+            *self.graph(),
+            *self._plates(plates),
+            *self.trust(),
+        ]
+        title = print_prose(read_prose(run.title, run.vocabulary), str, to_plain)
+        origin = ", ".join(filter(None, (run.author, run.source)))
+        by: Text = (
+            f"Written by kowalevski_cas {__version__}: ",
+            Code(f"kowalevski-cas report {run.derivation}"),
+            "; digest of the statements ", Code(run.digest[:16]), ".",
+        )  # fmt: skip
+        return Document(
+            f"Verification report on “{title}”",
+            f"Verification report on “{shorten(title, 60, placeholder=' …')}”",
+            ((*self.phrases.words(origin), "."), *self._restated(), by),
+            tuple(blocks),
+        )
+
+    def _restated(self) -> Iterator[Text]:
+        restated = [section.number for section in self.sections if not section.copied]
+        if restated and len(restated) == len(self.sections):
+            which = "All formulas are restated"
+        elif restated:
+            which = f"The formulas of section {', '.join(restated)} are restated"
+        else:
+            return
+        yield (f"{which}: nobody has compared them with the print.",)
+
+    # -- the verdict ------------------------------------------------------------------
+
+    def verdict(self) -> Iterator[Block]:
+        """What is wrong, what holds, and who says so."""
+        yield Paragraph((self.findings.lead(),), "lead")
+        yield from self.findings.blocks()
+        yield Heading(("What holds, and who says so",), "holds", 2)
+        yield from self._denominators()
+        yield Paragraph(self._confirmed())
+        rows = []
+        for section in self.sections:
+            name = f"{section.number}. {section.title}"
+            signs = listed([self._sign(o) for o in section.outcomes], " ")
+            signs = tuple(" " if part == ", " else part for part in signs)
+            link = Link(f"section.{anchor(section.number)}", self.phrases.words(name))
+            rows.append(((link,), signs))
+        yield Table((0.36, 0.6), (("Section",), ("Its formulas and statements",)), tuple(rows))
+        present = [v for v in Verdict if any(o.verdict is v for o in self.run.outcomes)]
+        means = listed([(Sign(v), f" {MARKS[v].meaning}") for v in present])
+        yield Paragraph((*means, "."), "note")
+
+    def _sign(self, outcome: Outcome) -> Text:
+        return (Link(f"claim.{anchor(outcome.claim)}", (Sign(outcome.verdict),)),)
+
+    def _denominators(self) -> Iterator[Block]:
+        """What the formulas divide by, and what the paper takes for granted, a sentence each."""
+        divided = dict.fromkeys(
+            condition.expression
+            for outcome in self.run.outcomes
+            for condition in outcome.conditions
+            if not condition.witness
+        )
+        if divided:
+            named = listed([(nonzero(formula),) for formula in divided])
+            yield Paragraph(
+                ("“Valid for” beside a formula names what it divides by, and nothing more: ",
+                 *named, ".")
+            )  # fmt: skip
+
+    def _confirmed(self) -> Text:
+        run = self.run
+        deciding = arithmetics(run.outcomes)
+        own = listed([(witness.name,) for witness in deciding])
+        each = ", each by itself" if len(deciding) > 1 else ""
+        text: Text = (
+            *own, f" decided every statement{each}: as an identity of polynomials, or by a point "
+            "with exact coordinates. No floating-point number takes part.",
+        )  # fmt: skip
+        if self.certified:
+            known = sum(outcome.claim in self.certified for outcome in run.outcomes)
+            many = f"{known} of {len(run.outcomes)} have certificates"
+            if known == len(run.outcomes):
+                many = "Each has a certificate"
+            text = (
+                *text, f" {many}, accepted by a checker that shares no line of code with the "
+                "program.",
+            )  # fmt: skip
+        if self.programs:
+            named = listed([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])
+            text = (*text, " Of these certificates, ", *named, ".")
+        if not run.digest:  # an audit, which leaves no table
+            return text
+        table = Link(f"{run.derivation}.json", (f"{run.derivation}.json",), outside=True)
+        return (*text, " Who confirms which, with all digests, is in ", table, ".")
+
+    # -- the rest ---------------------------------------------------------------------
+
+    def graph(self) -> Iterator[Block]:
+        """What rests on what."""
+        drawn = picture(self.run.outcomes, self.phrases.names)
+        yield Heading(("What rests on what",), "section.picture")
+        if not drawn.boxes:
+            yield Paragraph(("Each claim was decided from the equations of motion alone.",))
+            return
+        yield Paragraph(
+            ("A line leads from each statement to those that rest on it; where it follows from "
+             "others, it is left out. The frame tells the verdict: thin where a statement holds, "
+             "broken where it holds under a condition, heavy where it is false, dotted for the "
+             "rest. Rows of one display share a box, which shows the least of their verdicts.",),
+            leads=True,
+        )  # fmt: skip
+        yield Graph(drawn)
+        if drawn.alone:
+            alone = self.phrases.links(drawn.alone)
+            yield Paragraph(
+                ("Outside the picture, since nothing rests on them: ", *alone, "."), "note"
+            )
+
+    def _plates(self, plates: Sequence[Plate]) -> Iterator[Block]:
+        if plates:
+            yield Heading(("Pictures",), "section.pictures")
+        for plate in plates:
+            yield Shown(plate, self.phrases.words(plate.caption))
+
+    def trust(self) -> Iterator[Block]:
+        """What is proved, and what has to be trusted."""
+        yield Heading(("What is proved, and what has to be trusted",), "section.trust")
+        for name, text in _TRUST:
+            yield Paragraph((Emphasis((f"{name}.",)), " ", *self.phrases.words(text)))
+
+
+_TRUST: Final = (
+    (
+        "What is proved",
+        "Every verdict is an exact computation with polynomials that have rational coefficients: "
+        "$i$ and square roots are generators with relations, derivatives are taken along the "
+        "printed vector field, points have exact coordinates. What is proved holds wherever the "
+        "named expressions are not zero; what is refuted fails at a point that is given.",
+    ),
+    (
+        "How it is meant",
+        "A dimension is that of a manifold near the exact point that is given, where the "
+        "differentials are independent; this, and independence, say nothing of points where they "
+        "are not. A root stands for either of its values that the relations allow, unless one of "
+        "them is meant expressly.",
+    ),
+    (
+        "What has to be trusted",
+        "That a formula stands here as its author printed it, and is read as it was meant: it is "
+        "printed here from what was read, and no program knows the paper. Beyond that, for a "
+        "statement with a certificate, the checker and the integers of Python, or any one of the "
+        "other programs with what it rests on; for the others, the program and one of its three "
+        "arithmetics, which share how LaTeX is read and put into polynomials.",
+    ),
+    (
+        "What is not proved",
+        "Nothing is said here about how motions behave in the long run, how a set looks as a "
+        "whole, or whether a list of cases in the paper is complete, unless a statement above "
+        "says so.",
+    ),
+)

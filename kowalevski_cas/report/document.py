@@ -1,0 +1,188 @@
+"""A document as data: what a report says, whatever sets it.
+
+Texts are runs of words, formulas, signs and links; blocks follow one another. A writer of a format
+has a method for each of these, and nothing else to decide.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.report.graph import Picture
+from kowalevski_cas.report.plates import Plate
+from kowalevski_cas.verify.outcome import Verdict
+
+
+@dataclass(frozen=True)
+class Code:
+    """Letters as they are typed: a name, a digest, a source."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Sign:
+    """The sign of a verdict."""
+
+    verdict: Verdict
+
+
+@dataclass(frozen=True)
+class Link:
+    """A text that leads to an anchor of the document, or, with ``outside``, to an address."""
+
+    target: str
+    text: Text
+    outside: bool = False
+
+
+@dataclass(frozen=True)
+class Emphasis:
+    """A text in italics, or in bold type."""
+
+    text: Text
+    strong: bool = False
+
+
+Inline = str | Formula | Code | Sign | Link | Emphasis
+Text = tuple[Inline, ...]
+
+
+class Block:
+    """A piece of the page."""
+
+
+@dataclass(frozen=True)
+class Heading(Block):
+    """A heading; the first level is that of sections."""
+
+    text: Text
+    anchor: str
+    level: int = 1
+
+
+@dataclass(frozen=True)
+class Paragraph(Block):
+    """A paragraph; ``kind`` is empty, ``lead``, ``note``, or ``record`` for what few will read.
+
+    One that ``leads`` on to a display stays with it.
+    """
+
+    text: Text
+    kind: str = ""
+    leads: bool = False
+    anchor: str = ""
+
+
+@dataclass(frozen=True)
+class Display(Block):
+    """Formulas on lines of their own, or their ``source`` where they cannot be read.
+
+    ``verdict`` puts a sign beside them and ``label`` a text behind; ``struck`` ones are wrong.
+    What is ``long`` stands in an appendix, where the format has no other way to fold it away.
+    """
+
+    formulas: tuple[Formula, ...]
+    source: str = ""
+    verdict: Verdict | None = None
+    label: Text = ()
+    anchor: str = ""
+    struck: bool = False
+    long: bool = False
+
+
+@dataclass(frozen=True)
+class Claim(Block):
+    """A statement with its verdict beside it, and what is said of it.
+
+    ``folded`` is what the program did, which a reader may skip.
+    """
+
+    verdict: Verdict | None
+    anchor: str
+    head: Text
+    label: Text = ()
+    blocks: tuple[Block, ...] = ()
+    folded: tuple[Block, ...] = ()
+
+
+@dataclass(frozen=True)
+class Items(Block):
+    """A list, numbered or not, of items with blocks in them."""
+
+    items: tuple[tuple[Block, ...], ...]
+    numbered: bool = False
+
+
+@dataclass(frozen=True)
+class Table(Block):
+    """A table with a head; ``columns`` has the part of the line that each is wide."""
+
+    columns: tuple[float, ...]
+    head: tuple[Text, ...]
+    rows: tuple[tuple[Text, ...], ...]
+
+
+@dataclass(frozen=True)
+class Graph(Block):
+    """The picture of what rests on what."""
+
+    picture: Picture
+
+
+@dataclass(frozen=True)
+class Shown(Block):
+    """A picture that another command drew."""
+
+    plate: Plate
+    caption: Text
+
+
+@dataclass(frozen=True)
+class Document:
+    """A titled document: ``short`` is its title in few words, ``subtitle`` has a line each."""
+
+    title: str
+    short: str
+    subtitle: tuple[Text, ...]
+    blocks: tuple[Block, ...]
+
+
+def drawing(document: Document) -> Picture:
+    """The picture in a document, which some formats take as a file of its own."""
+    drawn = (block.picture for block in document.blocks if isinstance(block, Graph))
+    return next(drawn, Picture((), (), 0.0, 0.0))
+
+
+def paged(document: Document) -> Document:
+    """The document for paper: no records, long displays in an appendix and a link to each."""
+    moved: list[Block] = []
+
+    def away(lead: Paragraph, display: Display) -> Paragraph:
+        name = f"A{len(moved) // 2 + 1}"
+        head = Emphasis((f"{name}. ",), strong=True)
+        moved.extend((Heading((head,), f"long.{name}", 2), replace(display, long=False)))
+        return Paragraph((*lead.text, " ", Link(f"long.{name}", (f"formula {name}",)), "."))
+
+    def stays(blocks: Sequence[Block]) -> Iterator[Block]:
+        before: Block | None = None
+        for block in blocks:
+            if isinstance(block, Display) and block.long and isinstance(before, Paragraph):
+                before = away(before, block)
+                continue
+            if before is not None:
+                yield before
+            before = block
+            if isinstance(block, Claim):
+                inner = tuple(stays(block.blocks)), tuple(stays(block.folded))
+                before = replace(block, blocks=inner[0], folded=inner[1])
+            elif isinstance(block, Paragraph) and block.kind == "record":
+                before = None
+        if before is not None:
+            yield before
+
+    blocks = tuple(stays(document.blocks))
+    appendix = (Heading(("Appendix: long formulas",), "appendix"), *moved) if moved else ()
+    return replace(document, blocks=(*blocks, *appendix))

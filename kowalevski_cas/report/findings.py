@@ -1,0 +1,150 @@
+"""What is wrong in a paper: misprints, false statements, and hypotheses that are missing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+
+from kowalevski_cas.report.alike import alike
+from kowalevski_cas.report.document import Block, Claim, Display, Emphasis, Heading, Text
+from kowalevski_cas.report.sentences import Phrases, capital, counted, in_words, nonzero
+from kowalevski_cas.verify.outcome import Condition, Outcome, Verdict
+
+Slip = tuple[Outcome, ...]
+"""The formulas that one slip of the pen has spoiled."""
+
+
+class Findings:
+    """What is wrong, each thing once; ``copied`` if the formulas are those of the print."""
+
+    def __init__(self, phrases: Phrases, outcomes: Sequence[Outcome], copied: bool = True) -> None:
+        self.phrases, self.outcomes, self.copied = phrases, outcomes, copied
+
+    @cached_property
+    def refuted(self) -> tuple[Outcome, ...]:
+        """What is false as printed."""
+        return tuple(o for o in self.outcomes if o.verdict is Verdict.REFUTED)
+
+    @cached_property
+    def slips(self) -> tuple[Slip, ...]:
+        """The misprints: the same change in rows of one display is one slip."""
+        spoiled = [(o.claim, o) for o in self.refuted if o.correction and o.correction.edit]
+        return tuple(ones for _, ones in alike(spoiled, _slip))
+
+    @cached_property
+    def false(self) -> tuple[Outcome, ...]:
+        """What is false and no misprint."""
+        return tuple(o for o in self.refuted if not (o.correction and o.correction.edit))
+
+    @cached_property
+    def lacking(self) -> tuple[Outcome, ...]:
+        """What lacks a hypothesis, since it fails at a point where its formulas make sense."""
+        return tuple(o for o in self.outcomes if any(c.witness for c in o.conditions))
+
+    def lead(self) -> str:
+        """What was found, in two sentences."""
+        if not self.outcomes:
+            return "Nothing was selected, so nothing is said."
+        many = {v: sum(o.verdict is v for o in self.outcomes) for v in Verdict}
+        where = many[Verdict.CONDITIONAL] - len(self.lacking)
+        found = [
+            (many[Verdict.PROVED], "as printed" if self.copied else "as stated here"),
+            (where, "where their denominators do not vanish"),
+            (len(self.lacking), "only under a hypothesis that the paper does not state"),
+        ]
+        holds = [f"{in_words(n)} {_verb('hold', n)} {how}" for n, how in found if n]
+        what = counted(len(self.outcomes), "formula or statement", "formulas and statements")
+        return f"Of {what}, {_joined(holds) or 'none is proved'}.{self._wrong(many)}"
+
+    def _wrong(self, many: Mapping[Verdict, int]) -> str:
+        """What does not hold, or is open."""
+        spoiled = len(self.refuted) - len(self.false)
+        wrong = []
+        if spoiled:
+            slips = counted(len(self.slips), "misprint")
+            wrong.append(f"{slips} {_verb('spoil', len(self.slips))} {in_words(spoiled)} of them")
+        if self.false:
+            wrong.append(f"{in_words(len(self.false))} {_is(len(self.false))} false")
+        for verdict, what in _OPEN.items():
+            if many[verdict]:
+                wrong.append(f"{in_words(many[verdict])} {_is(many[verdict])} {what}")
+        return f" {capital(_joined(wrong))}." if wrong else ""
+
+    def blocks(self) -> Iterator[Block]:
+        """What is wrong, for a reader who has half a minute."""
+        if self.slips:
+            yield Heading((capital(counted(len(self.slips), "misprint")),), "misprints", 2)
+            yield from map(self._misprint, self.slips)
+        if self.false:
+            many = counted(len(self.false), "false statement")
+            yield Heading((capital(many),), "false", 2)
+            yield from map(self._falsehood, self.false)
+        if self.lacking:
+            pairs = [(o.claim, c) for o in self.lacking for c in o.conditions if c.witness]
+            hypotheses = list(alike(pairs, lambda c: (c.expression, c.words)))
+            many = counted(len(hypotheses), "missing hypothesis", "missing hypotheses")
+            yield Heading((capital(many),), "hypotheses", 2)
+            for claims, (condition, *_) in hypotheses:
+                yield self._hypothesis(claims, condition)
+
+    def _misprint(self, slip: Slip) -> Claim:
+        first, correction = slip[0], slip[0].correction
+        assert correction is not None
+        where = self.phrases.links(outcome.claim for outcome in slip)
+        head: Text = ("In ", *where, ": ", *self.phrases.words(correction.words), ".")
+        shown: list[Block] = [
+            Display(first.formulas, first.source, first.verdict, struck=True),
+            Display(correction.formulas, verdict=correction.verdict),
+        ]
+        return Claim(None, "", head, blocks=tuple(shown))
+
+    def _falsehood(self, outcome: Outcome) -> Claim:
+        said = self.phrases.sentence(outcome.words)
+        head: Text = (*self.phrases.link(outcome.claim), ": ", *said)
+        shown: list[Block] = []
+        if outcome.source:
+            shown.append(Display(outcome.formulas, outcome.source))
+        correction = outcome.correction
+        if correction is None:
+            return Claim(outcome.verdict, "", (*head, " No true statement was found near it."))
+        head = (*head, " ", Emphasis(("True:",)), " ", *self.phrases.words(correction.words))
+        if correction.conditions:
+            head = (*head, ", for ", *self.phrases.where(correction.conditions))
+        return Claim(outcome.verdict, "", (*head, "."), blocks=tuple(shown))
+
+    def _hypothesis(self, claims: Sequence[str], condition: Condition) -> Claim:
+        said = next(o.words for o in self.lacking if o.claim == claims[0])
+        head: Text = (
+            *self.phrases.links(claims), ": ", *self.phrases.sentence(said), " We need ",
+            nonzero(condition.expression), ": ", *self.phrases.words(condition.words), ".",
+        )  # fmt: skip
+        return Claim(Verdict.CONDITIONAL, "", head)
+
+
+_OPEN = {
+    Verdict.PROBABLE: "true but for a named chance of error",
+    Verdict.ENCLOSED: "true within a named radius",
+    Verdict.UNDECIDED: "undecided",
+    Verdict.TIMEOUT: "not decided in the time allowed",
+    Verdict.ERROR: "not decided, because something went wrong",
+}
+
+
+def _is(many: int) -> str:
+    return "is" if many == 1 else "are"
+
+
+def _verb(verb: str, many: int) -> str:
+    return f"{verb}s" if many == 1 else verb
+
+
+def _joined(items: Sequence[str]) -> str:
+    """Words as a list, which may have commas of their own."""
+    return ", and ".join(filter(None, [", ".join(items[:-1]), *items[-1:]]))
+
+
+def _slip(outcome: Outcome) -> object:
+    """What makes one slip of several changes: the same words in the same display."""
+    correction = outcome.correction
+    assert correction is not None
+    return correction.words, correction.printed and correction.printed.display.id

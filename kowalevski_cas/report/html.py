@@ -1,0 +1,203 @@
+"""The report as one HTML file: MathML and SVG within it, nothing to load, no script."""
+
+from __future__ import annotations
+
+import re
+from base64 import b64encode
+from collections.abc import Sequence
+from html import escape
+from pathlib import Path
+from typing import Final
+
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.notation.mathml import MATHML
+from kowalevski_cas.report.document import (
+    Claim,
+    Display,
+    Document,
+    Graph,
+    Heading,
+    Items,
+    Link,
+    Paragraph,
+    Shown,
+    Table,
+    Text,
+)
+from kowalevski_cas.report.graph.svg import svg
+from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
+from kowalevski_cas.report.plates import SUFFIX, for_a_page
+from kowalevski_cas.report.setting import Setter
+from kowalevski_cas.report.writer import Writer
+from kowalevski_cas.verify.outcome import Verdict
+
+_NARROW: Final = 19.0
+"""The width of a telephone, in em of a formula."""
+
+_STOP: Final = re.compile(r"(<math>(?:(?!</math>).)*</math>[.,;:)]+)")
+
+
+def render_html(document: Document, beside: Path = Path()) -> str:
+    """The document as HTML; plates are from the folder ``beside`` and become a part of it."""
+    return HtmlWriter(beside).write(document)
+
+
+class HtmlSetter(Setter):
+    """Displays in MathML, their lines the rows of a table."""
+
+    printer = MATHML
+    gap = '<mo separator="true">,</mo><mspace width="1.5em"></mspace>'
+
+    def opened(self, bracket: str, tall: bool) -> str:
+        return bracket
+
+    def closed(self, bracket: str, tall: bool) -> str:
+        return bracket
+
+    def line(self, left: str, right: str, indent: int, leads: bool) -> str:
+        space = f'<mspace width="{indent}em"></mspace>' if indent else ""
+        if leads:
+            right = right.replace("<mo>", '<mo form="infix">', 1)
+        return f"<mtr><mtd>{left}</mtd><mtd>{space}{right}</mtd></mtr>"
+
+    def lines(self, lines: Sequence[str]) -> str:
+        return f'<mtable displaystyle="true" class="lines">{"".join(lines)}</mtable>'
+
+    def inline(self, formula: Formula) -> str:
+        """A formula within a line: a long one in parts, between which the line may be broken."""
+        row = pieces(formula, self.printer)
+        parts: list[list[Piece]] = [[]]
+        for piece in row:
+            if piece.kind in ("sign", "relation") and measured(parts[-1]) > _NARROW / 4:
+                parts.append([])
+            parts[-1].append(piece)
+        if measured(row) < 0.8 * _NARROW:
+            parts = [[*row]]
+        return " ".join(f"<math>{joined(part, self.printer)}</math>" for part in parts)
+
+
+class HtmlWriter(Writer):
+    """The document in HTML."""
+
+    page = "page.html"
+    setter = HtmlSetter()
+    room = 38.0
+
+    def __init__(self, beside: Path) -> None:
+        self.beside = beside
+
+    def parts(self, document: Document) -> dict[str, str]:
+        links = (
+            f'<li><a href="#{block.anchor}">{self.text(block.text)}</a></li>'
+            for block in document.blocks
+            if isinstance(block, Heading) and block.level == 1
+        )
+        return {**super().parts(document), "contents": "\n".join(links)}
+
+    def escaped(self, text: str) -> str:
+        return escape(text, quote=True)
+
+    def text(self, text: Text) -> str:
+        """No line is broken between a formula and the stop behind it."""
+        return _STOP.sub(r'<span class="nobr">\1</span>', super().text(text))
+
+    def subtitle(self, text: str) -> str:
+        return f"<p>{text}</p>"
+
+    def marks(self) -> str:
+        light = "".join(f"--{verdict}: #{mark.colour};" for verdict, mark in MARKS.items())
+        dark = "".join(f"--{verdict}: #{mark.on_black};" for verdict, mark in MARKS.items())
+        colours = "".join(f".{v} {{ --mark: var(--{v}); }}\n" for v in MARKS)
+        return (
+            f":root {{ {light} }}\n@media screen and (prefers-color-scheme: dark) "
+            f"{{ :root {{ {dark} }} }}\n{colours}"
+        )
+
+    def formula(self, formula: Formula) -> str:
+        return self.setter.inline(formula)
+
+    def code(self, text: str) -> str:
+        return f"<code>{self.escaped(' '.join(text.split()))}</code>"
+
+    def sign(self, verdict: Verdict) -> str:
+        mark = MARKS[verdict]
+        return (
+            f'<span class="mark {verdict}" role="img" aria-label="{mark.word}" '
+            f'title="{mark.word}">{mark.sign}</span>'
+        )
+
+    def link(self, link: Link) -> str:
+        target = self.escaped(link.target if link.outside else f"#{link.target}")
+        return f'<a href="{target}">{self.text(link.text)}</a>'
+
+    def emphasis(self, text: str, strong: bool) -> str:
+        return f"<strong>{text}</strong>" if strong else f"<em>{text}</em>"
+
+    def heading(self, block: Heading) -> str:
+        level = block.level + 1
+        return f'<h{level} id="{block.anchor}">{self.text(block.text)}</h{level}>'
+
+    def paragraph(self, block: Paragraph) -> str:
+        kind = f' class="{block.kind}"' if block.kind else ""
+        place = f' id="{block.anchor}"' if block.anchor else ""
+        return f"<p{place}{kind}>{self.text(block.text)}</p>"
+
+    def display(self, block: Display) -> str:
+        """A display, for wide and for narrow pages if these differ."""
+        if not block.formulas:
+            inner = f'<span class="source">{self.escaped(" ".join(block.source.split()))}</span>'
+        else:
+            wide, narrow = (self._math(block.formulas, room) for room in (self.room, _NARROW))
+            inner = f"<div>{wide}</div>"
+            if wide != narrow:
+                inner = f'<div class="wide">{wide}</div><div class="narrow">{narrow}</div>'
+        if block.struck:
+            inner = f"<s>{inner}</s>"
+        sign = self.sign(block.verdict) if block.verdict else ""
+        place = f' id="{block.anchor}"' if block.anchor else ""
+        label = f'<span class="label">{self.text(block.label)}</span>' if block.label else ""
+        kind = f" {block.verdict}" if block.verdict else ""
+        return (
+            f'<div class="display{kind}"{place}>{sign}<div class="math">{inner}</div>{label}</div>'
+        )
+
+    def _math(self, formulas: Sequence[Formula], room: float) -> str:
+        return f'<math display="block">{self.setter.display(formulas, room)}</math>'
+
+    def claim(self, block: Claim) -> str:
+        sign = self.sign(block.verdict) if block.verdict else ""
+        place = f' id="{block.anchor}"' if block.anchor else ""
+        label = f'<span class="label">{self.text(block.label)}</span>' if block.label else ""
+        head = f'<div class="head">{sign}<p>{self.text(block.head)}</p>{label}</div>'
+        body = self.blocks(block.blocks)
+        if block.folded:
+            summary = "<summary>What the program did</summary>"
+            body += f"\n<details>{summary}\n{self.blocks(block.folded)}\n</details>"
+        kind = f" {block.verdict}" if block.verdict else ""
+        return f'<section class="claim{kind}"{place}>\n{head}\n{body}\n</section>'
+
+    def items(self, block: Items) -> str:
+        name = "ol" if block.numbered else "ul"
+        items = "\n".join(f"<li>{self.blocks(item)}</li>" for item in block.items)
+        return f"<{name}>\n{items}\n</{name}>"
+
+    def table(self, block: Table) -> str:
+        head = "".join(f"<th>{self.text(cell)}</th>" for cell in block.head)
+        rows = "\n".join(
+            f"<tr>{''.join(f'<td>{self.text(cell)}</td>' for cell in row)}</tr>"
+            for row in block.rows
+        )
+        return f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table>"
+
+    def graph(self, block: Graph) -> str:
+        return f'<div class="graph" tabindex="0">{svg(block.picture)}</div>'
+
+    def shown(self, block: Shown) -> str:
+        picture = for_a_page(self.beside / f"{block.plate.place}{SUFFIX}")
+        image = b64encode(picture).decode()
+        caption = self.text(block.caption)
+        return (
+            f'<figure><img alt="" src="data:image/png;base64,{image}">'
+            f"<figcaption>{caption}</figcaption></figure>"
+        )

@@ -1,0 +1,300 @@
+"""The text of an article around its formulas: what cannot be read stands as its source.
+
+The formulas are taken out before, so that the parser, pylatexenc, meets words only; it executes
+nothing and opens no file.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+from kowalevski_cas.report.document import (
+    Block,
+    Code,
+    Emphasis,
+    Heading,
+    Inline,
+    Items,
+    Link,
+    Paragraph,
+    Text,
+)
+from kowalevski_cas.report.names import anchor
+
+FIRST: Final = 0xF0000
+"""The letter that stands for the first formula; no font and no author has it."""
+
+_FORMULA: Final = re.compile(r"([\U000F0000-\U000FFFFD])")
+_PARAGRAPH: Final = re.compile(r"\n[ \t\r]*\n\s*")
+_LEVELS: Final = {"part": 1, "chapter": 1, "section": 1, "subsection": 2, "subsubsection": 2}
+_FONTS: Final = {
+    **dict.fromkeys(("bf", "bfseries", "textbf", "paragraph", "subparagraph"), True),
+    **dict.fromkeys(("it", "em", "sl", "itshape", "textit", "emph", "textsl"), False),
+}
+_SILENT: Final = frozenset(
+    """maketitle title author date thanks label noindent indent smallskip medskip bigskip vspace
+    hspace newpage clearpage pagebreak thispagestyle pagestyle centering raggedright
+    small large normalsize footnotesize protect looseness sloppy hfill tableofcontents
+    bibliographystyle""".split()
+)
+_SPECIALS: Final = {"--": "–", "---": "—", "``": "“", "''": "”", "~": "\u00a0", "&": " "}
+_LISTS: Final = {"itemize": False, "enumerate": True, "description": False}
+_PLAIN: Final = frozenset("document abstract center quote quotation flushleft minipage".split())
+_THEOREM: Final = re.compile(
+    r"(theorem|lemma|proposition|corollary|definition|remark|example|claim|proof)\*?", re.IGNORECASE
+)
+
+
+class ProseError(Exception):
+    """The text cannot be read; the message says why and what to do."""
+
+
+@dataclass(frozen=True)
+class Placed:
+    """What stands for a formula: within a line a text, and blocks, which follow the paragraph."""
+
+    text: Text
+    blocks: tuple[Block, ...] = ()
+    inline: bool = False
+
+
+def read_article(tex: str, placed: Sequence[Placed], labels: Mapping[str, Link]) -> list[Block]:
+    """The blocks of an article.
+
+    Args:
+        tex: its body, with the letter ``FIRST + k`` for the formula number k.
+        placed: what stands for each formula.
+        labels: what a reference to a label shows, and where it leads.
+
+    Raises:
+        ProseError: if pylatexenc is not installed.
+    """
+    try:
+        from pylatexenc.latexwalker import (
+            LatexWalker,
+            LatexWalkerError,
+            get_default_latex_context_db,
+        )
+        from pylatexenc.macrospec import std_environment, std_macro
+    except ImportError:
+        raise ProseError(
+            "the page around the formulas needs pylatexenc: pip install 'kowalevski-cas[page]'"
+        ) from None
+    article = _Article(tex, placed, labels)
+    known = get_default_latex_context_db()
+    known.add_context_category(
+        "literature",
+        macros=[std_macro("bibitem", "[{")],
+        environments=[std_environment("thebibliography", "{")],
+        prepend=True,
+    )
+    try:
+        walker = LatexWalker(tex, latex_context=known, tolerant_parsing=True)
+        article.read(walker.get_latex_nodes()[0])
+    except (LatexWalkerError, RecursionError):
+        article = _Article(tex, placed, labels)
+        article.words(tex)
+    article.end()
+    return article.blocks
+
+
+class _Article:
+    """Reads nodes one after the other into blocks."""
+
+    def __init__(self, tex: str, placed: Sequence[Placed], labels: Mapping[str, Link]) -> None:
+        self.tex, self.placed, self.labels = tex, placed, labels
+        keys = re.findall(r"\\bibitem\s*(?:\[[^\]]*\])?\s*\{([^{}]*)\}", tex)
+        self.cited = {key: number for number, key in enumerate(keys, 1)}
+        self.blocks: list[Block] = []
+        self.line: list[Inline] = []
+        self.after: list[Block] = []
+        self.headings = 0
+        self.place = ""
+
+    # -- paragraphs -----------------------------------------------------------------
+
+    def end(self) -> None:
+        """The paragraph ends, and what its formulas bring with them follows."""
+        if any(not isinstance(one, str) or one.strip() for one in self.line):
+            self.blocks.append(Paragraph(tuple(self.line), anchor=self.place))
+            self.place = ""
+        self.blocks += self.after
+        self.line, self.after = [], []
+
+    def words(self, text: str) -> None:
+        """Words with formulas, and the breaks between paragraphs."""
+        for k, paragraph in enumerate(_PARAGRAPH.split(text)):
+            if k:
+                self.end()
+            for part in _FORMULA.split(paragraph):
+                if _FORMULA.fullmatch(part):
+                    self._formula(self.placed[ord(part) - FIRST])
+                elif part:
+                    self.line.append(re.sub(r"\s+", " ", part))
+
+    def _formula(self, placed: Placed) -> None:
+        if placed.inline:
+            self.line += placed.text
+            self.after += placed.blocks
+        else:
+            self.end()
+            self.blocks += placed.blocks
+
+    def _source(self, node: Any) -> None:
+        """A piece of TeX as it is typed, with the formulas in it as formulas."""
+        for part in _FORMULA.split(node.latex_verbatim()):
+            if _FORMULA.fullmatch(part):
+                self._formula(self.placed[ord(part) - FIRST])
+            elif part.strip():
+                self.line.append(Code(part.strip()))
+
+    def _inner(self, nodes: Iterable[Any]) -> Text:
+        """Nodes within the line; what they display follows the paragraph."""
+        kept, self.line = self.line, []
+        blocks, self.blocks = self.blocks, []
+        self.read(nodes)
+        text, self.line = tuple(self.line), kept
+        self.after, self.blocks = [*self.after, *self.blocks], blocks
+        return text
+
+    # -- nodes ----------------------------------------------------------------------
+
+    def read(self, nodes: Iterable[Any]) -> None:
+        """Nodes of pylatexenc, each by its kind; a font changes the rest of its group."""
+        nodes = [node for node in nodes if node is not None]
+        for k, node in enumerate(nodes):
+            name = getattr(node, "macroname", None)
+            if name in _FONTS and not _arguments(node):
+                self.line.append(Emphasis(self._inner(nodes[k + 1 :]), strong=_FONTS[name]))
+                return
+            self._node(node)
+
+    def _node(self, node: Any) -> None:
+        match type(node).__name__:
+            case "LatexCharsNode":
+                self.words(node.chars)
+            case "LatexGroupNode":
+                self.line += self._inner(node.nodelist)
+            case "LatexSpecialsNode":
+                self.line.append(_SPECIALS.get(node.specials_chars, node.specials_chars))
+            case "LatexMacroNode":
+                self._macro(node)
+            case "LatexEnvironmentNode":
+                self._environment(node)
+            case "LatexMathNode":
+                self._source(node)
+
+    def _macro(self, node: Any) -> None:
+        name, arguments = node.macroname, _arguments(node)
+        known: dict[str, Callable[[], None]] = {
+            "ref": lambda: self._reference(arguments),
+            "eqref": lambda: self._reference(arguments, "({})"),
+            "cite": lambda: self._cite(arguments),
+            "footnote": lambda: self._footnote(arguments),
+            "par": self.end,
+            "\\": lambda: self.line.append(" "),
+        }
+        if name in _LEVELS and arguments:
+            self._heading(_LEVELS[name], self._inner([arguments[-1]]))
+        elif name in _FONTS and arguments:
+            self.line.append(Emphasis(self._inner(arguments), strong=_FONTS[name]))
+        elif name in known:
+            known[name]()
+        elif name not in _SILENT:
+            self._letter(node)
+
+    def _letter(self, node: Any) -> None:
+        """A macro for letters, as an accent; any other stands as its source."""
+        from pylatexenc.latex2text import LatexNodes2Text, get_default_latex_context_db
+
+        if get_default_latex_context_db().get_macro_spec(node.macroname):
+            self.words(LatexNodes2Text().node_to_text(node) or " ")
+        else:
+            self._source(node)
+
+    def _heading(self, level: int, text: Text) -> None:
+        self.end()
+        self.headings += 1
+        self.blocks.append(Heading(text, f"text.{self.headings}", level))
+
+    def _reference(self, arguments: Sequence[Any], form: str = "{}") -> None:
+        label = _verbatim(arguments)
+        if label in self.labels:
+            before, _, behind = form.partition("{}")
+            self.line += [before, self.labels[label], behind]
+        else:
+            self.line.append(Code(label))
+
+    def _cite(self, arguments: Sequence[Any]) -> None:
+        parts: list[Inline] = []
+        for key in (key.strip() for key in _verbatim(arguments).split(",")):
+            number = self.cited.get(key)
+            shown: Inline = Link(f"bib.{anchor(key)}", (str(number),)) if number else Code(key)
+            parts += [", " if parts else "[", shown]
+        self.line += [*parts, "]"]
+
+    def _footnote(self, arguments: Sequence[Any]) -> None:
+        self.line += [" (", Emphasis(self._inner(arguments)), ")"]
+
+    # -- environments ---------------------------------------------------------------
+
+    def _environment(self, node: Any) -> None:
+        name = node.environmentname
+        if name in _PLAIN:
+            if name == "abstract":
+                self._heading(2, ("Abstract",))
+            self._apart(node.nodelist)
+        elif name.rstrip("*") in _LISTS or name == "thebibliography":
+            self._list(node)
+        elif _THEOREM.fullmatch(name):
+            self.end()
+            self.line.append(Emphasis((f"{name.rstrip('*').capitalize()}. ",), strong=True))
+            self._apart(node.nodelist)
+        else:
+            self.end()
+            self._source(node)
+            self.end()
+
+    def _apart(self, nodes: Iterable[Any]) -> None:
+        self.read(nodes)
+        self.end()
+
+    def _list(self, node: Any) -> None:
+        """A list, or the literature, which citations lead to."""
+        self.end()
+        parts: list[list[Any]] = [[]]
+        for inner in node.nodelist:
+            if getattr(inner, "macroname", "") in ("item", "bibitem"):
+                parts.append([])
+            parts[-1].append(inner)
+        self._apart(parts[0])
+        kept, self.blocks = self.blocks, []
+        items: list[tuple[Block, ...]] = []
+        for first, *rest in parts[1:]:
+            if first.macroname == "bibitem":
+                self.place = f"bib.{anchor(_verbatim(_arguments(first)))}"
+            elif _arguments(first):
+                self.line += [Emphasis(self._inner(_arguments(first)), strong=True)]
+            self._apart(rest)
+            items.append(tuple(self.blocks))
+            self.blocks = []
+        self.blocks = kept
+        numbered = _LISTS.get(node.environmentname.rstrip("*"), True)
+        self.blocks.append(Items(tuple(items), numbered))
+
+
+def _arguments(node: Any) -> list[Any]:
+    """The arguments of a macro that are there."""
+    found = getattr(node, "nodeargd", None)
+    return [one for one in (found.argnlist if found else None) or () if one is not None]
+
+
+def _verbatim(arguments: Sequence[Any]) -> str:
+    """The last argument as it is typed, without its braces."""
+    return arguments[-1].latex_verbatim().strip("{} \n") if arguments else ""
+
+
+__all__ = ["FIRST", "Placed", "ProseError", "read_article"]

@@ -1,0 +1,215 @@
+"""Combinations by Gröbner bases: what is linear in some unknowns, over any other variables.
+
+The generators are of degree 0 or 1 in the unknowns, and so is what is combined from them. So
+pairs whose S-polynomial would be of degree 2 are left out: this is a basis of a module. Each
+element remembers how it was made; the cofactors are read off at the end (Buchberger).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from heapq import heapify, heappop, heappush
+from itertools import combinations
+from math import prod
+
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.search.cofactors import Flat
+
+LARGEST = 600
+"""How many elements a basis may have; a larger one is given up."""
+
+POWERS = 3
+"""The largest power of a unit by which a target is multiplied."""
+
+Monomial = tuple[int, ...]
+Made = dict[int, fmpq_mpoly]
+"""How a polynomial is combined from elements of a basis, by their places."""
+
+
+class Basis:
+    """A Gröbner basis of polynomials that are linear in the variables at some places."""
+
+    def __init__(self, generators: Sequence[fmpq_mpoly], linear: Sequence[int]) -> None:
+        self.context = generators[0].context()
+        self.linear = linear
+        self.count = len(generators)
+        self.elements: list[fmpq_mpoly] = []
+        self.leads: list[Monomial] = []
+        self.made: list[Made] = []
+        self._kept: list[int] = []
+        """The places of elements whose leads no later one divides."""
+        self._pairs: list[tuple[int, int, int, Monomial]] = []
+        for k, generator in enumerate(generators):
+            self._enter(generator, {k: self.context.constant(1)})
+        while self._pairs and len(self.elements) <= LARGEST:
+            _, i, j, _ = heappop(self._pairs)
+            rest, made = self._reduced(*self._pair(i, j))
+            if not rest.is_zero():
+                self._enter(rest, made)
+
+    def cofactors(self, target: fmpq_mpoly) -> list[fmpq_mpoly] | None:
+        """The combination of the generators that a polynomial is, if it is one."""
+        rest, made = self._reduced(target, {})
+        if not rest.is_zero():
+            return None
+        zero = self.context.constant(0)
+        row = [-made.get(k, zero) for k in range(len(self.elements))]
+        for k in reversed(range(self.count, len(self.elements))):
+            for place, factor in self.made[k].items():
+                row[place] += row[k] * factor
+        return row[: self.count]
+
+    def _enter(self, polynomial: fmpq_mpoly, made: Made) -> None:
+        """Add an element, with the pairs that are needed (Gebauer and Möller)."""
+        place, lead = len(self.elements), _lead(polynomial)
+        self.elements.append(polynomial)
+        self.leads.append(lead)
+        self.made.append(made)
+        known = [(k, _lcm(lead, self.leads[k])) for k in self._kept]
+        new = [(k, lcm) for k, lcm in known if sum(lcm[n] for n in self.linear) < 2]
+        reached = dict(known)
+        self._pairs = [
+            (degree, i, j, lcm)
+            for degree, i, j, lcm in self._pairs
+            if not _divides(lead, lcm)
+            or lcm in (_lcm(lead, self.leads[i]), _lcm(lead, self.leads[j]))
+        ]
+        heapify(self._pairs)
+        least: dict[Monomial, int] = {}
+        for k, lcm in sorted(new, key=lambda pair: sum(pair[1])):
+            if lcm in least:
+                if self._apart(lead, k):
+                    least[lcm] = k
+            elif not any(_divides(other, lcm) for other in least):
+                least[lcm] = k
+        for lcm, k in least.items():
+            if not self._apart(lead, k):
+                heappush(self._pairs, (sum(lcm), k, place, lcm))
+        self._kept = [k for k in self._kept if reached[k] != self.leads[k]] + [place]
+
+    def _apart(self, lead: Monomial, k: int) -> bool:
+        """Whether a lead has no variable in common with that of an element."""
+        return not any(a and b for a, b in zip(lead, self.leads[k], strict=True))
+
+    def _pair(self, i: int, j: int) -> tuple[fmpq_mpoly, Made]:
+        """The S-polynomial of two elements, and how it is made."""
+        common = _lcm(self.leads[i], self.leads[j])
+        first, second = (
+            self._over(common, self.leads[k]) / self.elements[k].leading_coefficient()
+            for k in (i, j)
+        )
+        return first * self.elements[i] - second * self.elements[j], {i: first, j: -second}
+
+    def _reduced(self, rest: fmpq_mpoly, made: Made) -> tuple[fmpq_mpoly, Made]:
+        """What is left of a polynomial when leading terms are reduced, and how it is made."""
+        made = dict(made)
+        while not rest.is_zero():
+            lead = _lead(rest)
+            place = next((k for k in self._kept if _divides(self.leads[k], lead)), None)
+            if place is None:
+                break
+            divisor = self.elements[place]
+            ratio = rest.leading_coefficient() / divisor.leading_coefficient()
+            factor = self._over(lead, self.leads[place]) * ratio
+            rest -= factor * divisor
+            made[place] = made.get(place, self.context.constant(0)) - factor
+        return rest, made
+
+    def _over(self, monomial: Monomial, divisor: Monomial) -> fmpq_mpoly:
+        exponents = tuple(a - b for a, b in zip(monomial, divisor, strict=True))
+        return self.context.from_dict({exponents: 1})
+
+
+def linear_cofactors(
+    targets: Sequence[Element],
+    generators: Sequence[Element],
+    unknowns: Sequence[str],
+    units: Sequence[Element],
+    conditions: Sequence[Element],
+) -> list[list[Element]] | None:
+    """Rows of elements that combine each target from the generators, or ``None``.
+
+    All are linear in the ``unknowns``. Each row divides by powers of the ``units``, and by as few
+    of the ``conditions`` as possible.
+    """
+    ring = targets[0].ring
+    flat = Flat(ring)
+    context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
+
+    def graded(element: Element) -> fmpq_mpoly:
+        return context.from_dict(flat.polynomial(element).to_dict())
+
+    units_at = {k for unit in map(graded, units) if len(unit) == 1 for k in _variables(unit)}
+    for place, radicand in zip(reversed(range(flat.roots)), ring.radicands, strict=True):
+        if len(shown := graded(radicand)) == 1 and units_at.issuperset(_variables(shown)):
+            units_at.add(place)
+    known = [*map(graded, generators)]
+    kept = [k for k, polynomial in enumerate(known) if not polynomial.is_zero()]
+    if not kept:
+        return None
+    contents = [_content(known[k], units_at) for k in kept]
+    used = {k for p in (*known, *map(graded, (*units, *conditions))) for k in _variables(p)}
+    relations = [
+        context.from_dict(relation.to_dict())
+        for place, relation in zip(range(flat.roots), flat.relations(), strict=True)
+        if place in used
+    ]
+    primitive = [known[k] / content for k, content in zip(kept, contents, strict=True)]
+    basis = Basis([*primitive, *relations], flat.indices(unknowns))
+    found = []
+    for target in map(graded, targets):
+        for factors in _multiples(units, conditions):
+            row = basis.cofactors(target * graded(prod(factors, start=ring.one)))
+            if row is not None:
+                break
+        else:
+            return None
+        below = prod((factor.inverse() for factor in factors), start=ring.one)
+        entries = [ring.zero] * len(generators)
+        for place, content, polynomial in zip(kept, contents, row, strict=False):
+            over = flat.below(generators[place]) * flat.element(_in(flat.context, content))
+            entry = flat.element(_in(flat.context, polynomial))
+            entries[place] = entry * below * over.inverse()
+        found.append(entries)
+    return found
+
+
+def _content(polynomial: fmpq_mpoly, places: set[int]) -> fmpq_mpoly:
+    """The largest monomial in the variables at some places that divides a polynomial."""
+    least = map(min, zip(*polynomial.monoms(), strict=True))
+    exponents = tuple(int(e) if k in places else 0 for k, e in enumerate(least))
+    return polynomial.context().from_dict({exponents: 1})
+
+
+def _multiples(
+    units: Sequence[Element], conditions: Sequence[Element]
+) -> Iterator[tuple[Element, ...]]:
+    """What targets are multiplied by, in turn: few conditions first, then low powers."""
+    for size in range(len(conditions) + 1):
+        for chosen in combinations(conditions, size):
+            for power in range(POWERS + 1 if units or chosen else 1):
+                if power or not chosen:
+                    yield (*units, *chosen) * power
+
+
+def _variables(polynomial: fmpq_mpoly) -> Iterator[int]:
+    """The places of the variables that occur."""
+    return (place for place, degree in enumerate(polynomial.degrees()) if degree)
+
+
+def _in(context: fmpq_mpoly_ctx, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    return context.from_dict(polynomial.to_dict())
+
+
+def _lead(polynomial: fmpq_mpoly) -> Monomial:
+    return tuple(map(int, polynomial.monomial(0)))
+
+
+def _lcm(one: Monomial, other: Monomial) -> Monomial:
+    return tuple(map(max, one, other))
+
+
+def _divides(one: Monomial, other: Monomial) -> bool:
+    return all(a <= b for a, b in zip(one, other, strict=True))

@@ -1,0 +1,157 @@
+"""The correction of a refuted claim, decided like any claim; certificates of both.
+
+A correction is accepted by the derivation, in a line of its own. Whatever is read so rests on it:
+on a proof of the claim as it is corrected.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from kowalevski_cas.algebra import POINTS
+from kowalevski_cas.notation import NotationError
+from kowalevski_cas.paper.claims import Claim, Neighbour
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.problem.accept import Unproved
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.verify.bench import Decided
+from kowalevski_cas.verify.certificate import CORRECTED, certificate
+from kowalevski_cas.verify.corrections import corrections, printed_of, recorded_correction
+from kowalevski_cas.verify.explain import conditions
+from kowalevski_cas.verify.outcome import Condition, Correction, Outcome, Verdict
+from kowalevski_cas.verify.statement import Statement
+from kowalevski_cas.verify.teller import DECIDED, Teller
+from kowalevski_cas.verify.vacuous import says_something
+
+
+class Mender(Teller):
+    """Corrections of claims, their acceptance, and certificates."""
+
+    def correct(self, claim: Claim, on: Elaborations) -> Correction | None:
+        """The nearest true statement, decided in every arithmetic."""
+        found = (self.proposed(neighbour, on) for neighbour in self._candidates(claim, on))
+        return next((one for one in found if one is not None), None)
+
+    def _candidates(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
+        """What the derivation accepts, what is recorded, and what is found; true, or not."""
+        known = [tex for place, tex in self.derivation.accepted.items() if place == claim.printed]
+        known += [str(self.record.get(claim.id, {}).get("correction"))]
+        for tex in known:
+            recorded = recorded_correction(claim, on, tex)
+            if recorded is not None and says_something(recorded, Statement(claim, on)):
+                yield recorded
+        yield from (one for one in corrections(claim, on) if self._leaves_true(claim, one))
+
+    def _leaves_true(self, claim: Claim, neighbour: Neighbour) -> bool:
+        """Whether the other claims that are true of a changed formula stay true."""
+        place, edit = neighbour.printed, neighbour.edit
+        if place is None or edit is None:
+            return True
+        texts = self.texts.edited(place, edit)
+        for other in self.derivation.claims:
+            standing = {*other.places()}.union(*(scene.places() for scene in other.scenes()))
+            if other is not claim and place in standing:
+                try:
+                    now = Statement(other, self.on(other))
+                    evidence = self._evidence(now, other.id)
+                except (NotationError, Meaningless, FormatError):
+                    continue  # it is not true now
+                if isinstance(evidence, tuple) and not self._holds(other, texts, now.digest):
+                    return False
+        return True
+
+    def _holds(self, claim: Claim, texts: Texts, digest: str) -> bool:
+        """Whether a claim is true under other texts; it is if its problem has this digest."""
+        try:
+            statement = Statement(claim, self.on(claim, texts))
+            return statement.digest == digest or statement.holds()
+        except (NotationError, Meaningless, ZeroDivisionError):
+            return False
+
+    def proposed(self, neighbour: Neighbour, on: Elaborations) -> Correction | None:
+        """A neighbour as a correction, if it is proved."""
+        mended = self.mended(neighbour.claim, on.under(neighbour.texts))
+        if mended is None:
+            return None
+        return Correction(
+            printed_of(neighbour),
+            neighbour.words,
+            *mended,
+            neighbour.printed,
+            neighbour.edit,
+        )
+
+    def mended(
+        self, claim: Claim, on: Elaborations
+    ) -> tuple[Verdict, tuple[Condition, ...]] | None:
+        """The verdict on a corrected claim, and its conditions; ``None`` if it is not proved."""
+        try:
+            statement = Statement(claim, on)
+        except (NotationError, Meaningless):
+            return None
+        verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
+        exact = dict.fromkeys(("flint", *(a for a in self.arithmetics if a not in POINTS)))
+        decided = [self._judged(statement, verdicts, arithmetic) for arithmetic in exact]
+        for one in decided:
+            if one.verdict is Verdict.ERROR:
+                raise Unproved(one.message)
+        if any(one.verdict is not Verdict.PROVED for one in decided):
+            return None
+        needed = conditions(statement, decided[0].accepted, self.explain)
+        return (Verdict.CONDITIONAL if needed else Verdict.PROVED), needed
+
+    # -- acceptance ----------------------------------------------------------------
+
+    def with_acceptance(self, claim: Claim, outcome: Outcome) -> Outcome:
+        """The outcome, with its correction accepted; an error if what is accepted is not proved."""
+        place = claim.printed
+        if place not in self.accepted or place not in set(claim.establishes()):
+            return outcome
+        if outcome.verdict is not Verdict.REFUTED and not outcome.verdict.likely:
+            return outcome
+        if not self._confirms(claim, outcome):
+            message = f"what the derivation accepts at {place.place} has not been proved"
+            return replace(outcome, verdict=Verdict.ERROR, message=message)
+        correction = outcome.correction
+        if correction is None:
+            return outcome
+        return replace(outcome, correction=replace(correction, accepted=True))
+
+    def _confirms(self, claim: Claim, outcome: Outcome) -> bool:
+        """Whether an outcome shows what the derivation accepts in place of what is printed."""
+        if claim.printed not in self.accepted:
+            return False
+        formulas = (self.accepted[claim.printed],)
+        if outcome.correction is not None:
+            return outcome.correction.formulas == formulas
+        return outcome.verdict.likely and outcome.formulas == formulas
+
+    # -- certificates --------------------------------------------------------------
+
+    def certificates(self, claim: Claim) -> Iterator[tuple[str, str]]:
+        """The certificate of a claim, and that of its correction, by name.
+
+        Raises ``FormatError`` or ``Rejected`` if one cannot be written, :class:`Unproved` if the
+        claim is not decided.
+        """
+        statement = Statement(claim, self.on(claim))
+        decided = self._judged(statement, self._evidence(statement, claim.id), "flint")
+        yield claim.id, self._certificate(decided)
+        if decided.verdict is not Verdict.REFUTED:
+            return
+        for found in self._candidates(claim, statement.on):
+            on = statement.on.under(found.texts)
+            if self.mended(found.claim, on) is not None:
+                name, mended = f"{CORRECTED}/{claim.id}", Statement(found.claim, on)
+                decided = self._judged(mended, self._evidence(mended, name), "flint")
+                yield name, self._certificate(decided)
+                return
+
+    @staticmethod
+    def _certificate(decided: Decided) -> str:
+        if decided.verdicts is None or decided.verdict not in DECIDED:
+            raise Unproved(f"the claim is {decided.verdict}")
+        return certificate(decided.statement, decided.verdicts, decided.accepted)

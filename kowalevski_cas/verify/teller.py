@@ -1,0 +1,142 @@
+"""What is said about a claim that is decided: conditions, a counterexample, the steps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from kowalevski_cas.notation import Formula, NotationError
+from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.problem.evidence import Denial
+from kowalevski_cas.verify.bench import Bench, Decided
+from kowalevski_cas.verify.explain import conditions, counterexample, why
+from kowalevski_cas.verify.outcome import Counterexample, Outcome, Screened, Step, Verdict
+from kowalevski_cas.verify.statement import Statement
+
+DECIDED = (Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED)
+
+
+def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
+    """Whether two arithmetics decided differently; an undecided one disagrees with none."""
+    green = {v.green for v in verdicts.values() if v in DECIDED}
+    return len(green) > 1
+
+
+class Teller(Bench):
+    """Outcomes of claims that are decided, and of those that are not."""
+
+    def _outcome(
+        self,
+        claim: Claim,
+        on: Elaborations,
+        statement: Statement,
+        found: Mapping[str, Decided | Screened],
+    ) -> Outcome:
+        first = found[self.arithmetics[0]]
+        verdicts = {name: one.verdict for name, one in found.items()}
+        verdict, message = first.verdict, first.message
+        if disagreement(verdicts):
+            shown = ", ".join(f"{name}: {v}" for name, v in verdicts.items())
+            verdict, message = Verdict.ERROR, f"the arithmetics disagree ({shown})"
+        else:
+            answered = (*DECIDED, Verdict.PROBABLE, Verdict.ENCLOSED)
+            open_ones = [one for one in found.values() if one.verdict not in answered]
+            if open_ones:
+                verdict, message = open_ones[0].verdict, open_ones[0].message
+        outcome = replace(
+            self.unread(claim, on, verdict, message, statement),
+            verdicts=verdicts,
+            corrected=self.corrected(statement),
+        )
+        if isinstance(first, Screened):
+            return replace(
+                outcome, counterexample=first.counterexample, chance=first.chance,
+                radius=first.radius,
+            )  # fmt: skip
+        return self._explained(outcome, statement, first)
+
+    def _explained(self, outcome: Outcome, statement: Statement, decided: Decided) -> Outcome:
+        """An outcome with its conditions, its counterexample and its steps."""
+        accepted = decided.accepted
+        if self.arithmetics[0] != "flint" and outcome.verdict is Verdict.PROVED:
+            accepted = self._judged(statement, decided.verdicts, "flint").accepted
+        if outcome.verdict is Verdict.PROVED:
+            needed = conditions(statement, accepted, self.explain)
+            if needed:
+                verdicts: dict[str, Verdict] = {
+                    name: Verdict.CONDITIONAL if v is Verdict.PROVED else v
+                    for name, v in outcome.verdicts.items()
+                }
+                outcome = replace(
+                    outcome, verdict=Verdict.CONDITIONAL, conditions=needed, verdicts=verdicts
+                )
+        against: Counterexample | None = None
+        if outcome.verdict is Verdict.REFUTED and isinstance(decided.verdicts, Denial):
+            try:
+                against = counterexample(statement, decided.verdicts, decided.accepted)
+            except OverflowError as error:
+                return replace(outcome, verdict=Verdict.ERROR, message=str(error))
+            if against is None:
+                denied = statement.goals[decided.verdicts.goal]
+                outcome = replace(outcome, message=why(denied, decided.verdicts.evidence))
+        told: tuple[Step, ...] = ()
+        if self.explain and decided.verdicts is not None:
+            from kowalevski_cas.verify.steps import steps  # a verdict needs none
+
+            told = steps(statement, decided.verdicts)
+        return replace(
+            outcome,
+            counterexample=against,
+            steps=told,
+            rests_on=self.rests_on(statement) if self.explain else (),
+        )
+
+    def unread(
+        self,
+        claim: Claim,
+        on: Elaborations,
+        verdict: Verdict,
+        message: str,
+        statement: Statement | None = None,
+    ) -> Outcome:
+        """An outcome that says what the claim is, and no more than the verdict."""
+        places = [claim.printed] if claim.printed else list(claim.establishes())
+        formulas: tuple[Formula, ...] = ()
+        branches: tuple[Formula, ...] = ()
+        sources = []
+        try:
+            sources = [on.texts.statement(place).source for place in places]
+            formulas = claim.formulas(on.texts)
+            chosen = dict.fromkeys(place for s in claim.scenes() for place in s.branches())
+            branches = tuple(map(on.texts.formula, chosen))
+        except NotationError:
+            pass
+        granted = dict.fromkeys(tex for scene in claim.scenes() for tex in scene.nonzero)
+        return Outcome(
+            claim=claim.id,
+            section=self.derivation.section_of(claim).number,
+            scene=claim.scene.name,
+            formulas=formulas,
+            source=r",\quad ".join(sources),
+            words=claim.words,
+            verdict=verdict,
+            message=message,
+            digest="" if statement is None else statement.digest,
+            granted=tuple(map(on.texts.expression, granted)),
+            branches=branches,
+            verdicts={name: verdict for name in self.arithmetics},
+        )
+
+    def corrected(self, statement: Statement) -> tuple[str, ...]:
+        """The claims whose accepted corrections a statement rests on."""
+        own = set(statement.claim.about())
+        used = {p for p in statement.places() if p in self.accepted and p not in own}
+        ids = (self.established.get(place, place.place) for place in self.accepted if place in used)
+        return tuple(dict.fromkeys(ids))
+
+    def rests_on(self, statement: Statement) -> tuple[str, ...]:
+        """The claims before this one that establish the places on which it stands."""
+        ids = dict.fromkeys(self.established.get(place) for place in statement.places())
+        before = self.order[statement.claim.id]
+        return tuple(i for i in ids if i is not None and self.order[i] < before)

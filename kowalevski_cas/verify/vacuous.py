@@ -1,0 +1,102 @@
+"""What a proposal has to say: a statement that is true by itself corrects nothing."""
+
+from __future__ import annotations
+
+from kowalevski_cas.notation import (
+    Edit,
+    Formula,
+    Name,
+    Negative,
+    Number,
+    PoissonBracket,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    subtree,
+)
+from kowalevski_cas.notation.errors import closeness
+from kowalevski_cas.paper.claims import Neighbour
+from kowalevski_cas.problem.goals import simple
+from kowalevski_cas.verify.statement import Statement, finder_of
+
+ALIKE = 2.5
+"""From what closeness on a name is easily taken for another one."""
+
+
+def unlike(edit: Edit) -> bool:
+    """Whether an edit puts a name in the place of one that neither looks nor sounds like it."""
+    old, new = subtree(edit.statement.formula, edit.path), edit.replacement
+    if not isinstance(old, Name) or not isinstance(new, Name):
+        return False
+    return closeness(old.name, new.name) < ALIKE
+
+
+def says_something(neighbour: Neighbour, printed: Statement) -> bool:
+    """Whether a true neighbour is a statement about what is printed, and not true of itself.
+
+    It involves variables if the print does, and the function that the print is about; no equation
+    that it supposes vanishes identically; its sides are not the same and have no function as a
+    common factor that they do not have in print.
+    """
+    on = printed.on.under(neighbour.texts)
+    statement = Statement(neighbour.claim, on)
+    if _moves(printed) and not _moves(statement):
+        return False
+    if _empty(statement) > _empty(printed):
+        return False
+    edit = neighbour.edit
+    if edit is None:
+        return True
+    defined = set(neighbour.claim.scene.definitions)
+    before, after = edit.statement.formula, edit.formula
+    replaced = (_names(before) - _names(after)) & defined
+    if replaced and unlike(edit) and not _names(edit.replacement) & defined:
+        return False
+    return not _trivial(after) and not (_common(after) - _common(before)) & defined
+
+
+def _moves(statement: Statement) -> bool:
+    """Whether variables are reached from a statement."""
+    return any(space.variables for space in statement.spaces.values())
+
+
+def _empty(statement: Statement) -> int:
+    """How many of the equations that are supposed hold everywhere."""
+    simple_ones = (one for goal in statement.goals for one in simple(goal))
+    given = ((one.space, getattr(one, "given", ())) for one in simple_ones)
+    return sum(d.is_zero for space, some in given for d in finder_of(space).differences(some))
+
+
+def _names(formula: Formula) -> set[str]:
+    own = {formula.name} if isinstance(formula, Name) else set()
+    return own.union(*map(_names, formula.children()))
+
+
+def _trivial(formula: Formula) -> bool:
+    """Whether two sides, or both arguments of a bracket, are literally the same."""
+    if isinstance(formula, Relation | PoissonBracket):
+        children = [*formula.children()]
+        if len({*children}) < len(children):
+            return True
+    return any(map(_trivial, formula.children()))
+
+
+def _common(formula: Formula) -> set[str]:
+    """The names that are factors of all sides, or terms, but zeros."""
+    match formula:
+        case Name(name):
+            return {name}
+        case Number(0):
+            return set()
+        case Product():
+            return set().union(*map(_common, formula.factors))
+        case Negative() | Power():
+            return _common(next(iter(formula.children())))
+        case Relation() | Sum():
+            parts = [_common(one) for one in formula.children() if one != Number(0)]
+            return set.intersection(*parts) if parts else set()
+        case Quotient():
+            return _common(formula.numerator)
+    return set()

@@ -1,0 +1,210 @@
+"""The same operations on polynomials without anything around them, as a program for others.
+
+The growing work is done once with polynomials that keep a list of what is done to them. The
+list is then written out for python-flint, Singular or PARI/GP, and timed there.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from operator import add, mul, neg, sub
+from time import perf_counter
+from typing import Any
+
+from kowalevski_cas.algebra.flint import Arithmetic as Flint
+from kowalevski_cas.algebra.polynomials import Polynomials, Terms
+from kowalevski_cas.systems import SYSTEMS
+from study.growth.work import growth
+
+Line = tuple[Any, ...]
+"""What is done: its name, the number of the polynomial that it makes or asks about, and of what."""
+
+
+class Recorded:
+    """A polynomial of python-flint that lists what is done to it."""
+
+    __slots__ = ("lines", "number", "value")
+
+    def __init__(self, lines: list[Line], value: Any, name: str, *arguments: Any) -> None:
+        self.lines, self.value, self.number = lines, value, len(lines)
+        lines.append((name, self.number, *arguments))
+
+    def __del__(self) -> None:
+        self.lines.append(("forget", self.number))
+
+    def _made(self, name: str, function: Callable[..., Any], *others: Recorded) -> Recorded:
+        value = function(self.value, *(other.value for other in others))
+        return Recorded(self.lines, value, name, self.number, *(o.number for o in others))
+
+    def __add__(self, other: Recorded) -> Recorded:
+        return self._made("add", add, other)
+
+    def __sub__(self, other: Recorded) -> Recorded:
+        return self._made("subtract", sub, other)
+
+    def __mul__(self, other: Recorded) -> Recorded:
+        return self._made("multiply", mul, other)
+
+    def __neg__(self) -> Recorded:
+        return self._made("negate", neg)
+
+
+class Recording(Polynomials):
+    """The arithmetic of FLINT, with a list of all that is done."""
+
+    name = "recording"
+
+    def __init__(self, generators: tuple[str, ...]) -> None:
+        super().__init__(generators)
+        self.plain = Flint(generators)
+        self.lines: list[Line] = []
+        self.zero, self.one = self._given(self.plain.zero), self._given(self.plain.one)
+
+    def _given(self, value: Any) -> Recorded:
+        return Recorded(self.lines, value, "define", self.plain.terms(value))
+
+    def generator(self, index: int) -> Recorded:
+        return self._given(self.plain.generator(index))
+
+    def constant(self, value: Fraction) -> Recorded:
+        return self._given(self.plain.constant(value))
+
+    def derivative(self, polynomial: Recorded, index: int) -> Recorded:
+        value = self.plain.derivative(polynomial.value, index)
+        return Recorded(self.lines, value, "derive", polynomial.number, index)
+
+    def is_zero(self, polynomial: Recorded) -> bool:
+        found = self.plain.is_zero(polynomial.value)
+        if found:
+            self.lines.append(("zero", polynomial.number))
+        return found
+
+    def terms(self, polynomial: Recorded) -> Terms:
+        return self.plain.terms(polynomial.value)
+
+    def from_terms(self, terms: Mapping[tuple[int, ...], Fraction]) -> Recorded:
+        return self._given(self.plain.from_terms(terms))
+
+
+@cache
+def recorded(claim: str, most: int, seconds: float) -> tuple[tuple[str, ...], list[Line]]:
+    """The generators, and what is done up to the step that so many seconds reach."""
+    work = growth(claim, Recording)
+    arithmetic = work.at.ring.polynomials
+    assert isinstance(arithmetic, Recording)
+    work.at.rates  # noqa: B018 (they are derived before the clock starts)
+    arithmetic.lines.append(("start",))
+    start = perf_counter()
+    for k in range(1, most + 1):
+        if not work.step():
+            break
+        arithmetic.lines.append(("step", k))
+        if perf_counter() - start > seconds:
+            break
+    return arithmetic.generators, list(arithmetic.lines)
+
+
+# -- as a program --------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Language:
+    """How a program says what is done to the polynomials ``p1``, ``p2``, …: a template a line."""
+
+    call: Callable[[], Sequence[str]]
+    suffix: str
+    begin: str
+    define: str
+    derive: str
+    forget: str
+    zero: str
+    start: str
+    step: str
+    end: str = "quit;"
+    power: str = "^"
+    number: str = "({p}/{q})"
+
+
+LANGUAGES = {
+    "python-flint": Language(
+        call=lambda: (sys.executable,),
+        suffix=".py",
+        begin="from time import perf_counter\nfrom flint import *\n"
+        "{names}, = fmpq_mpoly_ctx.get({strings}, Ordering.lex).gens()",
+        define="p{n} = {text}",
+        derive="p{a}.derivative({b})",
+        forget="del p{n}",
+        zero="if p{n}: print('fails')",
+        start="clock = perf_counter()",
+        step="print('step', {n}, perf_counter() - clock, flush=True)",
+        end="",
+        power="**",
+        number="fmpq({p}, {q})",
+    ),
+    "singular": Language(
+        call=lambda: (*SYSTEMS["singular"].call(), "--quiet", "--no-rc", "--no-warn"),
+        suffix=".sing",
+        begin='ring R = 0, ({names}), dp;\nsystem("--ticks-per-sec", 1000);',
+        define="poly p{n} = {text};",
+        derive="diff(p{a}, g{b})",
+        forget="kill p{n};",
+        zero='if (p{n} != 0) {{ "fails"; }}',
+        start="int clock = rtimer;",
+        step='"step {n} " + string(rtimer - clock) + "e-3";',
+    ),
+    "pari": Language(
+        call=lambda: (*SYSTEMS["pari"].call(), "--quiet", "--fast", "--default", "parisize=2G"),
+        suffix=".gp",
+        begin="[{names}];",
+        define="p{n} = {text};",
+        derive="deriv(p{a}, g{b})",
+        forget="kill(p{n});",
+        zero='if(p{n} != 0, print("fails"));',
+        start="clock = getwalltime();",
+        step='print("step {n} ", getwalltime() - clock, "e-3");',
+    ),
+}
+"""The programs to which the work is given."""
+
+_MADE = {
+    "add": "p{a} + p{b}",
+    "subtract": "p{a} - p{b}",
+    "multiply": "p{a}*p{b}",
+    "negate": "-p{a}",
+}
+
+
+def program(language: Language, generators: Sequence[str], lines: Iterable[Line]) -> str:
+    """The text of a program that does what is listed, and tells its time at each step.
+
+    What comes from outside is defined before the clock starts.
+    """
+    names = [f"g{index}" for index in range(len(generators))]
+    first = language.begin.format(names=", ".join(names), strings=names)
+    given, rest = [first], []
+    for name, *numbers in lines:
+        if name == "define":
+            text = polynomial(numbers[1], names, language)
+            given.append(language.define.format(n=numbers[0], text=text))
+            continue
+        n, a, b = (*numbers, None, None, None)[:3]
+        made = language.derive if name == "derive" else _MADE.get(name)
+        if made is not None:
+            rest.append(language.define.format(n=n, text=made.format(a=a, b=b)))
+        else:
+            rest.append(getattr(language, name).format(n=n))
+    return "\n".join([*given, *rest, language.end, ""])
+
+
+def polynomial(terms: Terms, names: Sequence[str], language: Language) -> str:
+    """A polynomial in the words of a program."""
+    summands = [f"0*{names[0]}"]  # a number is a polynomial too
+    for exponents, value in terms.items():
+        factors = [f"{n}{language.power}{e}" for n, e in zip(names, exponents, strict=True) if e]
+        number = language.number.format(p=value.numerator, q=value.denominator)
+        summands.append("*".join([number, *factors]))
+    return " + ".join(summands)

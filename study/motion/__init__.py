@@ -1,1 +1,0 @@
-"""Steps of the study about motions on N⁴: work and precision, and stability where methods fail."""

@@ -1,0 +1,111 @@
+"""Programs under a limit of time and memory, which are watched as they go on.
+
+No method can stop the study, and what it costs is measured where it runs. A limit that is
+reached is the verdict ``timeout`` with its reason, never a success.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import resource
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+from threading import Timer
+from time import perf_counter
+from typing import Any
+
+from study.step import Measured
+
+MEBIBYTE = 2**20
+
+_MEMORY = ("MemoryError", "out of memory", "not enough memory", "stack overflows")
+"""What programs say when there is no more memory."""
+
+_PATIENCE = 2.0
+"""How many seconds a program has to say all that is wrong."""
+
+_STEP = re.compile(r"^step (\d+) (\S+)$")
+
+
+def limit_memory(mebibytes: int) -> None:
+    """Limit the memory of this process, and of those that it begins."""
+    resource.setrlimit(resource.RLIMIT_AS, (mebibytes * MEBIBYTE, mebibytes * MEBIBYTE))
+
+
+@contextmanager
+def killed_after(process: subprocess.Popen[str], seconds: float) -> Iterator[None]:
+    """Kill a process if the body takes longer."""
+    timer = Timer(seconds, process.kill)
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+
+
+def race(command: Sequence[str], folder: Path, seconds: float, mebibytes: int) -> Measured:
+    """Run a command that says ``step k seconds`` each time that it has come further.
+
+    The lists ``steps``, ``times`` (as the process tells them) and ``memory`` (the most
+    that it has had so far, in bytes, where the system tells it) have an entry for each
+    step that was reached; ``reason`` says what stopped it: a limit, or nothing.
+    """
+    found: dict[str, list[Any]] = {"steps": [], "times": [], "memory": []}
+    began = perf_counter()
+    process = subprocess.Popen(
+        [*(["stdbuf", "-oL"] if shutil.which("stdbuf") else []), *command],
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+        encoding="utf-8",
+        errors="replace",
+        preexec_fn=partial(limit_memory, mebibytes),
+    )
+    with process:
+        try:
+            with killed_after(process, seconds):
+                wrong = _followed(process, found)
+                code = process.wait()
+        finally:
+            process.kill()
+    spent = perf_counter() - began
+    if any(word in line for word in _MEMORY for line in wrong):
+        verdict, reason = "timeout", f"{mebibytes} MiB"
+    elif code and not wrong and spent >= seconds:
+        verdict, reason = "timeout", f"{seconds:g} s"
+    else:
+        reason = wrong[0][:100] if wrong else f"exit code {code}" if code else ""
+        verdict = "stopped" if reason else "reached"
+    return {"seconds": spent, "verdict": verdict, "reason": reason, **found}
+
+
+def _followed(process: subprocess.Popen[str], found: dict[str, list[Any]]) -> list[str]:
+    """Keep what is reached; the lines from the first that is no step, which mean an error."""
+    assert process.stdout
+    for line in map(str.strip, process.stdout):
+        if step := _STEP.match(line):
+            found["steps"].append(int(step[1]))
+            found["times"].append(float(step[2]))
+            found["memory"].append(_peak(process.pid))
+        elif line and "Warning: " not in line:
+            with killed_after(process, _PATIENCE):
+                return [line, *process.stdout]
+    return []
+
+
+def _peak(pid: int) -> int | None:
+    """The most memory that a process has had, in bytes; ``None`` where it cannot be asked."""
+    try:
+        status = Path(f"/proc/{pid}/status").read_text(encoding="utf-8")
+    except OSError:
+        return None
+    lines = (line.split() for line in status.splitlines() if line.startswith("VmHWM:"))
+    return next((1024 * int(words[1]) for words in lines), None)

@@ -1,0 +1,209 @@
+"""A statement about a set is about all of it: no point makes it green by itself."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kowalevski_cas.notation import to_latex
+from kowalevski_cas.paper.claims import (
+    ConstantRoot,
+    Dimension,
+    Equivalence,
+    FirstIntegral,
+    Independence,
+    InvariantRelations,
+    LastMultiplier,
+    Unit,
+)
+from kowalevski_cas.paper.derivation import Locus, Scene, Section
+from tests.paper.small import decide
+
+SPACE = Scene("space", "", variables=("x", "y", "z"))
+
+
+class Paper:
+    """A section that prints what it is asked for."""
+
+    def __init__(self):
+        self.section = Section("1", "")
+
+    def __call__(self, tex):
+        return (*self.section.display(f"d{len(self.section.displays)}", tex),)
+
+    def __getitem__(self, tex):
+        (place,) = self(tex)
+        return place
+
+    def outcome(self, kind, scene, printed=None, **attributes):
+        self.section.claims.clear()
+        (found,) = decide(self.section, kind("t", scene, printed, "", **attributes))
+        return found
+
+    def dimension(self, number, *equations, scene=SPACE):
+        places = tuple(self[tex] for tex in equations)
+        return self.outcome(Dimension, scene, levels=(), equations=places, dimension=number)
+
+
+@pytest.fixture
+def paper():
+    return Paper()
+
+
+# -- dimension -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("equations", "number", "verdict"),
+    [
+        (("x^2+y^2+z^2=1",), 2, "proved"),
+        (("x^2+y^2=1", "z=xy"), 1, "proved"),
+        (("x^2+y^2+z^2=1", "x=2"), 1, "undecided"),  # no real point
+        (("x^2+y^2=0",), 2, "undecided"),  # a line, where the differential vanishes
+        (("xz=0", "yz=0"), 1, "undecided"),  # a line, and a plane
+        (("xz=0", "yz=0"), 2, "refuted"),
+        (("xy=0",), 2, "undecided"),  # two planes, which meet
+        (("x^3=y^2",), 2, "undecided"),  # a cusp
+        (("x=y", "2x=2y"), 2, "undecided"),  # a plane, with one equation too many
+        (("x^2+y^2+z^2=1",), 1, "refuted"),
+    ],
+)
+def test_a_manifold_is_one_at_each_point(paper, equations, number, verdict):
+    assert paper.dimension(number, *equations).verdict == verdict
+
+
+def test_a_declared_locus_is_the_condition_and_the_point_says_why(paper):
+    axis = SPACE.having(loci=(Locus("$x=y=0$", ("x=0", "y=0"), "x^2+y^2"),))
+    outcome = paper.dimension(2, "xy=0", scene=axis)
+    assert outcome.verdict == "conditional"
+    (condition,) = outcome.conditions
+    assert to_latex(condition.expression) == "x^2 + y^2"
+    assert to_latex(condition.witness.left) == "0" and to_latex(condition.witness.right) == "1"
+
+
+def test_complex_equations_count_twice(paper):
+    scene = Scene("s", "", variables=("x", "y"), conjugates=(("x", "y"),))
+    alone = paper.dimension(1, "x=0", scene=scene)
+    assert alone.verdict == "error" and "conjugate" in alone.message
+    assert paper.dimension(0, "x=0", "y=0", scene=scene).verdict == "proved"
+    assert paper.dimension(1, "xy=1", scene=scene).verdict == "proved"
+
+
+@settings(deadline=None, max_examples=25)
+@given(st.lists(st.integers(-3, 3), min_size=3, max_size=3), st.integers(-3, 3))
+def test_quadrics_are_manifolds_but_for_cones(squares, level):
+    """a x^2 + b y^2 + c z^2 = d is regular exactly if it does not hold where the slope vanishes."""
+    a, b, c = squares
+    outcome = Paper().dimension(2, f"{a}x^2{b:+d}y^2{c:+d}z^2={level}")
+    real = any(n * level > 0 for n in squares) or not level
+    if level and real and any(squares):
+        assert outcome.verdict == "proved"
+    else:
+        assert not outcome.verdict.green
+
+
+# -- independence --------------------------------------------------------------------
+
+
+def test_functions_are_independent_on_a_set_that_is_a_graph(paper):
+    def outcome(equations, graph, *functions):
+        places = tuple(paper[f"{tex}=1"] for tex in functions)
+        return paper.outcome(
+            Independence, SPACE, levels=(), equations=paper(equations), functions=places,
+            graph=paper(graph),
+        )  # fmt: skip
+
+    assert outcome("z-xy=0", "z=xy", "x", "z").verdict == "proved"
+    assert outcome("z-xy=0", "z=xy", "xy", "z").verdict == "refuted"
+    assert outcome("xz-y=0", r"z=\frac{y}{x}", "x", "z").verdict == "conditional"
+    # On the plane z=0, but not on the line x=y=0, they are independent.
+    assert outcome("xz=0, yz=0", "z=0", "x", "y").verdict == "undecided"
+
+
+def test_a_rank_at_a_point_is_none_of_a_set_that_may_fall_apart(paper):
+    root = SPACE.solving("r", paper["r^2=x^2"])
+    places = tuple(paper[f"{tex}=1"] for tex in ("r+x", "y"))
+    outcome = paper.outcome(Independence, root, levels=(), equations=(), functions=places)
+    assert outcome.verdict == "error" and "one piece" in outcome.message
+
+
+# -- integrals -----------------------------------------------------------------------
+
+FLOW = r"\dot x=1, \quad \dot y=x"
+
+
+def test_a_partial_integral_needs_an_invariant_set(paper):
+    scene = Scene("s", "", variables=("x", "y"), field=paper(FLOW))
+    for equation in ("x=0", "x^2=0"):
+        found = paper.outcome(FirstIntegral, scene, paper["y"], given=paper(equation))
+        assert not found.verdict.green
+
+
+@pytest.mark.parametrize("tex", ["5", "k^2", "x-x", "x^2+y^2-x^2-y^2+k"])
+def test_a_constant_is_no_integral(paper, tex):
+    field = paper(r"\dot x=y, \quad \dot y=-x")
+    scene = Scene("s", "", variables=("x", "y"), constants=("k",), field=field)
+    outcome = paper.outcome(FirstIntegral, scene, paper[tex])
+    assert outcome.verdict == "refuted"
+    assert outcome.message == "the differentials depend on each other everywhere"
+
+
+def test_what_vanishes_on_a_set_is_no_partial_integral(paper):
+    scene = Scene("s", "", variables=("x", "y"), field=paper(r"\dot x=x, \quad \dot y=1"))
+    outcome = paper.outcome(FirstIntegral, scene, paper["xy"], given=paper("x=0"))
+    assert not outcome.verdict.green
+
+
+@settings(deadline=None, max_examples=25)
+@given(st.integers(1, 4), st.integers(1, 4))
+def test_all_members_of_a_chain_are_the_same_integral(first, second):
+    paper = Paper()
+    field = paper(r"\dot x=y, \quad \dot y=-x")
+    scene = Scene("s", "", variables=("x", "y"), constants=("e",), field=field)
+    tex = rf"{first}(x^2+y^2)={second}x^2+{second}y^2 \equiv e"
+    verdict = paper.outcome(FirstIntegral, scene, paper[tex]).verdict
+    assert verdict == ("proved" if first == second else "refuted")
+
+
+def test_a_constant_root_is_made_of_constants(paper):
+    field = paper(r"\dot x=0, \quad \dot y=1")
+    scene = Scene("s", "", variables=("x", "y"), constants=("s",), field=field)
+    for name, verdict in (("x", "proved"), ("y", "refuted")):
+        root = paper[f"s^2={name}^2"]
+        found = paper.outcome(ConstantRoot, scene, root, unknown="s", basis=(name,))
+        assert found.verdict == verdict
+
+
+# -- equations, densities, units -----------------------------------------------------
+
+
+def test_an_equivalence_does_not_exclude_its_set():
+    """x^2 = 0 follows from x = 0, and the converse has no division by what vanishes there."""
+    for own, to in (("x^2=0", "x=0"), (r"\frac{x^2}{x}=0", "x=0"), (r"\frac{1}{x}=y", "x=0")):
+        paper = Paper()
+        assert not paper.outcome(Equivalence, SPACE, paper[own], to=paper[to]).verdict.green
+
+
+@pytest.mark.parametrize("density", ["0", "x-x", "(x^2+y^2-1)"])
+def test_a_last_multiplier_vanishes_nowhere(paper, density):
+    scene = Scene("s", "", variables=("x", "y"), field=paper(r"\dot x=y, \quad \dot y=-x"))
+    circle = InvariantRelations("circle", scene, None, "", relations=paper("x^2+y^2=1"))
+    found = paper.outcome(LastMultiplier, scene, relations=circle, density=density)
+    assert found.verdict == "refuted"
+
+
+@pytest.mark.parametrize(
+    ("rows", "verdict"),
+    [
+        ((r"uw=x^2-y^2",), "proved"),
+        ((r"uw=x^2+y^2",), "refuted"),
+        ((r"u+w=2x",), "error"),  # it does not see the unit
+        ((r"u+w=2x", r"uw=x^2-y^2", "u=5"), "proved"),
+        ((r"uw=x^2-y^2", r"(u-w)^2=-4y^2"), "error"),  # one vote for each
+        ((r"uw=x^2-y^2", r"(u-w)^2=-4y^2", r"(u-w)^2+4y^2=0"), "refuted"),
+    ],
+)
+def test_rows_vote_for_a_unit_that_they_see(paper, rows, verdict):
+    unit = paper["i^2=1"]
+    scene = SPACE.with_unit(unit).defining(*paper("u=x+iy, w=x-iy"))
+    places = tuple(paper[row] for row in rows)
+    assert paper.outcome(Unit, scene, unit, rows=places).verdict == verdict

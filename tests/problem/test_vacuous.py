@@ -1,0 +1,120 @@
+"""Evidence about nothing: whatever point it comes with, judge and checker reject it."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kowalevski_cas.algebra import load
+from kowalevski_cas.problem import checker
+from kowalevski_cas.problem.accept import Judge, Unproved
+from kowalevski_cas.problem.codec import read_problem
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence_codec import read_evidence
+from kowalevski_cas.problem.trees import FormatError
+
+from .tampering import seal
+
+SQUARES = ["+", ["^", "x", 2], ["^", "y", 2]]
+
+
+def minus(tree):
+    return ["-", tree]
+
+
+def follows(given, conclusion=("y", 7), **space):
+    """The goal that y = 7 follows, on x, y and what else there is."""
+    conclusions = [[[*conclusion]]] if conclusion else []
+    goal = {"goal": "follows", "space": 0, "given": given, "conclusions": conclusions}
+    return {"spaces": [{"variables": ["x", "y"], **space}], "goals": [goal]}
+
+
+def contradictory(n):
+    """Problems about nothing, and proofs that are right but for what they are about.
+
+    The conclusion is y - 7 = 0; where something that is n or -n vanishes, it follows. In the last
+    ones it is said that there is nothing, and divided by what is zero there.
+    """
+    far = ["+", "y", -7]
+    root = {"steps": [["root", "r", minus(["+", SQUARES, n])]]}
+    return [
+        (follows([[1, 0]]), {"cofactors": [[far]]}),
+        (follows([["x", 0], ["x", n]]), {"cofactors": [[["/", far, n], ["/", minus(far), n]]]}),
+        (follows([["x", 0]], nonzero=["x"]), {"cofactors": [[["/", far, "x"]]]}),
+        (follows([["x", 0]]), {"cofactors": [[["/", far, "x"]]], "away": ["x"]}),
+        (follows([["x", 0], [["/", n, "x"], 1]]), {"cofactors": [[["/", far, "x"], 0]]}),
+        (follows([[SQUARES, -n], ["y", 7]]), {"cofactors": [[0, 1]]}),
+        (follows([], ("r", "r"), **root), {}),
+        (follows([["y", 7]], **root), {"cofactors": [[1]]}),
+        (follows([["r", "r"], [1, 0]], None, **root), {"cofactors": [[0, 1]]}),
+        (follows([], ("r", "r"), steps=[["root", "r", -n]]), {}),
+        (follows([], (["*", "x", "r"], ["*", "r", "x"]), steps=[["root", "r", minus(["^", "x", 2])]],
+                 nonzero=["x"]), {}),
+        (follows([["x", 0]], None), {"cofactors": [[["/", 1, "x"]]]}),
+        (follows([[SQUARES, 0]], None), {"cofactors": [[["/", 1, SQUARES]]]}),
+        (follows([[["*", "x", "y"], 0]], None, nonzero=["x"]),
+         {"cofactors": [[["/", 1, ["*", "x", "y"]]]]}),
+    ]  # fmt: skip
+
+
+numbers = st.integers(-7, 7)
+values = st.one_of(
+    numbers,
+    numbers.map(lambda n: ["/", n, 3]),
+    st.sampled_from([["sqrt", 2], ["sqrt", 3], "i", ["-", "i"], ["*", 2, "i"], ["*", "i", ["sqrt", 2]],
+                     ["+", 1, "i"], 7, 0]),
+)  # fmt: skip
+points = st.fixed_dictionaries({"x": values, "y": values}, optional={"r": values, "i": values})
+
+
+def judged(data, entry):
+    problem = read_problem(data)
+    made = {}
+
+    def of(space):
+        if space not in made:
+            made[space] = Evaluation(space, load("flint"), others=of).adjoin_roots()
+        return made[space]
+
+    Judge(of).holds(problem.goals[0], read_evidence(entry, problem.goals[0]))
+
+
+@pytest.mark.parametrize("case", range(len(contradictory(1))))
+@settings(max_examples=60, deadline=None)
+@given(st.data(), st.integers(1, 3))
+def test_no_point_is_one_of_nothing(case, data, n):
+    problem, entry = contradictory(n)[case]
+    found = data.draw(points)
+    roots = sorted({k for k in (2, 3) if str(["sqrt", k]) in str(found)})
+    entry = {**entry, "point": {"roots": roots, "values": [[a, v] for a, v in found.items()]}}
+    with pytest.raises((Unproved, FormatError)):
+        judged(problem, {key: tree for key, tree in entry.items() if key != "away"})
+    certificate = {"format": checker.FORMAT, "version": 2, "claim": "c", "sign": "holds"}
+    with pytest.raises(checker.Rejected):
+        checker.check(seal({**certificate, **problem, "evidence": [entry]}))
+
+
+def test_the_same_proof_is_accepted_where_there_is_a_point():
+    problem, entry = follows([["y", 7]]), {"cofactors": [[1]]}
+    entry["point"] = {"roots": [], "values": [["x", 0], ["y", 7]]}
+    judged(problem, entry)
+    certificate = {"format": checker.FORMAT, "version": 2, "claim": "c", "sign": "holds"}
+    assert checker.check(seal({**certificate, **problem, "evidence": [entry]}))
+
+
+@pytest.mark.parametrize("exponent", [65, 10**9, 10**30, -1, True, 2.0, "x", None])
+@pytest.mark.parametrize("base", ["x", ["+", "x", "y"], 2, ["^", ["+", "x", 1], 64]])
+def test_evidence_with_huge_powers(exponent, base):
+    problem = follows([["y", 7]])
+    entry = {"cofactors": [[["^", base, exponent]]]}
+    entry["point"] = {"roots": [], "values": [["x", 0], ["y", 7]]}
+    with pytest.raises(FormatError):
+        judged(problem, entry)
+
+
+def test_evidence_with_powers_of_powers():
+    tree = ["+", "x", "y"]
+    for _ in range(3):
+        tree = ["^", tree, 64]
+    entry = {"cofactors": [[tree]], "point": {"roots": [], "values": [["x", 0], ["y", 7]]}}
+    with pytest.raises(FormatError, match="too large"):
+        judged(follows([["y", 7]]), entry)

@@ -1,0 +1,96 @@
+"""The author's paper with a verdict beside every formula."""
+
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from kowalevski_cas.audit.audit import audit
+from kowalevski_cas.audit.source import Source, decode
+from kowalevski_cas.audit.synthetic import synthetic
+from kowalevski_cas.cli import main
+from kowalevski_cas.report import render_html
+from kowalevski_cas.report.annotated import annotated
+from kowalevski_cas.report.document import Claim, Display, Document, Heading, Link, Paragraph
+from kowalevski_cas.verify.outcome import Verdict
+from tests.audit.material import base
+from tests.report.test_contents import parts, said
+from tests.report.test_writers import Page
+
+FIRST = r"\begin{equation}\label{eq6}"
+"""A place in the article, behind (4)."""
+
+
+@cache
+def page(old: str = "", new: str = "") -> Document:
+    """The derivation as an article, in which one piece of text is another one."""
+    text = synthetic(base().derivation).text
+    assert old in text
+    return annotated(audit(decode("paper.tex", text.replace(old, new, 1).encode()), base()))
+
+
+def of_the_paper(document: Document) -> str:
+    html = render_html(document)
+    return html[html.index('<h2 id="paper">') :]
+
+
+def test_every_claim_stands_in_the_text_and_every_link_ends_somewhere() -> None:
+    found = Page(render_html(page()))
+    claims = {f"claim.{claim.id}" for claim in base().derivation.claims}
+    assert claims <= set(found.ids) and len(set(found.ids)) == len(found.ids)
+    assert {link[1:] for link in found.links} <= set(found.ids)
+
+
+def test_what_the_author_writes_stands_around_it_in_his_order() -> None:
+    document = page(FIRST, r"As (\ref{eq4}) says: " + FIRST)
+    paragraph = next(b for b in document.blocks if isinstance(b, Paragraph) and "As (" in b.text)
+    assert Link("claim.eq4.1", ("4",)) in paragraph.text
+    text = of_the_paper(document)
+    assert text.index("claim.eq4.1") < text.index(" says:") < text.index('id="claim.eq6"')
+
+
+def test_a_formula_of_the_author_is_judged_as_he_types_it() -> None:
+    good = r"K = J_1^2  + J_2^2"
+    document = page(good, r"K = J_1^2  - J_2^2")
+    assert "claim.eq6" in {p.target for p in parts(document.blocks[:12]) if isinstance(p, Link)}
+    (claim,) = [p for p in parts(document.blocks) if getattr(p, "anchor", "") == "claim.eq6"]
+    assert claim.verdict is Verdict.REFUTED
+    assert any(isinstance(p, Display) and p.struck for p in parts(claim))
+
+
+def test_a_formula_that_is_missing_is_not_passed_over() -> None:
+    text = synthetic(base().derivation).text
+    start = text.index(r"\begin{equation}\label{eq22}")
+    end = text.index(r"\end{equation}", start) + len(r"\end{equation}")
+    document = annotated(audit(Source("paper.tex", text[:start] + text[end:]), base()))
+    lost = [b for b in document.blocks if isinstance(b, Heading) and b.anchor == "lost"]
+    assert lost and "claim.eq22" in Page(render_html(document)).ids
+
+
+def test_formulas_that_nobody_knows_are_shown() -> None:
+    odd = r"Some $\zeta_7^2$, $\unknown{x}$ and $$p_5 = q_5.$$ " + FIRST
+    document = page(FIRST, odd)
+    text = of_the_paper(document)
+    assert "<mi>ζ</mi>" in text and "<mi>q</mi>" in text
+    assert r"\unknown{x}" in said(document.blocks)
+
+
+def test_the_command_writes_the_page(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("kowalevski_cas.cli.audit.auditing", lambda *_: base())
+    source = tmp_path / "some paper.tex"
+    source.write_text(synthetic(base().derivation).text, encoding="utf-8")
+    assert main(["audit", str(source), "--report", str(tmp_path / "out")]) == 1
+    assert "some paper.html is written" in capsys.readouterr().err
+    text = (tmp_path / "out" / "some paper.html").read_text(encoding="utf-8")
+    assert "The source some paper.tex with a verdict beside every formula" in text
+
+
+def test_a_definition_that_spoils_what_rests_on_it_is_named() -> None:
+    document = page(r"J_1  = \omega _1^2  - \omega _2^2", r"J_1  = \omega _1^2  + \omega _2^2")
+    told = [b for b in document.blocks if isinstance(b, Claim) and b.verdict is Verdict.ERROR]
+    assert [said(b.label) for b in told] == ["J.1"]
+    assert said(told[0].head).startswith("Suspect. ")
+    blamed = [part.target for part in parts(told[0].head) if isinstance(part, Link)]
+    assert "claim.eq6" in blamed and "claim.eq7" in blamed

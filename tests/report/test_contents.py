@@ -1,0 +1,236 @@
+"""What a report says: what is wrong, each thing once, and every claim in its place."""
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.report import contents
+from kowalevski_cas.report.document import (
+    Claim,
+    Display,
+    Document,
+    Heading,
+    Link,
+    Paragraph,
+    Sign,
+    paged,
+)
+from kowalevski_cas.report.witnesses import Witness
+from kowalevski_cas.verify.outcome import Outcome, Verdict
+from tests.report.fixtures import (
+    C,
+    P,
+    R,
+    claim,
+    condition,
+    correction,
+    counterexample,
+    document,
+    in_order,
+    outcomes,
+    point,
+    run,
+    step,
+)
+
+WHOLE = document()
+
+
+def parts(value: Any) -> Iterator[Any]:
+    """Everything in a document, at any depth; formulas and pictures are not taken apart."""
+    yield value
+    if isinstance(value, tuple):
+        for item in value:
+            yield from parts(item)
+    elif is_dataclass(value) and not isinstance(value, Formula):
+        for field in fields(value):
+            yield from parts(getattr(value, field.name))
+
+
+def said(value: Any) -> str:
+    """The words in a part of a document."""
+    return "".join(part for part in parts(value) if isinstance(part, str))
+
+
+def under(document: Document, anchor: str) -> tuple[Any, ...]:
+    """The blocks below a heading, up to the next one."""
+    places = [k for k, block in enumerate(document.blocks) if isinstance(block, Heading)]
+    start = next(k for k in places if document.blocks[k].anchor == anchor)
+    return document.blocks[start + 1 : min([k for k in places if k > start], default=None)]
+
+
+@pytest.fixture(params=["as it is", "on paper"])
+def either(request: pytest.FixtureRequest) -> Document:
+    return WHOLE if request.param == "as it is" else paged(WHOLE)
+
+
+class TestPlaces:
+    def test_every_claim_stands_in_one_place_with_its_sign(self, either: Document) -> None:
+        signs: dict[str, list[Verdict | None]] = {}
+        for part in parts(either.blocks):
+            if isinstance(part, Claim | Display) and part.anchor:
+                signs.setdefault(part.anchor, []).append(part.verdict)
+        assert signs == {f"claim.{o.claim}": [o.verdict] for o in outcomes()}
+
+    def test_every_link_ends_somewhere_and_no_anchor_is_there_twice(self, either: Document) -> None:
+        anchors = [p.anchor for p in parts(either.blocks) if getattr(p, "anchor", "")]
+        assert max(Counter(anchors).values()) == 1
+        links = [part for part in parts(either.blocks) if isinstance(part, Link)]
+        assert len(links) > len(outcomes())
+        assert {link.target for link in links if not link.outside} <= set(anchors)
+
+    def test_each_section_shows_the_verdicts_of_its_claims(self) -> None:
+        table = next(b for b in under(WHOLE, "holds") if type(b).__name__ == "Table")
+        for section, row in zip(in_order(run()), table.rows, strict=True):
+            signs = [part.verdict for part in parts(row) if isinstance(part, Sign)]
+            assert signs == [outcome.verdict for outcome in section.outcomes]
+
+    def test_all_formulas_are_there(self, either: Document) -> None:
+        shown = {
+            f for part in parts(either.blocks) if isinstance(part, Display) for f in part.formulas
+        }
+        for outcome in outcomes():
+            for one in outcome.steps:
+                assert shown.issuperset(one.formulas)
+            assert shown.issuperset(outcome.formulas)
+
+
+class TestWrong:
+    def test_a_slip_in_several_rows_is_one_misprint(self) -> None:
+        heads = [block for block in under(WHOLE, "misprints")]
+        assert len(heads) == 3  # i², w₃ in four rows, and the factor in (21)
+        rows = [link.target for link in parts(heads[1]) if isinstance(link, Link)]
+        assert rows == [f"claim.eq10.{k}" for k in range(1, 5)]
+        assert [p.struck for p in parts(heads[1]) if isinstance(p, Display)] == [True, False]
+
+    def test_the_same_words_about_two_displays_are_two_misprints(self) -> None:
+        pair = [
+            claim(name, "1", "x=y", "", R, correction=correction("x=x", "a letter", P, place=name))
+            for name in ("one", "other")
+        ]
+        assert len(under(document(*pair), "misprints")) == 2
+
+    def test_what_is_false_and_no_misprint_comes_with_the_nearest_truth(self) -> None:
+        (false,) = under(WHOLE, "false")
+        assert "only four equilibria" in said(false) and "True:" in said(false)
+
+    def test_a_hypothesis_is_missing_where_a_point_denies_it_and_not_where_one_divides(
+        self,
+    ) -> None:
+        missing = said(under(WHOLE, "hypotheses"))
+        assert "the two fields are of different strength" in missing
+        assert "eq12" not in missing and "denominator" not in missing
+        divided = {p for p in parts(under(WHOLE, "holds")) if isinstance(p, Formula)}
+        theta = condition("x_1x_2", "").expression
+        assert any(theta in formula.children() for formula in divided)
+
+    def test_an_unmended_refutation_says_so(self) -> None:
+        at = counterexample(point({}), "1", "2")
+        text = said(document(claim("wrong", "1", "1=2", "", R, counterexample=at)).blocks)
+        assert "No true statement was found near it." in text
+        assert "The left side is , the right side ." in text  # the formulas are no words
+
+    @pytest.mark.parametrize(
+        ("chosen", "sentence"),
+        [
+            ([claim("a", "1", "x=x", "", P)], "Of one formula or statement, one holds as printed."),
+            (
+                [claim("a", "1", "x=x", "", P), claim("b", "1", "x=y", "", R, correction=correction("x=x", "", P, place="b"))],
+                "Of two formulas and statements, one holds as printed. One misprint spoils one of them.",
+            ),
+            (
+                [claim("a", "1", "x=y", "", R), claim("b", "1", "x=y", "", Verdict.TIMEOUT)],
+                "Of two formulas and statements, none is proved. One is false, and one is not decided in the time allowed.",
+            ),
+        ],
+    )  # fmt: skip
+    def test_the_first_sentence(self, chosen: list[Outcome], sentence: str) -> None:
+        first = document(*chosen).blocks[0]
+        assert isinstance(first, Paragraph) and said(first.text) == sentence
+
+    @given(st.lists(st.sampled_from([P, C, R, Verdict.UNDECIDED]), min_size=1, max_size=9))
+    def test_the_numbers_in_it_add_up(self, verdicts: list[Verdict]) -> None:
+        chosen = [
+            claim(f"c{k}", "1", "x=x", "", v, conditions=(condition("x", ""),) if v is C else ())
+            for k, v in enumerate(verdicts)
+        ]
+        words = said(document(*chosen).blocks[0]).replace(",", "").replace(".", "").lower().split()
+        names = "no one two three four five six seven eight nine".split()
+        numbers = [names.index(word) for word in words if word in names[1:]]
+        assert numbers[0] == len(verdicts) == sum(numbers[1:])
+
+
+class TestEvidence:
+    def test_conditions_that_rows_share_are_said_beside_each(self) -> None:
+        once = condition("x", "it is a denominator")
+        rows = [claim(f"eq1.{k}", "1", "x=x", "", C, conditions=(once,)) for k in (1, 2, 3)]
+        labels = [
+            p.label for p in parts(under(document(*rows), "section.1")) if isinstance(p, Display)
+        ]
+        assert [label[-1] for label in labels] == ["(1.1)", "(1.2)", "(1.3)"]
+        assert all(label[0] == "valid for " for label in labels)
+
+    def test_a_step_that_rows_share_is_told_once(self) -> None:
+        text = said(under(WHOLE, "section.2"))
+        assert text.count("The change of variables carries the equations of motion to:") == 1
+
+    def test_an_equation_that_says_nothing_is_not_shown(self) -> None:
+        told = (step("This says nothing:", "1=1"), step("This does:", "x=y"))
+        text = said(document(claim("a", "1", "x=x", "", P, steps=told)).blocks)
+        assert "This does:" in text and "says nothing" not in text
+
+    def test_arithmetics_that_disagree_are_named(self) -> None:
+        assert "FLINT says undecided and SymPy says timeout" in said(WHOLE.blocks)
+
+    def test_coordinates_that_are_equal_stand_together(self) -> None:
+        one = claim("a", "1", "x=y", "", R, counterexample=counterexample(
+            point({"x_1": "1", "y_1": "1", "z_1": "0"}), "0", "1"
+        ))  # fmt: skip
+        told = next(p for p in parts(document(one)) if isinstance(p, Paragraph) and "At " in p.text)
+        assert sum(isinstance(part, Formula) for part in told.text) == 2 + 2
+
+    def test_certificates_and_programs_are_named_only_if_there_are_any(self) -> None:
+        assert "certificate" not in said(under(WHOLE, "holds"))
+        known = run()
+        digests = {outcome.claim: "0" * 64 for outcome in known.outcomes}
+        rocq = Witness("Rocq", "8.16", frozenset([known.outcomes[0].claim]))
+        text = said(under(contents(known, in_order(known), digests, (rocq,)), "holds"))
+        assert "Each has a certificate" in text and "Rocq confirms 1" in text
+        del digests["eq6"]
+        text = said(under(contents(known, in_order(known), digests), "holds"))
+        assert f"{len(known.outcomes) - 1} of {len(known.outcomes)} have certificates" in text
+
+    def test_restated_formulas_are_called_so(self) -> None:
+        first, *others = in_order(run())
+        text = said(contents(run(), [replace(first, copied=False), *others]).subtitle)
+        assert "The formulas of section 1 are restated" in text
+        assert "restated" not in said(WHOLE.subtitle)
+
+    def test_what_is_restated_does_not_hold_as_printed(self) -> None:
+        one = run(claim("a", "1", "x=x", "", P))
+        (section,) = in_order(one)
+        lead = said(contents(one, [replace(section, copied=False)]).blocks[0])
+        assert "one holds as stated here" in lead and "printed" not in lead
+
+
+class TestOnPaper:
+    def test_long_formulas_stand_in_an_appendix_and_nothing_else_is_moved(self) -> None:
+        long = [p for p in parts(WHOLE.blocks) if isinstance(p, Display) and p.long]
+        moved = [b for b in paged(WHOLE).blocks[-2 * len(long) :] if isinstance(b, Display)]
+        assert [one.formulas for one in moved] == [one.formulas for one in long] != []
+        assert not any(isinstance(p, Display) and p.long for p in parts(paged(WHOLE)))
+
+    def test_without_long_formulas_there_is_no_appendix(self) -> None:
+        short = document(claim("a", "1", "x=x", "", P))
+        assert "Appendix" not in said(paged(short).blocks)
+
+    def test_records_are_left_out(self) -> None:
+        kinds = {p.kind for p in parts(WHOLE) if isinstance(p, Paragraph)}
+        left = {p.kind for p in parts(paged(WHOLE)) if isinstance(p, Paragraph)}
+        assert kinds - left == {"record"}

@@ -1,0 +1,79 @@
+"""The paper in its order: every display, and every claim at what it is about."""
+
+from dataclasses import replace
+
+import pytest
+
+from kowalevski_cas.library import available, load
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.report import Section, sections
+from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
+
+
+def undecided(derivation: Derivation) -> Run:
+    """A run that decides nothing."""
+    outcomes = tuple(
+        Outcome(claim.id, section.number, "", (), "", "", Verdict.UNDECIDED)
+        for section in derivation.sections
+        for claim in section.claims
+    )
+    words = derivation.texts().vocabulary
+    return Run(derivation.name, "", "", "", (), outcomes, (), {}, "", words)
+
+
+@pytest.fixture(scope="module")
+def kharlamov() -> tuple[Section, ...]:
+    derivation = load("kharlamov2002")
+    return sections(undecided(derivation), derivation, derivation.texts())
+
+
+@pytest.mark.parametrize("name", available())
+def test_every_claim_and_every_display_stands_once(name: str) -> None:
+    derivation = load(name)
+    found = sections(undecided(derivation), derivation, derivation.texts())
+    claims = [outcome.claim for section in found for outcome in section.outcomes]
+    assert sorted(claims) == sorted(claim.id for claim in derivation.claims)
+    shown = [
+        f for section in found for item in section.items for row in item.rows for f in row.formulas
+    ]
+    texts = derivation.texts()
+    for display in derivation.displays():
+        for statement in texts.statements(display):
+            assert statement.formula in shown
+
+
+def test_displays_keep_their_order(kharlamov: tuple[Section, ...]) -> None:
+    labels = [item.label for section in kharlamov for item in section.items]
+    numbers = [int(label.strip("()")) for label in labels if label]
+    assert numbers == sorted(numbers) == list(range(1, 23))
+
+
+def test_a_claim_about_a_display_stands_at_it(kharlamov: tuple[Section, ...]) -> None:
+    items = {item.label: item for section in kharlamov for item in section.items}
+    assert [o.claim for o in items["(7)"].outcomes] == ["eq7"]
+    assert [[o.claim for o in row.outcomes] for row in items["(13)"].rows] == [
+        [],
+        [],
+        ["eq13.conjugate"],
+    ]
+    assert [o.claim for o in items["(16)"].all] == ["eq16.1", "eq16.2", "eq16.invariance"]
+
+
+def test_a_claim_about_no_display_follows_what_it_mentions(kharlamov: tuple[Section, ...]) -> None:
+    first = [item.label or "".join(o.claim for o in item.all) for item in kharlamov[0].items]
+    assert first.index("(8)") < first.index("M4-independence")
+    assert first.index("(7)") < first.index("M4-dimension") < first.index("(8)")
+
+
+def test_what_nobody_claims_has_a_role(kharlamov: tuple[Section, ...]) -> None:
+    items = {item.label: item for section in kharlamov for item in section.items}
+    assert items["(2)"].role == "vector field" and items["(11)"].role == "definition"
+
+
+def test_claims_that_were_not_run_leave_their_displays() -> None:
+    derivation = load("kharlamov2002")
+    whole = undecided(derivation)
+    (only,) = [outcome for outcome in whole.outcomes if outcome.claim == "eq14"]
+    (section,) = sections(replace(whole, outcomes=(only,)), derivation, derivation.texts())
+    assert section.number == "2" and section.outcomes == (only,)
+    assert {"(9)", "(16)"} < {item.label for item in section.items}

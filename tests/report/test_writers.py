@@ -1,0 +1,161 @@
+"""One document in three formats: the same words, the same formulas, always the same bytes."""
+
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from kowalevski_cas.notation import to_mathml
+from kowalevski_cas.report import contents, render_html, render_latex, render_typst
+from kowalevski_cas.report.document import Code, Document, Emphasis, Sign, Text
+from kowalevski_cas.report.html import HtmlWriter
+from kowalevski_cas.report.latex import LatexWriter
+from kowalevski_cas.report.typst import TypstWriter
+from kowalevski_cas.verify.outcome import Verdict
+from tests.report.fixtures import claim, document, in_order, outcomes, read, run
+
+Renders = Callable[[Document], str]
+ALL = pytest.mark.parametrize("render", [render_html, render_latex, render_typst])
+
+
+class Page(HTMLParser):
+    """What is in a page: ids, links, the names of elements, and the words outside of formulas."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.ids: list[str] = []
+        self.links: list[str] = []
+        self.open: list[str] = []
+        self.names: set[str] = set()
+        self.marks: list[dict[str, str | None]] = []
+        self.words = ""
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        found = dict(attrs)
+        self.ids += [found["id"] or ""] if "id" in found else []
+        self.links += [found["href"] or ""] if tag == "a" else []
+        self.names.add(tag)
+        self.marks += [found] if "mark" in (found.get("class") or "").split() else []
+        if tag not in ("meta", "img"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.words += data if "math" not in self.open and "style" not in self.open else ""
+
+
+@pytest.fixture(scope="module")
+def html() -> str:
+    return render_html(document())
+
+
+@ALL
+def test_same_bytes_from_run_to_run(render: Renders) -> None:
+    code = (
+        "import sys; from tests.report.fixtures import document; "
+        f"from kowalevski_cas.report import {render.__name__} as render; "
+        "sys.stdout.buffer.write(render(document()).encode())"
+    )
+    for seed in ("1", "2"):
+        again = subprocess.run(
+            [sys.executable, "-c", code],
+            capture_output=True,
+            check=True,
+            env={"PYTHONHASHSEED": seed, "PATH": "", "PYTHONPATH": ":".join(sys.path)},
+        )
+        assert again.stdout.decode() == render(document())
+
+
+@ALL
+def test_measured_time_is_not_in_it(render: Renders) -> None:
+    known = run()
+    slow = replace(known, outcomes=tuple(replace(o, seconds={"flint": 9.75}) for o in outcomes()))
+    assert render(contents(slow, in_order(slow))) == render(document())
+
+
+@ALL
+def test_no_gap_of_the_page_is_left_open(render: Renders) -> None:
+    text = render(document())
+    assert not re.search(r"@[a-z]+@", text)
+    assert document().title.partition("“")[2][:40] in text
+
+
+@pytest.mark.parametrize(
+    ("plain", "tex"),
+    [
+        ("100% of_the {special} #1 & \\ ~ ^", r"100\% of\_the \{special\} \#1 \& \textbackslash{} \textasciitilde{} \textasciicircum{}"),
+        ("costs 5$", r"costs 5\$"),
+        ('the "proof"', "the ``proof''"),
+        ("ω₁² ≠ β", r"$\omega _1^2$ $\ne $ $\beta $"),
+        ("Ж", "[U+0416]"),
+        ("a\x00b", "ab"),
+    ],
+)  # fmt: skip
+def test_words_are_escaped_for_latex(plain: str, tex: str) -> None:
+    assert LatexWriter().text((plain,)) == tex
+
+
+def test_words_are_escaped_for_the_others() -> None:
+    text: Text = ("a < b & #c_1 *d* $5",)
+    assert TypstWriter().text(text) == r"a \< b & \#c\_1 \*d\* \$5"
+    assert HtmlWriter(Path()).text(text) == "a &lt; b &amp; #c_1 *d* $5"
+
+
+def test_a_display_that_cannot_be_read_is_shown_as_it_is_typed() -> None:
+    odd = document(claim("odd", "1", r"x = \nosuchthing{y}{<z>}", "", Verdict.ERROR))
+    assert r"x = \nosuchthing{y}{<z>}" in Page(render_html(odd)).words
+    assert r"\texttt{x = \textbackslash{}nosuchthing" in render_latex(odd)
+    assert r'"x = \\nosuchthing{y}{<z>}"' in render_typst(odd)
+
+
+def test_each_format_has_every_kind_of_text() -> None:
+    text: Text = (Emphasis(("why",), strong=True), Code("eq_1"), Sign(Verdict.REFUTED))
+    assert LatexWriter().text(text) == r"\textbf{why}\texttt{eq\_1}\Sign{refuted}"
+    assert TypstWriter().text(text) == '#strong[why];#raw("eq_1");#sign("refuted");'
+    page = Page(HtmlWriter(Path()).text(text))
+    assert page.words == "whyeq_1✗" and {"strong", "code"} < page.names
+
+
+class TestHtml:
+    def test_every_element_is_closed_and_every_link_ends_somewhere(self, html: str) -> None:
+        page = Page(html)
+        assert not page.open
+        assert len(set(page.ids)) == len(page.ids)
+        inner = {link[1:] for link in page.links if link.startswith("#")}
+        assert inner <= set(page.ids)
+        assert {f"claim.{outcome.claim}" for outcome in outcomes()} <= inner
+        assert set(page.links) - {f"#{name}" for name in inner} == {"kharlamov2002.json"}
+
+    def test_nothing_is_loaded_and_nothing_runs(self, html: str) -> None:
+        assert not Page(html).names & {"script", "link", "iframe", "object"}
+        assert not re.search(r"@import|url\(|\bsrc=|https?://(?!www\.w3\.org)", html)
+        assert len(html.encode()) < 2_000_000
+
+    def test_marks_have_a_name_for_those_who_cannot_see_them(self, html: str) -> None:
+        marks = Page(html).marks
+        assert len(marks) > 2 * len(outcomes())
+        assert all(mark["role"] == "img" and mark["aria-label"] for mark in marks)
+
+    def test_formulas_are_mathml_from_the_tree(self, html: str) -> None:
+        (formula,) = read("i^2 = -1")
+        assert f'<math display="block">{to_mathml(formula)}</math>'.replace(
+            " ", ""
+        ) in html.replace(" ", "").replace("<mathdisplay", "<mathdisplay")
+        assert not re.search(r"\\(frac|sqrt|omega)", html)
+
+    def test_what_is_wide_has_a_form_for_telephones(self, html: str) -> None:
+        assert html.count('<div class="wide">') == html.count('<div class="narrow">') > 5
+
+
+def test_importing_the_package_loads_no_library() -> None:
+    code = "import sys, kowalevski_cas.report; print({'typst', 'sympy'} & set(sys.modules) or '')"
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, text=True)
+    assert out.stdout.strip() == ""

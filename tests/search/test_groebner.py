@@ -1,0 +1,66 @@
+"""Cofactors by Gröbner bases that are linear in some unknowns."""
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kowalevski_cas.algebra import load
+from kowalevski_cas.notation import Name
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.space import Space
+from kowalevski_cas.search.groebner import linear_cofactors
+
+NAMES = ("x", "y", "p", "q")
+AT = Evaluation(Space(NAMES), load("flint"))
+X, Y, P, Q = (AT.scalar(Name(name)) for name in NAMES)
+
+
+def combined(target, generators, **more):
+    """The row of a target, which is checked to combine it."""
+    rows = linear_cofactors(
+        [target], generators, ("p", "q"), more.get("units", ()), more.get("conditions", ())
+    )
+    if rows is None:
+        return None
+    (row,) = rows
+    total = sum((a * b for a, b in zip(row, generators, strict=True)), AT.ring.zero)
+    assert (total - target).is_zero
+    return row
+
+
+def test_what_is_a_combination_only_through_an_s_polynomial():
+    one = AT.ring.one
+    assert combined(P, [X * P, (one - X) * P]) is not None
+    assert combined(P, [X * Y - one, X * P]) is not None
+    assert combined(P, [X * P + Q, Y * P, X * Y - one]) is not None
+    assert combined(P, [X * P, Y * P]) is None
+
+
+def test_a_condition_is_divided_by_where_nothing_else_helps():
+    generators = [X * P, Y * P]
+    row = combined(P, generators, conditions=[X * X + Y * Y])
+    assert row is not None and any(entry.denominator for entry in row)
+    row = combined(P, [X * P, (AT.ring.one - X) * P], conditions=[X * X + Y * Y])
+    assert row is not None and not any(entry.denominator for entry in row)
+
+
+def test_a_unit_may_be_divided_by():
+    assert combined(P, [X * X * P], units=[X]) is not None
+    assert combined(P, [X * X * P], units=[Y]) is None
+
+
+def test_nothing_is_a_combination_of_nothing():
+    assert combined(P, [AT.ring.zero]) is None
+
+
+small = st.integers(-2, 2).map(AT.ring.number)
+coefficients = st.builds(lambda a, b, c: a + b * X + c * Y, small, small, small)
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.lists(st.tuples(coefficients, coefficients), min_size=1, max_size=3), st.data())
+def test_each_combination_is_found_again(pairs, data):
+    """Whatever is combined from generators, with any coefficients, is recognised."""
+    generators = [a * P + b * Q for a, b in pairs]
+    factors = [data.draw(coefficients) for _ in generators]
+    target = sum((f * g for f, g in zip(factors, generators, strict=True)), AT.ring.zero)
+    assert target.is_zero or combined(target, generators) is not None

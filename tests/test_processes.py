@@ -1,0 +1,218 @@
+"""Work in processes that are watched: results in order, errors, limits of time, deaths."""
+
+import os
+import signal
+import subprocess
+from tempfile import TemporaryDirectory
+from time import monotonic, sleep
+
+import pytest
+
+from kowalevski_cas.cli.exits import CommandError
+from kowalevski_cas.processes import ProcessDied, each, tell, time_limit, watched
+
+SHORT, LONG = 0.1, 60
+
+
+def one(work):
+    """The result of work in a process of its own."""
+    (result,) = each(lambda _: work(), [None])
+    return result
+
+
+def killed():
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+def late(block, seconds=SHORT):
+    """Whether a block under a limit comes to it."""
+
+    def work():
+        try:
+            with time_limit(seconds):
+                block()
+        except TimeoutError:
+            return True
+        return False
+
+    return one(work)
+
+
+def test_results_come_in_the_order_of_the_items():
+    assert list(each(lambda n: sleep(n / 20) or n * n, [3, 1, 2], jobs=3)) == [9, 1, 4]
+    assert list(each(str, [])) == []
+
+
+def test_each_item_has_a_process_of_its_own():
+    assert len({os.getpid(), *each(lambda _: os.getpid(), range(3))}) == 4
+    assert not watched() and one(watched)
+
+
+def test_so_many_work_at_once():
+    start = monotonic()
+    list(each(lambda _: sleep(0.1), range(6), jobs=2))
+    assert monotonic() - start >= 0.3
+
+
+def test_what_is_told_is_heard_with_the_place_of_the_item():
+    heard = []
+    list(each(lambda n: tell(n, "words"), ["a", "b"], heard=lambda *words: heard.append(words)))
+    assert sorted(heard) == [("a", "words", 0), ("b", "words", 1)]
+
+
+@pytest.mark.parametrize("bad", [0, 2])
+def test_the_error_of_an_item_is_raised_with_its_exit_code(bad):
+    def work(item):
+        if item == bad:
+            raise CommandError(f"item {item} is wrong", 6)
+        return item
+
+    with pytest.raises(CommandError, match=f"item {bad} is wrong") as caught:
+        list(each(work, [0, 1, 2]))
+    assert caught.value.code == 6
+
+
+@pytest.mark.parametrize(
+    ("end", "how"),
+    [(lambda: os._exit(7), "exit code 7"), (killed, "Killed")],
+    ids=["exit", "signal"],
+)
+def test_a_process_that_dies_is_an_error_and_no_result(end, how):
+    with pytest.raises(ProcessDied, match=how):
+        one(end)
+
+
+def test_a_result_that_cannot_be_sent_is_an_error():
+    with pytest.raises(AttributeError, match="local object"):
+        one(lambda: lambda: None)
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, RuntimeError])
+def test_nothing_is_left_running_when_the_work_ends_early(error):
+    pids = []
+
+    def heard(pid, place):
+        pids.append(pid)
+        if len(pids) == 2:
+            raise error
+
+    with pytest.raises(error):
+        list(each(lambda _: tell(os.getpid()) or sleep(LONG), range(2), jobs=2, heard=heard))
+    for pid in pids:
+        with pytest.raises(ProcessLookupError):
+            os.kill(pid, 0)
+
+
+def test_a_process_that_is_not_wanted_any_more_tidies_up(tmp_path):
+    def work(_):
+        with TemporaryDirectory(dir=tmp_path):
+            tell("begun")
+            sleep(LONG)
+
+    def heard(*words):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        list(each(work, range(2), jobs=2, heard=heard))
+    assert not list(tmp_path.iterdir())
+
+
+def test_what_a_process_has_begun_ends_with_it():
+    pids = []
+
+    def work():
+        child = os.fork()
+        if child == 0:
+            sleep(LONG)
+            os._exit(0)
+        tell(child)
+        sleep(LONG)
+
+    def heard(pid, place):
+        pids.append(pid)
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        list(each(lambda _: work(), [None], heard=heard))
+    until = monotonic() + 5
+    while _runs(pids[0]):
+        assert monotonic() < until
+        sleep(0.02)
+
+
+def _runs(pid):
+    """Whether a process is there, and has not only left its number behind."""
+    done = subprocess.run(["ps", "-o", "stat=", "-p", str(pid)], capture_output=True, text=True)
+    return done.stdout.strip()[:1] not in ("", "Z")
+
+
+class TestLimits:
+    @pytest.mark.parametrize(
+        "block",
+        [
+            lambda: sleep(LONG),
+            lambda: pow(7, 7**11),
+            lambda: signal.pthread_sigmask(signal.SIG_BLOCK, signal.valid_signals()) or sleep(LONG),
+        ],
+        ids=["asleep", "in compiled code", "deaf to signals"],
+    )
+    def test_a_limit_ends_what_takes_longer(self, block):
+        assert late(block)
+
+    def test_what_ends_in_time_is_left_alone(self):
+        assert not late(lambda: None, LONG)
+        assert not late(lambda: None, None)
+
+    def test_a_limit_that_passed_is_the_only_one(self):
+        def work():
+            found = []
+            for seconds in (0, LONG, 0, LONG):
+                try:
+                    with time_limit(SHORT):
+                        sleep(seconds)
+                        found.append(seconds)
+                except TimeoutError:
+                    found.append("late")
+            return found
+
+        assert one(work) == [0, "late", 0, "late"]
+
+    def test_a_limit_within_another_one_does_not_outlast_it(self):
+        def block():
+            with time_limit(LONG):
+                sleep(LONG)
+
+        assert late(block)
+
+    def test_a_limit_goes_on_after_one_within_it(self):
+        def block():
+            with time_limit(LONG):
+                pass
+            sleep(LONG)
+
+        assert late(block)
+
+    def test_what_had_been_begun_under_a_limit_is_gone(self):
+        def work():
+            begun = []
+            try:
+                with time_limit(SHORT):
+                    begun.append("half")
+                    sleep(LONG)
+            except TimeoutError:
+                return begun
+
+        assert one(work) == []
+
+    def test_a_death_under_a_limit_is_told_there(self):
+        def work():
+            try:
+                with time_limit(LONG):
+                    killed()
+            except ProcessDied as error:
+                return str(error)
+
+        assert "Killed" in one(work)
+
+    def test_processes_of_a_process_are_watched_too(self):
+        assert one(lambda: [late(lambda: sleep(LONG)), late(lambda: None)]) == [True, False]
