@@ -79,7 +79,9 @@ class _Search:
                 terms = {e: v for e, v in zip(group, vector, strict=True) if v}
                 if span.extended(terms):
                     found.append(primitive(terms))
-        return self._independent(sorted(found, key=len))
+        return self._independent(
+            sorted(found, key=lambda terms: (max(map(sum, terms)), len(terms)))
+        )
 
     def _independent(self, found: list[Terms]) -> list[Terms]:
         """Those that are no multiples, by polynomials in the constants, of the ones before."""
