@@ -1,0 +1,100 @@
+"""What a search for polynomial first integrals finds, and that it finds nothing else."""
+
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.notation import to_latex
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.search.integrals import first_integrals
+from kowalevski_cas.search.kernels import kernel
+from kowalevski_cas.search.polynomial_fields import PolynomialField
+from tests.laws.systems import (
+    EULER,
+    HENON_HEILES,
+    KEPLER,
+    LAGRANGE,
+    LORENZ,
+    NAHM,
+    PENDULUM,
+    TODA,
+    VOLTERRA,
+)
+
+
+def evaluation(system):
+    derivation = system.derivation()
+    return Elaborations(derivation.texts())(derivation.scenes()[0]).finder
+
+
+def found(system, degree, constants=0):
+    at = evaluation(system)
+    elements = list(first_integrals(at, degree, constants=constants))
+    assert all(at.derivative(element).is_zero for element in elements)
+    return [to_latex(formula_in(element)) for element in elements]
+
+
+@pytest.mark.parametrize(
+    ("system", "degree", "constants", "expected"),
+    [
+        (EULER, 3, 2, ["p^2A + q^2B + r^2C", "p^2A^2 + q^2B^2 + r^2C^2"]),
+        (HENON_HEILES, 4, 0, ["6x^2y + 3x^2 - 2y^3 + 3y^2 + 3u^2 + 3v^2"]),
+        (PENDULUM, 4, 0, ["2c - w^2", "c^2 + s^2"]),
+        (VOLTERRA, 4, 0, ["x + y + z", "xyz"]),
+        (NAHM, 4, 0, ["x^2 - y^2", "x^2 - z^2"]),
+        (LORENZ, 3, 1, []),
+    ],
+    ids=lambda value: getattr(value, "name", None),
+)
+def test_all_integrals_that_do_not_follow_from_others(system, degree, constants, expected):
+    assert found(system, degree, constants) == expected
+
+
+@pytest.mark.parametrize(("system", "count"), [(TODA, 3), (LAGRANGE, 4)], ids=["Toda", "Lagrange"])
+def test_as_many_as_there_are(system, count):
+    assert len(found(system, 3, 1)) == count
+
+
+def test_the_integrals_of_the_two_field_top(derivation):
+    scene = next(one for one in derivation.scenes() if one.name == "Kowalevski case")
+    at = Elaborations(derivation.texts())(scene).finder
+    elements = list(first_integrals(at, 4))
+    assert all(at.derivative(element).is_zero for element in elements)
+    assert len(elements) == 6  # those of the two fields, and H, K, G
+    weights = PolynomialField(at).gradings[0]
+    assert weights == (1, 1, 1, 2, 2, 2, 2, 2, 2, 1)
+    assert len(list(first_integrals(at, 6, weights[:-1]))) == 6
+
+
+def test_a_field_with_roots_is_refused():
+    with pytest.raises(Meaningless, match="a root stands in the equations of motion"):
+        found(KEPLER, 2)
+
+
+@given(st.lists(st.lists(st.integers(-3, 3), min_size=3, max_size=3), min_size=1, max_size=5))
+def test_a_kernel_vanishes_and_has_the_right_dimension(rows):
+    columns = [{k: Fraction(v) for k, v in enumerate(row) if v} for row in rows]
+    vectors = kernel(columns)
+    for vector in vectors:
+        for k in range(3):
+            assert sum(c * column.get(k, 0) for c, column in zip(vector, columns, strict=True)) == 0
+    assert len(vectors) == len(rows) - _rank([*map(list, rows)])
+
+
+def _rank(rows):
+    rank = 0
+    for column in range(3):
+        pivot = next((row for row in rows[rank:] if row[column]), None)
+        if pivot is None:
+            continue
+        rows.remove(pivot)
+        rows.insert(rank, pivot)
+        for row in rows[rank + 1 :]:
+            factor = Fraction(row[column], pivot[column])
+            row[:] = [a - factor * b for a, b in zip(row, pivot, strict=True)]
+        rank += 1
+    return rank
