@@ -1,6 +1,6 @@
 """What the tests of audits share: the paper's source where it is, and one run."""
 
-from functools import cache
+from functools import cache, wraps
 from pathlib import Path
 
 import pytest
@@ -10,6 +10,7 @@ from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source, decode, read_source
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.library import find, load
+from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.record import load_record
 
@@ -31,6 +32,17 @@ def base() -> AuditSession:
     folder = find(NAME)
     stored, record = load_certificates(folder), load_record(folder)
     return AuditSession(load(NAME), certificates=stored, timeout=2, record=record)
+
+
+def watched(test):
+    """A test in a process of its own, where the limits of time of an audit hold."""
+
+    @wraps(test)
+    def run(*arguments, **named):
+        audited()
+        (_,) = each(lambda _: test(*arguments, **named), [None], 1)
+
+    return run
 
 
 @cache

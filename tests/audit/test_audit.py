@@ -12,7 +12,7 @@ from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.verify.run import verify
-from tests.audit.material import audited, base, changed, source
+from tests.audit.material import audited, base, changed, source, watched
 
 
 def by_id(found):
@@ -89,6 +89,7 @@ def test_the_formulas_stand_in_the_order_of_the_source():
         (r"{\bs \beta} = 0$", r"{\bs \beta} = {\bs \alpha}$", "beta.1", {"eq18", "eq19"}),
     ],
 )
+@watched
 def test_a_changed_definition_is_the_cause(old, new, cause, false):
     text = source().text
     at = text.rindex(old)
@@ -111,6 +112,7 @@ def test_a_changed_claim_is_refuted_and_repaired():
     assert found["theta-prime"].verdict == "proved"
 
 
+@watched
 def test_a_changed_row_of_the_change_of_variables():
     found = changed(r"z_1 = \alpha_3  + i", r"z_1 = \alpha_2  + i")
     row = by_id(found)["eq9.5"]
@@ -143,6 +145,7 @@ def test_a_formula_that_would_take_too_long():
     assert "degree" in found["J"].message
 
 
+@watched
 def test_nothing_of_an_audit_is_kept():
     before = len([*base().elaborations.made()])
     found = changed(r"\theta  = x_1 x_2", r"\theta  = x_1 x_1")
@@ -150,6 +153,7 @@ def test_nothing_of_an_audit_is_kept():
     assert len([*base().elaborations.made()]) == before
 
 
+@watched
 def test_a_claim_of_which_the_problem_is_the_same_is_not_decided_again():
     found = changed(r"\theta  = x_1 x_2", r"\theta  = x_1 x_1")
     assert found.outcomes["eq12"] is base().outcomes["eq12"]

@@ -8,7 +8,7 @@ import pytest
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.patch import mended, patch
 from kowalevski_cas.audit.source import Source
-from tests.audit.material import audited, base, changed, source
+from tests.audit.material import audited, base, changed, source, watched
 
 
 def wrong(text: str) -> list[str]:
@@ -30,6 +30,7 @@ def test_a_patch_changes_as_little_as_it_can():
     assert any("i^2=-1" in b for _, b in lines)
 
 
+@watched
 def test_macros_of_the_author_stay():
     found = mended(
         changed(r"({\bs \alpha},{\bs \alpha}) = a^2", r"({\bs \alpha},{\bs \beta}) = a^2")
@@ -49,6 +50,7 @@ def test_macros_of_the_author_stay():
         (r"J_1  = 0,", r"J_1  = 1,"),
     ],
 )
+@watched
 def test_what_was_changed_is_mended(old, new):
     assert wrong(mended(changed(old, new))) == []
 
