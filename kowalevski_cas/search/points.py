@@ -189,10 +189,11 @@ def _coefficient(polynomial: fmpq_mpoly, variable: int | None) -> fmpq:
 
 
 def _value(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> fmpq_mpoly:
-    names = polynomial.context().names()
-    return polynomial.subs(
-        {names[k]: fmpq(value.numerator, value.denominator) for k, value in values.items()}
-    )
+    context = polynomial.context()
+    entered = list(context.gens())
+    for k, value in values.items():
+        entered[k] = context.constant(fmpq(value.numerator, value.denominator))
+    return polynomial.compose(*entered, ctx=context)
 
 
 def _small_numbers() -> Iterator[Iterator[Fraction]]:

@@ -55,7 +55,7 @@ def conditions(statement: Statement, accepted: Accepted, explain: bool) -> tuple
         if locus is not None and explain:
             condition = _where_it_fails(statement, setting, locus, condition)
         found.append(condition)
-    singular = {condition.expression: condition for condition in _singular(statement)}
+    singular = {condition.expression: condition for condition in _singular(statement, explain)}
     return tuple(singular.get(condition.expression, condition) for condition in found)
 
 
@@ -98,8 +98,8 @@ def _where_it_fails(
     return Condition(condition.expression, f"it fails for {locus.words}", witness)
 
 
-def _singular(statement: Statement) -> Iterator[Condition]:
-    """Loci where a set has another dimension or is singular, with a point each."""
+def _singular(statement: Statement, explain: bool) -> Iterator[Condition]:
+    """Loci where a set has another dimension or, if that is asked, is singular; with points."""
     goal = statement.goals[0]
     if not isinstance(statement.claim, Dimension) or not isinstance(goal, Rank):
         return
@@ -115,7 +115,7 @@ def _singular(statement: Statement) -> Iterator[Condition]:
             against = Counterexample(there, Number(own), Number(claimed), words)
             said = f"for {locus.words} the set has dimension {own}"
             yield Condition(expression, said, against)
-        elif (dropped := drop_on(statement, goal, goal.space, locus)) is not None:
+        elif explain and (dropped := drop_on(statement, goal, goal.space, locus)) is not None:
             words = "the number of independent differentials at this point, and the one needed"
             there = point(dropped[1].values, goal.space)
             against = Counterexample(there, Number(dropped[0]), Number(goal.rank), words)

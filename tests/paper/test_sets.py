@@ -36,7 +36,8 @@ class Paper:
 
     def outcome(self, kind, scene, printed=None, **attributes):
         self.section.claims.clear()
-        (found,) = decide(self.section, kind("t", scene, printed, "", **attributes))
+        claim = kind("t", scene, printed, "", **attributes)
+        (found,) = decide(self.section, claim, explain=True)
         return found
 
     def dimension(self, number, *equations, scene=SPACE):
