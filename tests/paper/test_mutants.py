@@ -37,14 +37,18 @@ NOT_BY_HAND = {
 }  # fmt: skip
 
 
-def statements(session, claim, many=60):
-    """The statements of the neighbours of a claim that say something."""
+def statements(session, claim, many=120):
+    """The statements of the neighbours of a claim that say something, the first ones."""
     on = session.on(claim)
-    for neighbour in islice(claim.neighbours(on.texts), many):
-        try:
-            yield neighbour, Statement(neighbour.claim, on.under(neighbour.texts))
-        except (Meaningless, NotationError, ZeroDivisionError):
-            continue
+
+    def all_of_them():
+        for neighbour in claim.neighbours(on.texts):
+            try:
+                yield neighbour, Statement(neighbour.claim, on.under(neighbour.texts))
+            except (Meaningless, NotationError, ZeroDivisionError):
+                continue
+
+    return islice(all_of_them(), many)
 
 
 def refuted_mutants(session, claim):

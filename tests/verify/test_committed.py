@@ -185,9 +185,7 @@ class TestPrint:
         folder = find(name)
         printed = expected(folder, load_record(folder)).printed
         paths = {
-            path: path.relative_to(folder / "certificates")
-            for path in FILES
-            if path.is_relative_to(folder)
+            path: path.relative_to(folder / "certificates") for path in certificate_files(folder)
         }
         assert printed == {
             place.with_suffix("").as_posix(): json.loads(path.read_text(encoding="utf-8"))["digest"]
