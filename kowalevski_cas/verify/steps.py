@@ -31,6 +31,9 @@ from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 LONGEST = 24
 """How many terms something that was computed has at most, for it to be shown."""
 
+MOST = 12
+"""How many products a combination has at most, for it to be shown."""
+
 
 def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
     """The steps that the program took; formulas of which the same is said stand together."""
@@ -119,7 +122,8 @@ def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
     terms = size(entry for row in rows for entry in row)
     what = "Left minus right side" if len(goal.conclusions) == 1 else "A product of differences"
     words = f"{what}{' to a power' * (proof.power > 1)} is a combination of what is given"
-    if terms > LONGEST:
+    products = sum(not entry.is_zero for row in rows for entry in row)
+    if terms > LONGEST or products > MOST:
         return Step(f"{words}; its coefficients have {terms} terms.")
     choices = product(*(_differences(one, at) for one in goal.conclusions))
     lefts = [
