@@ -183,6 +183,21 @@ class Derivation:
         """What is read in place of what is printed, by places."""
         return {place: tex for section in self.sections for place, tex in section.accepted.items()}
 
+    def bases(self) -> Iterator[Derivation]:
+        """The derivations that it rests on, and those that these rest on; one may come twice."""
+        for one in self.rests_on:
+            yield from one.bases()
+            yield one
+
+    @property
+    def established(self) -> dict[Printed, str]:
+        """The first claim that is about each place."""
+        found: dict[Printed, str] = {}
+        for claim in self.claims:
+            for printed in claim.establishes():
+                found.setdefault(printed, claim.id)
+        return found
+
     def section_of(self, claim: Claim) -> Section:
         """The section in which a claim stands."""
         return next(section for section in self.sections if claim in section.claims)

@@ -61,11 +61,15 @@ class Bench:
         self.evaluations: dict[tuple[str, Setting], Evaluation] = {}
         self.stages: dict[Setting, Sampled] = {}
         self.order = {claim.id: k for k, claim in enumerate(derivation.claims)}
-        self.established: dict[Printed, str] = {}
-        for claim in derivation.claims:
-            for printed in claim.establishes():
-                self.established.setdefault(printed, claim.id)
+        self.established = derivation.established
         self.accepted = self._accepted()
+        self.bases = {base.name: base for base in derivation.bases()}
+        self.read_elsewhere: dict[Printed, str] = {}
+        """What is read as another derivation accepts it, by the claims there."""
+        for name, base in self.bases.items():
+            known = base.established
+            for place in base.accepted:
+                self.read_elsewhere[place] = f"{name}/{known.get(place, place.place)}"
         self.found: dict[str, Outcome] = {}
         """What is said about the claims that are decided."""
 

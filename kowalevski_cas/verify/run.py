@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from hashlib import sha256
 from time import perf_counter
 
@@ -67,6 +68,11 @@ class Session(Mender):
     patience: float | None = None
     """The seconds for a correction, if they are fewer than what a claim has left."""
 
+    @cached_property
+    def elsewhere(self) -> dict[str, Session]:
+        """The runs of derivations on which this one rests, as far as they were asked."""
+        return {}
+
     def run(self, only: Sequence[str] = (), progress: Progress = lambda *_: None) -> Run:
         """Decide the chosen claims."""
         derivation = self.derivation
@@ -106,9 +112,16 @@ class Session(Mender):
         return self.found[claim.id]
 
     def stands(self, id: str) -> bool:
-        """Whether the correction of a claim that the derivation accepts is proved."""
-        claim = next((c for c in self.derivation.claims if c.id == id), None)
-        return claim is not None and self._confirms(claim, self.outcome(claim))
+        """Whether the correction of a claim that its derivation accepts is proved."""
+        name, _, own = id.rpartition("/")
+        derivation = self.bases[name] if name else self.derivation
+        claim = next((c for c in derivation.claims if c.id == own), None)
+        if claim is None:
+            return False
+        if name and name not in self.elsewhere:
+            self.elsewhere[name] = Session(derivation, ["flint"], timeout=self.timeout)
+        session = self.elsewhere[name] if name else self
+        return session._confirms(claim, session.outcome(claim))
 
     def decide(self, claim: Claim) -> Outcome:
         """The outcome for one claim, if all stands that it rests on."""

@@ -129,10 +129,17 @@ class Teller(Bench):
         )
 
     def corrected(self, statement: Statement) -> tuple[str, ...]:
-        """The claims whose accepted corrections a statement rests on."""
-        own = set(statement.claim.about())
-        used = {p for p in statement.places() if p in self.accepted and p not in own}
-        ids = (self.established.get(place, place.place) for place in self.accepted if place in used)
+        """The claims whose accepted corrections a statement rests on.
+
+        Those of another derivation come first, after its name and a slash.
+        """
+        own, used = set(statement.claim.about()), {*statement.places()}
+        ids = [id for place, id in self.read_elsewhere.items() if place in used]
+        ids += [
+            self.established.get(place, place.place)
+            for place in self.accepted
+            if place in used and place not in own
+        ]
         return tuple(dict.fromkeys(ids))
 
     def rests_on(self, statement: Statement) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from time import sleep
 import pytest
 
 from kowalevski_cas.paper.claims import Definition, Identity, Implication, InvariantRelations
-from kowalevski_cas.paper.derivation import Scene, Section
+from kowalevski_cas.paper.derivation import Derivation, Scene, Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.verify.corrections import printed_of, true_ones
 from kowalevski_cas.verify.outcome import in_latex
@@ -95,6 +95,32 @@ def test_what_is_accepted_and_claimed_nowhere_proves_nothing():
     section.accept(printed[1], "D = x^2")
     (use,) = decide(section, use)
     assert (use.verdict, use.message) == ("undecided", "rests on D.1")
+
+
+@pytest.mark.parametrize(
+    ("printed", "accepted", "claimed", "verdict"),
+    [
+        ("D = x^3", "D = x^2", True, "proved"),
+        ("D = x^3", "D = x^2", False, "undecided"),
+        ("D = x^2", "D = x^3", True, "undecided"),
+        ("D = x^3", "D = x^3+v", True, "undecided"),
+    ],
+)
+def test_what_another_derivation_accepts_is_said_and_has_to_be_proved_there(
+    printed, accepted, claimed, verdict
+):
+    section, display, (own, use) = scene_with(printed)
+    section.accept(display[1], accepted)
+    section.claim(*([own] if claimed else []))
+    base = Derivation("base", "", "", "", (section,))
+    later = Section("1", "")
+    side = later.inline("side", f"D = {accepted.partition('=')[2]}")
+    later.claim(Identity("use", use.scene, side[1], ""))
+    (found,) = verify(Derivation("later", "", "", "", (later,), (base,)), ["flint"]).outcomes
+    name = "own" if claimed else "D.1"
+    assert found.corrected == (f"base/{name}",)
+    said = f"rests on base/{name}" if verdict == "undecided" else ""
+    assert (found.verdict, found.message) == (verdict, said)
 
 
 def test_a_claim_by_itself_is_decided_with_what_it_rests_on():
