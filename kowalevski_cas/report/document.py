@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import count
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.graph import Picture
@@ -159,11 +160,14 @@ def drawing(document: Document) -> Picture:
 def paged(document: Document) -> Document:
     """The document for paper: no records, long displays in an appendix and a link to each."""
     moved: list[Block] = []
+    names = (f"A{number}" for number in count(1))
 
     def away(lead: Paragraph, display: Display) -> Paragraph:
-        name = f"A{len(moved) // 2 + 1}"
+        name = next(names)
         head = Emphasis((f"{name}. ",), strong=True)
-        moved.extend((Heading((head,), f"long.{name}", 2), replace(display, long=False)))
+        moved.append(Heading((head,), f"long.{name}", 2))
+        # one by one, so that a page can end between them
+        moved.extend(replace(display, formulas=(one,), long=False) for one in display.formulas)
         return Paragraph((*lead.text, " ", Link(f"long.{name}", (f"formula {name}",)), "."))
 
     def stays(blocks: Sequence[Block]) -> Iterator[Block]:
