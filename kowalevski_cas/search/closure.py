@@ -6,35 +6,44 @@ invariant set, as far as no :math:`c_k` is infinite there.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import comb
 
+from kowalevski_cas.algebra.derivation import gradient
 from kowalevski_cas.algebra.linear import determinant
+from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence import Point
+from kowalevski_cas.problem.place import Place
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.cofactors import cofactors
+from kowalevski_cas.search.place import PointFinder
 
 
 @dataclass(frozen=True)
 class Closure:
-    """A function with its derivatives, and the next one as a combination of these, by a row."""
+    """A function with its derivatives, and the next one as a combination of these, by a row.
+
+    At the real ``point`` they vanish, and the row is not divided by zero.
+    """
 
     at: Evaluation
     chain: tuple[Element, ...]
     row: tuple[Element, ...]
+    point: Point
 
-    @property
-    def divided(self) -> bool:
-        """Whether the row is divided by something that the motion and the function are not."""
-        own = {index for element in self.chain for index in element.denominator}
-        return any(entry.denominator.keys() - own for entry in self.row)
+    def is_regular(self) -> bool:
+        """Whether the differentials of the chain are independent at the point."""
+        names, there = self.at.setting.variables, Place(self.at, self.point)
+        rows = [[there(entry) for entry in gradient(element, names)] for element in self.chain]
+        return rank(rows) == len(rows)
 
-    @property
-    def constant(self) -> bool:
+    def is_constant(self) -> bool:
         """Whether the equation of the function has constant coefficients."""
-        return all(self._still(entry) for entry in self.row)
+        return all(self.at.derivative(entry).is_zero for entry in self.row)
 
     def power(self) -> Element | None:
         r"""The q of :math:`y''=qy`, if the function obeys what products of its solutions do.
@@ -52,7 +61,7 @@ class Closure:
 
     def integrals(self) -> Iterator[Element]:
         """What is constant by the form of the equation, if it does not vanish identically."""
-        found = self._of_constant_coefficients() if self.constant else self._of_power()
+        found = self._of_constant_coefficients() if self.is_constant() else self._of_power()
         yield from (element for element in found if not element.is_zero)
 
     def _of_constant_coefficients(self) -> Iterator[Element]:
@@ -92,26 +101,45 @@ class Closure:
             form.append(rate * self._number(Fraction(1, degree - k)))
         return form
 
-    def _still(self, element: Element) -> bool:
-        return self.at.derivative(element).is_zero
-
     def _number(self, value: int | Fraction) -> Element:
         return self.at.ring.number(value)
 
 
 def closures(at: Evaluation, seed: Element, order: int) -> Iterator[Closure]:
-    """Where the derivatives of a function close, up to an order: the shortest chains first.
+    """Where the derivatives of a function close, up to an order.
 
-    The last one, if there is any, needs no condition; those before it do. What they are divided
-    by has the least degree.
+    First comes the shortest chain, then those with a condition of lower degree, if it is longer.
+    None follows after one that needs no condition. A chain without a real point is left out; where
+    there is a condition, one in general position is looked for.
+
+    Raises:
+        Meaningless: if the function vanishes identically.
     """
-    chain = [seed]
+    if seed.is_zero:
+        raise Meaningless("the function vanishes identically: its zeros are no set")
+    finder = PointFinder(lambda setting: at, lambda setting: (*at.names, *setting.roots))
+    chain, least = [seed], None
     for _ in range(order):
         after = at.derivative(chain[-1])
         row = cofactors(after, chain, ())
-        if row is not None:
-            closure = Closure(at, tuple(chain), tuple(row))
-            yield closure
-            if not closure.divided:
-                return
+        degree = None if row is None else _degree(at, chain, row)
+        if row is not None and degree is not None and (least is None or degree < least):
+            point = finder.point(at, chain, [*chain, *row], most=0 if degree else 2)
+            if point is not None:
+                least = degree
+                yield Closure(at, tuple(chain), tuple(row), point)
+        if degree == 0:
+            return
         chain.append(after)
+
+
+def _degree(at: Evaluation, chain: Sequence[Element], row: Sequence[Element]) -> int:
+    """The degree of what a row is divided by, beyond what the motion and the function are.
+
+    What the scene takes for granted not to vanish does not count.
+    """
+    granted = (element.inverse() for element in at.granted)
+    own = {k for e in (*chain, *at.rates.values(), *granted) for k in e.denominator}
+    found = {k for entry in row for k in entry.denominator} - own
+    divisors = (at.ring.polynomials.terms(at.ring.divisors[k]) for k in found)
+    return sum(max(map(sum, terms)) for terms in divisors)
