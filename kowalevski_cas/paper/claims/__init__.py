@@ -5,6 +5,7 @@ from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.coefficient import Coefficient
 from kowalevski_cas.paper.claims.constant_root import ConstantRoot
 from kowalevski_cas.paper.claims.critical_set import CriticalSet
+from kowalevski_cas.paper.claims.darboux import DarbouxPolynomial
 from kowalevski_cas.paper.claims.definition import Definition
 from kowalevski_cas.paper.claims.degree import Degree
 from kowalevski_cas.paper.claims.dimension import Dimension, Independence
@@ -29,6 +30,7 @@ __all__ = [
     "Coefficient",
     "ConstantRoot",
     "CriticalSet",
+    "DarbouxPolynomial",
     "Definition",
     "Degree",
     "Dimension",
