@@ -18,6 +18,7 @@ from kowalevski_cas.paper.claims.identity import Identity
 from kowalevski_cas.paper.claims.implication import Implication
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.claims.limit import Limit
+from kowalevski_cas.paper.claims.local_dimension import LocalDimension
 from kowalevski_cas.paper.claims.measure import LastMultiplier
 from kowalevski_cas.paper.claims.reality import Reality
 from kowalevski_cas.paper.claims.scaling import Scaling
@@ -44,6 +45,7 @@ __all__ = [
     "InvertibleChange",
     "LastMultiplier",
     "Limit",
+    "LocalDimension",
     "Neighbour",
     "Reality",
     "Scaling",
