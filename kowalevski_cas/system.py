@@ -193,9 +193,9 @@ class System:
     def define(self, formula: Tex) -> Function:
         r"""A name for what is printed, as in ``F=x^2-z``; what is derived from here knows it too.
 
-        A matrix has a bold capital, ``{\bf L}=\begin{pmatrix}…\end{pmatrix}``; the Poisson bracket is
-        defined by those of the variables that do not vanish, ``\{x,y\}=z``. Of several names in a
-        display the first is returned.
+        A matrix has a bold capital, ``{\bf L}=\begin{pmatrix}…\end{pmatrix}``; the Poisson bracket
+        is defined by those of the variables that do not vanish, ``\{x,y\}=z``. Of several names in
+        a display the first is returned.
 
         Raises:
             NotationError: it cannot be read.
@@ -232,16 +232,12 @@ class System:
     def implication(self, equation: Tex, given: Sequence[Tex], expect: str = "") -> Stated:
         """An equation holds wherever the given ones do."""
         says = "this holds wherever what is given does"
-        return self.states(
-            Implication, "implication", says, expect, equation, given=tuple(given)
-        )
+        return self.states(Implication, "implication", says, expect, equation, given=tuple(given))
 
     def integral(self, formula: Tex, given: Sequence[Tex] = (), expect: str = "") -> Stated:
         """A function is constant along every motion, perhaps on an invariant set only."""
         says = "this is constant along every motion"
-        return self.states(
-            FirstIntegral, "integral", says, expect, formula, given=tuple(given)
-        )
+        return self.states(FirstIntegral, "integral", says, expect, formula, given=tuple(given))
 
     def invariant(self, *relations: Tex, expect: str = "") -> Stated:
         """No motion leaves the set on which these hold; a function stands for its zeros."""
@@ -252,9 +248,7 @@ class System:
     def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> Stated:
         """A polynomial F with F' = KF, where K is the cofactor."""
         says = "its derivative is this multiple of it"
-        return self.states(
-            DarbouxPolynomial, "darboux", says, expect, formula, cofactor=cofactor
-        )
+        return self.states(DarbouxPolynomial, "darboux", says, expect, formula, cofactor=cofactor)
 
     def lax(self, first: Function, second: Function, expect: str = "") -> Stated:
         """A Lax pair of matrices: L' = LM - ML."""
@@ -276,9 +270,7 @@ class System:
         says = "their brackets with each other vanish"
         return self.states(Involution, "involution", says, expect, functions=functions)
 
-    def integrable(
-        self, *integrals: Tex, casimirs: Sequence[Tex] = (), expect: str = ""
-    ) -> Stated:
+    def integrable(self, *integrals: Tex, casimirs: Sequence[Tex] = (), expect: str = "") -> Stated:
         """Integrability in the sense of Liouville; the first integral is the Hamiltonian."""
         says = "the motion is integrable in the sense of Liouville"
         return self.states(
@@ -297,7 +289,8 @@ class System:
     ) -> Stated:
         """A claim of any kind, called after the name and its first formula.
 
-        Formulas, and tuples of them, are taken for what the kind expects at these attributes.
+        Formulas, and tuples of them, are taken for what the kind expects at these attributes;
+        numbers stay what they are.
 
         Raises:
             NotationError: a formula is broken TeX.
@@ -309,8 +302,8 @@ class System:
         id = self._id(name, self._tex(first[0] if isinstance(first, tuple) else first))
         made: dict[str, Any] = {}
         for key, value in {"printed": printed, **attributes}.items():
-            if value is None:
-                made[key] = None
+            if value is None or isinstance(value, int):
+                made[key] = value
             elif isinstance(value, tuple):
                 made[key] = (*self._places(f"{id}-{key}", *value),)
             else:

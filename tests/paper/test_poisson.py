@@ -79,8 +79,8 @@ def test_the_toda_chain_is_integrable_and_has_a_lax_pair():
     )
     toda.define(TODA)
     H = toda.define(r"H=\frac{1}{2}(b_1^2+b_2^2+b_3^2)+a_1^2+a_2^2")
-    I = toda.define(r"I=b_1b_2b_3-a_1^2b_3-a_2^2b_1")
-    assert toda.integrable(H, I, casimirs=["b_1+b_2+b_3"]).verdict is PROVED
+    K = toda.define(r"I=b_1b_2b_3-a_1^2b_3-a_2^2b_1")
+    assert toda.integrable(H, K, casimirs=["b_1+b_2+b_3"]).verdict is PROVED
     rows = r"{{\bf {}}}=\begin{{pmatrix}} {} \end{{pmatrix}}"
     L = toda.define(rows.format("L", r"b_1&a_1&0\\ a_1&b_2&a_2\\ 0&a_2&b_3"))
     M = toda.define(rows.format("M", r"0&-a_1&0\\ a_1&0&-a_2\\ 0&a_2&0"))

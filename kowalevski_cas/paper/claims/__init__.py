@@ -18,6 +18,7 @@ from kowalevski_cas.paper.claims.identity import Identity
 from kowalevski_cas.paper.claims.implication import Implication
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.claims.limit import Limit
+from kowalevski_cas.paper.claims.local_dimension import LocalDimension
 from kowalevski_cas.paper.claims.measure import LastMultiplier
 from kowalevski_cas.paper.claims.poisson import Casimir, Involution, Jacobi, LiouvilleIntegrable
 from kowalevski_cas.paper.claims.reality import Reality
@@ -25,8 +26,8 @@ from kowalevski_cas.paper.claims.scaling import Scaling
 from kowalevski_cas.paper.claims.union import Union
 
 __all__ = [
-    "ChangedEquation",
     "Casimir",
+    "ChangedEquation",
     "Claim",
     "Coefficient",
     "ConstantRoot",
@@ -49,6 +50,7 @@ __all__ = [
     "LastMultiplier",
     "Limit",
     "LiouvilleIntegrable",
+    "LocalDimension",
     "Neighbour",
     "Reality",
     "Scaling",
