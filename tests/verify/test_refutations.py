@@ -45,6 +45,7 @@ def free_body():
     body.jacobi(), body.casimir(K), body.involution(K, H), body.integrable(H, casimirs=[K])
     body.darboux("x-z", "-y")
     body.states(kinds.LocalDimension, "dimension", "", equations=("x=0",), dimension=2)
+    body.states(kinds.AllIntegrals, "all", "", integrals=("x^2-z^2", "x^2+y^2+z^2"), degree=2)
     return derivation(body.section)
 
 
