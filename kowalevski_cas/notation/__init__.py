@@ -10,6 +10,7 @@ from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
     EQUALITIES,
     Application,
+    Commutator,
     Conjugate,
     Constant,
     CrossProduct,
@@ -17,6 +18,7 @@ from kowalevski_cas.notation.formula import (
     Diagonal,
     Formula,
     ImaginaryPart,
+    Modulus,
     Name,
     Negative,
     Number,
@@ -30,6 +32,7 @@ from kowalevski_cas.notation.formula import (
     Root,
     ScalarProduct,
     Sum,
+    Summation,
     Unwritten,
     Vector,
 )
@@ -47,6 +50,7 @@ from kowalevski_cas.notation.vocabulary import Vocabulary
 __all__ = [
     "EQUALITIES",
     "Application",
+    "Commutator",
     "Conjugate",
     "Constant",
     "CrossProduct",
@@ -56,6 +60,7 @@ __all__ = [
     "Formula",
     "Heads",
     "ImaginaryPart",
+    "Modulus",
     "Name",
     "Negative",
     "NotationError",
@@ -72,6 +77,7 @@ __all__ = [
     "ScalarProduct",
     "Statement",
     "Sum",
+    "Summation",
     "Unwritten",
     "Vector",
     "Vocabulary",
