@@ -15,8 +15,8 @@ ROOT = Path(__file__).parents[1]
 LIBRARY = "kowalevski_cas"
 
 ROOMS = (
-    LIBRARY, "files", "processes", "systems", "notation", "algebra", "problem", "search", "paper", "library",
-    "derivations", "verify", "pictures", "audit", "export", "report", "motion", "cli", "__main__", "study",
+    LIBRARY, "files", "processes", "tools", "notation", "algebra", "problem", "search", "paper", "library",
+    "derivations", "verify", "pictures", "audit", "system", "export", "report", "motion", "cli", "__main__", "study",
     "benchmarks",
 )  # fmt: skip
 """The rooms from the bottom to the top: each imports those before it."""

@@ -1,6 +1,7 @@
 """What the README shows can be pasted."""
 
 import re
+from itertools import takewhile
 from pathlib import Path
 
 README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
@@ -13,6 +14,16 @@ def test_the_lines_of_python_follow_a_motion():
     assert names["states"].shape == (3, 9)
 
 
+def test_the_file_of_a_system_is_as_expected(tmp_path, capsys):
+    from kowalevski_cas.cli import main
+
+    lines = re.search(r"^A file anywhere.*:\n\n((?:    .*\n|\n)+)", README, re.MULTILINE)[1]
+    file = tmp_path / "lorenz.py"
+    file.write_text(re.sub("^    ", "", lines, flags=re.MULTILINE))
+    assert main(["verify", str(file), "--arithmetic", "flint"]) == 0
+    assert "3 claims: 2 proved, 1 refuted" in capsys.readouterr().out
+
+
 def test_its_commands_and_their_options_exist(capsys):
     from kowalevski_cas.cli import main
 
@@ -21,7 +32,7 @@ def test_its_commands_and_their_options_exist(capsys):
     for command in commands:
         name, *rest = re.sub(r" > .*| 2>.*", "", command).split()
         try:
-            main([name, "--help"])
+            main([name, *takewhile(lambda word: word[0] != "-", rest), "--help"])
         except SystemExit as stopped:
             assert stopped.code == 0
         said = capsys.readouterr().out
