@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from dataclasses import field as default
 
 from kowalevski_cas.notation import Vocabulary
+from kowalevski_cas.notation.macros import FUNCTIONS
 from kowalevski_cas.paper.texts import Display, Printed, check_attributes, statements
 
 
@@ -349,7 +350,7 @@ def is_indexed(name: str) -> bool:
     return name.endswith(("_i", "_j"))
 
 
-DETERMINANT = r"\mathrm{det}"
+DETERMINANT = r"\det"
 """The determinant as a function of matrices."""
 
 
@@ -378,6 +379,8 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
         matrices=matrices,
         functions=frozenset(
             head(n)[0] for s in scenes for n in s.definitions if head(n)[1] and n[:2] != BRACKET
-        ).union([DETERMINANT] if matrices else []),
+        ).union(FUNCTIONS),
         times=times,
+        moving=frozenset(n for s in scenes for n in (*s.variables, *s.definitions, *s.vectors))
+        - {n for s in scenes for n in (*s.constants, *s.undefined)},
     )
