@@ -40,12 +40,16 @@ from kowalevski_cas.notation import (
     to_sympy,
 )
 from kowalevski_cas.paper.claims import (
+    Casimir,
     Claim,
     DarbouxPolynomial,
     FirstIntegral,
     Identity,
     Implication,
     InvariantRelations,
+    Involution,
+    Jacobi,
+    LiouvilleIntegrable,
 )
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.scene import Scene, vocabulary
@@ -187,7 +191,11 @@ class System:
     # -- scenes ------------------------------------------------------------------
 
     def define(self, formula: Tex) -> Function:
-        """A name for what is printed, as in ``F=x^2-z``; what is derived from here knows it too.
+        r"""A name for what is printed, as in ``F=x^2-z``; what is derived from here knows it too.
+
+        A matrix has a bold capital, ``{\bf L}=\begin{pmatrix}…\end{pmatrix}``; the Poisson bracket
+        is defined by those of the variables that do not vanish, ``\{x,y\}=z``. Of several names in
+        a display the first is returned.
 
         Raises:
             NotationError: it cannot be read.
@@ -219,21 +227,17 @@ class System:
     def identity(self, equation: Tex, expect: str = "") -> Stated:
         """Both sides are equal; derivatives are along the motion."""
         says = "both sides are the same function"
-        return self.states(Identity, "identity", says, expect, printed=equation)
+        return self.states(Identity, "identity", says, expect, equation)
 
     def implication(self, equation: Tex, given: Sequence[Tex], expect: str = "") -> Stated:
         """An equation holds wherever the given ones do."""
         says = "this holds wherever what is given does"
-        return self.states(
-            Implication, "implication", says, expect, printed=equation, given=tuple(given)
-        )
+        return self.states(Implication, "implication", says, expect, equation, given=tuple(given))
 
     def integral(self, formula: Tex, given: Sequence[Tex] = (), expect: str = "") -> Stated:
         """A function is constant along every motion, perhaps on an invariant set only."""
         says = "this is constant along every motion"
-        return self.states(
-            FirstIntegral, "integral", says, expect, printed=formula, given=tuple(given)
-        )
+        return self.states(FirstIntegral, "integral", says, expect, formula, given=tuple(given))
 
     def invariant(self, *relations: Tex, expect: str = "") -> Stated:
         """No motion leaves the set on which these hold; a function stands for its zeros."""
@@ -244,9 +248,35 @@ class System:
     def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> Stated:
         """A polynomial F with F' = KF, where K is the cofactor."""
         says = "its derivative is this multiple of it"
+        return self.states(DarbouxPolynomial, "darboux", says, expect, formula, cofactor=cofactor)
+
+    def lax(self, first: Function, second: Function, expect: str = "") -> Stated:
+        """A Lax pair of matrices: L' = LM - ML."""
+        L, M = first.name, second.name
+        says = "the equations of motion give this Lax equation"
+        return self.states(Identity, "lax", says, expect, rf"\frac{{d}}{{dt}}{L}={L}{M}-{M}{L}")
+
+    def jacobi(self, expect: str = "") -> Stated:
+        """The Poisson bracket that was defined satisfies Jacobi's identity."""
+        return self.states(Jacobi, "jacobi", "the bracket satisfies Jacobi's identity", expect)
+
+    def casimir(self, formula: Tex, expect: str = "") -> Stated:
+        """A function whose bracket with every function vanishes."""
+        says = "its bracket with every function vanishes"
+        return self.states(Casimir, "casimir", says, expect, formula)
+
+    def involution(self, *functions: Tex, expect: str = "") -> Stated:
+        """Functions whose brackets with each other vanish."""
+        says = "their brackets with each other vanish"
+        return self.states(Involution, "involution", says, expect, functions=functions)
+
+    def integrable(self, *integrals: Tex, casimirs: Sequence[Tex] = (), expect: str = "") -> Stated:
+        """Integrability in the sense of Liouville; the first integral is the Hamiltonian."""
+        says = "the motion is integrable in the sense of Liouville"
         return self.states(
-            DarbouxPolynomial, "darboux", says, expect, printed=formula, cofactor=cofactor
-        )
+            LiouvilleIntegrable, "integrable", says, expect,
+            integrals=integrals, casimirs=tuple(casimirs),
+        )  # fmt: skip
 
     def states(
         self,
@@ -259,7 +289,8 @@ class System:
     ) -> Stated:
         """A claim of any kind, called after the name and its first formula.
 
-        Formulas, and tuples of them, are taken for what the kind expects at these attributes.
+        Formulas, and tuples of them, are taken for what the kind expects at these attributes;
+        numbers stay what they are.
 
         Raises:
             NotationError: a formula is broken TeX.
@@ -267,12 +298,12 @@ class System:
         """
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
-        first = next(one for one in (printed, *attributes.values()) if one is not None)
+        first = next(iter(attributes.values()), "") if printed is None else printed
         id = self._id(name, self._tex(first[0] if isinstance(first, tuple) else first))
         made: dict[str, Any] = {}
         for key, value in {"printed": printed, **attributes}.items():
-            if value is None:
-                made[key] = None
+            if value is None or isinstance(value, int):
+                made[key] = value
             elif isinstance(value, tuple):
                 made[key] = (*self._places(f"{id}-{key}", *value),)
             else:
