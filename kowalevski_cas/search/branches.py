@@ -102,7 +102,7 @@ def _eliminated(
     nonzero: tuple[fmpq_mpoly, ...],
     solved: Solved,
 ) -> Iterator[Branch]:
-    """The cases in which the coefficient of an unknown vanishes, and the one in which it does not."""
+    """The cases in which the coefficient of an unknown vanishes, and where it does not."""
     others = [one for one in left if one != equation]
     for factor in _unknown_factors(equation, place, nonzero):
         without = [factor, _part(equation, place, 0), *others]

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
+from typing import Any
 
-from flint import fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -47,8 +48,8 @@ class Ansatz:
         self.cofactor = at.ring.zero
         for letter, monomial in terms:
             self.cofactor = self.cofactor + at.ring.generator(letter) * self.monomial(monomial)
-        residual = at.derivative(value) - self.cofactor * value
-        self._equations = _coefficients(at, residual)
+        self._residual = at.derivative(value) - self.cofactor * value
+        self._equations = _coefficients(at, self._residual)
         self._growing = {m: c for m, c in _coefficients(at, value).items() if any(m)}
 
     def monomial(self, exponents: Monomial) -> Element:
@@ -58,9 +59,13 @@ class Ansatz:
             product = product * self.at.ring.generator(name) ** exponent
         return product
 
-    def equations(self) -> list[tuple[Monomial, Element]]:
-        """What vanishes if F′ = KF: the coefficients of monomials in the variables."""
-        return [(monomial, self._element(one)) for monomial, one in self._equations.items()]
+    def equations(self) -> list[tuple[Element, Element]]:
+        """The monomials in the variables of F′ − KF, and their coefficients."""
+        below = self._residual.denominator
+        return [
+            (self.monomial(m), self.at.ring.element({0: c}, below))
+            for m, c in self._equations.items()
+        ]
 
     def trivial(self) -> list[Element]:
         """What vanishes if F is constant."""
@@ -126,8 +131,8 @@ def _coefficients(at: Evaluation, element: Element) -> dict[Monomial, fmpq_mpoly
     below = (at.ring.divisors[k].degrees() for k in element.denominator)
     if element.parts.keys() - {0} or any(degrees[k] for degrees in below for k in moving):
         raise Meaningless("roots or quotients stand in the motion or in the function")
-    groups: dict[Monomial, dict[Monomial, object]] = {}
-    part = element.parts.get(0, at.ring.polynomials.zero)
+    groups: dict[Monomial, dict[Monomial, fmpq]] = {}
+    part: Any = element.parts.get(0, at.ring.polynomials.zero)
     for exponents, value in part.to_dict().items():
         own = tuple(int(exponents[k]) for k in moving)
         others = tuple(0 if k in moving else e for k, e in enumerate(exponents))
