@@ -18,6 +18,7 @@ class Latex(Printer):
 
     minus, times, cross, prime, partial_d = "-", r"\cdot ", r"\times", "'", r"\partial"
     dots, const, braces = r"\ldots", r"\mathrm{const}", (r"\{", r"\}")
+    bars = (r"\lvert ", r"\rvert")
 
     def name(self, formula: Name) -> str:
         return formula.name
@@ -70,6 +71,9 @@ class Latex(Printer):
         while order > 3:
             inner, behind, order = f"{_DOTS[3]}{{{inner}}}{behind}", "", order - 3
         return f"{_DOTS[order]}{{{inner}}}{behind}"
+
+    def over(self, index: str, first: str, last: str) -> str:
+        return rf"\sum_{{{index}={first}}}^{{{last}}}"
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         body = r" \\ ".join(map(" & ".join, rows))
