@@ -60,8 +60,8 @@ def find(name: str) -> Path:
     raise LibraryError(f"there is no derivation “{name}”; the library has: {known}")
 
 
-READ: set[Path] = set()
-"""The files that derivations have read besides their modules."""
+READ: dict[Path, int] = {}
+"""The files that derivations have read besides their modules, and when these had been saved."""
 
 
 def source(folder: Path) -> Path:

@@ -125,8 +125,8 @@ def _watch(arguments: argparse.Namespace) -> int:
                 except CommandError as error:
                     code = error.code
                     print(error, file=sys.stderr)
+                before = READ | now
                 print("waiting for a file to be saved; Ctrl-C ends", file=sys.stderr)
-                before = {**_saved(arguments.derivations), **now}  # it may have read others
             sleep(PAUSE)
     return code
 

@@ -147,7 +147,7 @@ def test_2_no_such_derivation(cli, tmp_path):
     assert code == 2
     assert (
         err
-        == f"kowalevski-cas verify: {tmp_path} is no derivation: a folder with an __init__.py is expected\n"
+        == f"kowalevski-cas verify: {tmp_path} is no derivation: a Python file is expected, or a folder with an __init__.py\n"
     )
 
 
@@ -336,8 +336,8 @@ def test_a_formula_that_cannot_be_used_is_named(cli, write, tex, words):
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        (b"", "does not define `derivation = Derivation(...)`"),
-        (b"derivation = 7", "does not define `derivation = Derivation(...)`"),
+        (b"", "define `derivation = Derivation(...)`"),
+        (b"derivation = 7", "define `derivation = Derivation(...)`"),
         (b"x = (", "__init__.py:1: SyntaxError"),
         (b"\n\nimport nothing_of_this_name", "__init__.py:3: ModuleNotFoundError"),
         (bytes(range(128, 256)) * 9, "SyntaxError"),
