@@ -31,7 +31,9 @@ rotation = (
         "the complex variables, turned by an angle; $q_1$ and $q_2$ are conjugate numbers",
     )
     .moving(eq10)
-    .having(constants=("q_1", "q_2", "r"), conjugates=(("q_1", "q_2"),), nonzero=("q_1", "q_2", "r"))
+    .having(
+        constants=("q_1", "q_2", "r"), conjugates=(("q_1", "q_2"),), nonzero=("q_1", "q_2", "r")
+    )
     .adjoining(complex_integrals[3])
     .defining(turned)
 )
