@@ -9,6 +9,7 @@ from textwrap import TextWrapper
 from typing import Final
 
 from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display, to_plain
+from kowalevski_cas.report.compare import unmarked
 from kowalevski_cas.report.document import (
     Block,
     Claim,
@@ -42,7 +43,7 @@ def sign(verdict: Verdict, words: str = "") -> str:
 
 def formulas(found: Iterable[Formula], source: str = "") -> str:
     """The formulas of a display on one line; its source where they could not be read."""
-    return ", ".join(map(to_plain, found)) or " ".join(source.split())
+    return ", ".join(to_plain(unmarked(formula)) for formula in found) or " ".join(source.split())
 
 
 def display(source: str, vocabulary: Vocabulary) -> str:

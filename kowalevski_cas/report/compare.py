@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Formula, Negative, Product, Sum
+from kowalevski_cas.notation import Formula, Negative, Power, Product, Quotient, Relation, Root, Sum
 from kowalevski_cas.notation.formula import Changed
 from kowalevski_cas.notation.printer import COMPOUND
+
+_TAKEN_APART = (Relation, Sum, Negative, Product, Quotient, Root, Power)
+"""What is marked in part; a derivative, say, is marked as a whole."""
 
 
 def compared(
@@ -27,6 +30,11 @@ def compared(
     return tuple(old for old, _ in pairs), tuple(new for _, new in pairs)
 
 
+def unmarked(formula: Formula) -> Formula:
+    """The formula without marks."""
+    return formula.argument if isinstance(formula, Changed) else formula.mapped(unmarked)
+
+
 def _compared(old: Formula, new: Formula, within: Formula | None) -> tuple[Formula, Formula]:
     """Both, marked; ``within`` is what the old one stands in."""
     if old == new:
@@ -36,7 +44,8 @@ def _compared(old: Formula, new: Formula, within: Formula | None) -> tuple[Formu
         if len(factors[0]) != len(factors[1]) and set(factors[0]) & set(factors[1]):
             return _lone(old, factors[0], factors[1], True), _lone(new, *factors[::-1], False)
     before, after = list(old.children()), list(new.children())
-    if len(before) == len(after) and old.mapped(_Next(after)) == new:
+    same = len(before) == len(after) and old.mapped(_Next(after)) == new
+    if same and isinstance(old, _TAKEN_APART):
         pairs = [_compared(*pair, old) for pair in zip(before, after, strict=True)]
         return old.mapped(_Next([a for a, _ in pairs])), new.mapped(_Next([b for _, b in pairs]))
     bare = not isinstance(within, Sum | Product)  # a sign needs no brackets there

@@ -8,7 +8,6 @@ from itertools import groupby
 from typing import Any
 
 from kowalevski_cas.notation import Edit, Formula, NotationError, Vocabulary, read_display
-from kowalevski_cas.notation.formula import Changed
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.report import Item, Row, Section, contents
 from kowalevski_cas.report.document import Document
@@ -589,8 +588,3 @@ def document(*chosen: Outcome) -> Document:
     """The report of the whole run, or of the outcomes given."""
     known = run(*chosen)
     return contents(known, in_order(known))
-
-
-def unmarked(formula: Formula) -> Formula:
-    """A formula without marks on what differs from another one."""
-    return formula.argument if isinstance(formula, Changed) else formula.mapped(unmarked)

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report import contents
+from kowalevski_cas.report.compare import unmarked
 from kowalevski_cas.report.document import (
     Claim,
     Display,
@@ -37,7 +38,6 @@ from tests.report.fixtures import (
     point,
     run,
     step,
-    unmarked,
 )
 
 WHOLE = document()
