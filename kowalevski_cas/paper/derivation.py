@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 from kowalevski_cas.paper.claims import Claim, Identity
-from kowalevski_cas.paper.closed_form import ClosedForm
 from kowalevski_cas.paper.scene import Change, Locus, Scene, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed, Texts, statements
 
@@ -20,6 +21,8 @@ class Section:
     """A section of a paper: it collects displays and claims in the order of the paper.
 
     ``copied`` says whether its displays are what the edition prints, sign by sign, or restate it.
+    ``lines`` has the file and the line in which a claim is stated, by its id, and ``expected`` the
+    verdict that its author expects, where he says so.
     """
 
     number: str
@@ -28,6 +31,8 @@ class Section:
     displays: list[Display] = field(default_factory=list)
     claims: list[Claim] = field(default_factory=list)
     accepted: dict[Printed, str] = field(default_factory=dict)
+    lines: dict[str, tuple[str, int]] = field(default_factory=dict)
+    expected: dict[str, str] = field(default_factory=dict)
 
     def display(self, id: str, tex: str, label: str = "") -> Display:
         """A displayed formula; ``eq3`` is labelled (3) if nothing else is said."""
@@ -85,11 +90,18 @@ class Section:
         return printed
 
     def claim(self, *claims: Claim) -> None:
-        """Statements that the paper makes here; raises ``TypeError`` for anything else."""
+        """Statements that the paper makes here; raises ``TypeError`` for anything else.
+
+        Raises ``ValueError`` for an id that cannot be the name of a certificate.
+        """
         for claim in claims:
             if not isinstance(claim, Claim):
                 raise TypeError(f"a claim is expected, not {claim!r}")
+            if re.fullmatch(r"[\w.-]+", claim.id, re.ASCII) is None:
+                allowed = "letters, digits, “_”, “-” and “.” are allowed"
+                raise ValueError(f"the claim {claim.id!r}: in its id {allowed}")
             self.claims.append(claim)
+            self.lines[claim.id] = _line()
 
     def accept(self, printed: Printed, tex: str) -> None:
         """Read this in place of what is printed, in all that follows from it.
@@ -103,6 +115,14 @@ class Section:
         display = Display(id, tex, self.number, **attributes)
         self.displays.append(display)
         return display
+
+
+def _line() -> tuple[str, int]:
+    """The file and the line, outside of this package, that is being executed."""
+    frame = sys._getframe()
+    while frame.f_back and frame.f_globals.get("__name__", "").startswith("kowalevski_cas."):
+        frame = frame.f_back
+    return frame.f_code.co_filename, frame.f_lineno
 
 
 def _label(id: str) -> str:
@@ -122,7 +142,8 @@ class Derivation:
         source: the edition that the displays are from.
         sections: the sections, in their order.
         rests_on: the derivations whose displays and scenes it uses, as they are corrected.
-        closed_form: gives what motions are computed with, if the paper solves its problem.
+        offers: what motions are computed with, by its type (:mod:`.closed_form`); each is made
+            when it is asked for.
 
     Raises:
         ValueError: if an id is given twice, here or in what it rests on.
@@ -134,22 +155,33 @@ class Derivation:
     source: str
     sections: tuple[Section, ...]
     rests_on: tuple[Derivation, ...] = ()
-    closed_form: Callable[[], ClosedForm] | None = None
+    offers: Mapping[type, Callable[[], object]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Refuse ids that are given twice, for everything goes by them."""
         for kind, ids in (
+            ("sections or systems", [section.number for section in self.sections]),
             ("claims", [claim.id for claim in self.claims]),
             ("displays", [display.id for display in self._known_displays()]),
         ):
             twice = sorted({id for id in ids if ids.count(id) > 1})
             if twice:
-                raise ValueError(f"two {kind} are called {twice[0]}")
+                raise ValueError(f"two {kind} are called {twice[0]}: give one another name")
 
     @property
     def claims(self) -> tuple[Claim, ...]:
         """All claims in the order of the paper."""
         return tuple(claim for section in self.sections for claim in section.claims)
+
+    @property
+    def lines(self) -> dict[str, tuple[str, int]]:
+        """The file and the line in which each claim is stated."""
+        return {id: line for section in self.sections for id, line in section.lines.items()}
+
+    @property
+    def expected(self) -> dict[str, str]:
+        """The verdicts that the author expects, by claims."""
+        return {id: verdict for one in self.sections for id, verdict in one.expected.items()}
 
     def scenes(self) -> tuple[Scene, ...]:
         """The scenes on which the claims stand, and those from which they are changes."""

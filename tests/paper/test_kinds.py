@@ -19,6 +19,7 @@ from kowalevski_cas.paper.claims import (
     InvariantRelations,
     InvertibleChange,
     LastMultiplier,
+    LocalDimension,
     Reality,
     Unit,
 )
@@ -371,6 +372,23 @@ def test_functions_of_low_rank_at_a_few_points_may_be_independent():
     assert verdicts(section, claim) not in (["refuted"], ["error"])
 
 
+def test_dependence_on_another_graph_than_the_set_refutes_nothing():
+    """On the line y=1 the functions depend on each other; on the parabola they do not."""
+    section = Section("1", "Two functions")
+    f = section.display("f", r"\dot x=0,\quad \dot y=0,\quad \dot z=0")
+    scene = Scene("space", "", variables=("x", "y", "z"), field=(*f,))
+    parabola, line = section.display("set", "y=x^2"), section.display("graph", "y=1")
+    functions = (*section.display("g", "y=0"), *section.display("h", "z=0"))
+    claims = [
+        Independence(
+            id, scene, None, "",
+            levels=(), equations=(*parabola,), functions=functions, graph=(*graph,),
+        )
+        for id, graph in (("parabola", parabola), ("line", line))
+    ]  # fmt: skip
+    assert verdicts(section, *claims) == ["proved", "undecided"]
+
+
 def test_a_member_that_is_no_vector_where_one_is_expected_is_an_error():
     section = Section("1", "A vector")
     f = section.display("f", r"\dot{\bs\alpha}=0")
@@ -515,3 +533,21 @@ def test_a_root_that_moves_is_differentiated_without_a_division():
         "circle", "", variables=("s",), constants=("n",), field=(motion[1],), roots={"C": motion[2]}
     )
     assert verdicts(section, Identity("t", scene, motion[3], "")) == ["proved"]
+
+
+@pytest.mark.parametrize(
+    ("tex", "dimension", "verdict"),
+    [
+        ("x=0", 1, "proved"),
+        ("xv=0", 1, "proved"),
+        ("x=0", 0, "refuted"),
+        (r"x=0,\quad v=0", 0, "proved"),
+        (r"x=0,\quad xv=0", 0, "undecided"),
+        (r"x=0,\quad xv=0", 1, "undecided"),
+        ("x^2+v^2=-1", 1, "undecided"),
+    ],
+)
+def test_dimension_near_a_point(oscillator, tex, dimension, verdict):
+    places = (*oscillator.section.display("set", tex),)
+    claim = LocalDimension("t", oscillator.scene, None, "", equations=places, dimension=dimension)
+    assert verdicts(oscillator.section, claim) == [verdict]

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
 from kowalevski_cas.cli import plain
-from kowalevski_cas.cli.formats import Result, locate
+from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.library import load
 from kowalevski_cas.report import Contents, sections
 from kowalevski_cas.verify.outcome import Verdict
@@ -20,7 +20,8 @@ def render(results: Sequence[Result]) -> str:
 def told(result: Result, claims: Iterable[str] = ()) -> str:
     """A derivation; lines on its ``claims`` stand before the summary."""
     run, contents = result.run, contents_of(result)
-    title = contents.phrases.words(f"{run.author}. {run.title}. {run.source}.")
+    named = filter(None, (run.author, run.title, run.source))
+    title = contents.phrases.words("".join(f"{part}. " for part in named))
     lines = [
         *plain.wrapped(plain.text(title)),
         "",
@@ -47,7 +48,7 @@ def _errors(result: Result) -> Iterator[str]:
     if wrong:
         yield from ("", "Errors")
     for outcome in wrong:
-        file, number = locate(result, outcome.claim)
+        file, number = result.line(outcome.claim)
         first, *rest = outcome.message.splitlines()
         yield f"  {file}:{number}: {first}"
         yield from (f"    {line}" for line in rest)
@@ -61,11 +62,13 @@ def _summary(result: Result) -> Iterator[str]:
     shown = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
     seconds = sum(sum(o.seconds.values()) for o in run.outcomes)
     head = f"{len(run.outcomes)} claims: {shown}; {', '.join(run.arithmetics)}; {seconds:.2f} s"
-    if result.differences is None:
-        yield f"{head}; there is no record to compare with (`kowalevski-cas record`)"
-    elif not result.differences:
-        yield f"{head}; as recorded"
+    noun, other = (
+        ("recorded", "THE RECORD") if result.recorded else ("expected", "WHAT IS EXPECTED")
+    )
+    if not result.differences:
+        none = "; there is no record to compare with (`kowalevski-cas record`)"
+        yield f"{head}; as {noun}{'' if result.recorded else none}"
     else:
-        yield f"{head}; DIFFERENT FROM THE RECORD:"
+        yield f"{head}; DIFFERENT FROM {other}:"
         for one in result.differences:
-            yield f"  {one.claim}: recorded {one.recorded}, found {one.found}"
+            yield f"  {one.claim}: {noun} {one.recorded}, found {one.found}"
