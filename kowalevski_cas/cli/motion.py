@@ -112,7 +112,8 @@ def _followed(arguments: argparse.Namespace) -> Result:
 
     from kowalevski_cas.motion.general import General
     from kowalevski_cas.motion.methods import MethodError, load
-    from kowalevski_cas.motion.methods.ball import Unresolved
+    from kowalevski_cas.motion.methods.ball import Unresolved, enclosed
+    from kowalevski_cas.motion.motion import Motion
     from kowalevski_cas.motion.parameters import exact
     from kowalevski_cas.motion.result import Result
 
@@ -135,9 +136,11 @@ def _followed(arguments: argparse.Namespace) -> Result:
     if sys.stderr.isatty():
         print(f"{method} is to come to {limit} ...", file=sys.stderr)
 
-    def states(motion: Motion | General) -> NDArray[np.float64]:
+    def states(motion: Motion | General) -> tuple[NDArray[np.float64], ...]:
         with time_limit(arguments.timeout):
-            return load(method)(motion, times)
+            if method == "ball" and isinstance(motion, Motion):
+                return enclosed(motion, times)
+            return (load(method)(motion, times),)
 
     try:
         (found,) = each(states, [motion])
@@ -151,7 +154,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
         raise CommandError(str(error), UNDECIDED) from None
     except ValueError as error:
         raise CommandError(str(error)) from None
-    return Result(motion, times, found)
+    return Result(motion, times, *found)
 
 
 def motion_of(arguments: argparse.Namespace) -> Motion | General:

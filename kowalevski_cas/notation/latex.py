@@ -26,6 +26,7 @@ class Latex(Printer):
 
     minus, times, cross, prime, partial_d = "-", r"\cdot ", r"\times", "'", r"\partial"
     dots, const, braces = r"\ldots", r"\mathrm{const}", (r"\{", r"\}")
+    bars = (r"\lvert ", r"\rvert")
 
     def name(self, formula: Name) -> str:
         return formula.name
@@ -81,6 +82,9 @@ class Latex(Printer):
 
     def changed(self, formula: Changed) -> str:
         return rf"\{'Slip' if formula.wrong else 'Meant'}{{{self(formula.argument)}}}"
+
+    def over(self, index: str, first: str, last: str) -> str:
+        return rf"\sum_{{{index}={first}}}^{{{last}}}"
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         body = r" \\ ".join(map(" & ".join, rows))

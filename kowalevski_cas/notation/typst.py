@@ -12,6 +12,7 @@ _FONTS = {
     r"\mathbf": "upright(bold({}))", r"\boldsymbol": "bold({})", r"\vec": "arrow({})",
     r"\mathcal": "cal({})", r"\mathbb": "bb({})", r"\mathfrak": "frak({})", r"\mathsf": "sans({})",
     r"\hat": "hat({})", r"\tilde": "tilde({})", r"\check": "caron({})", r"\mathrm": "upright({})",
+    r"\mathscr": "scr({})", r"\dot": "dot({})", r"\ddot": "dot.double({})",
 }  # fmt: skip
 # Brackets that group and are not printed; they become round ones when all is printed, so that
 # until then a round bracket is one that stands on the paper.
@@ -24,6 +25,7 @@ class Typst(Printer):
 
     minus, times, cross, prime, partial_d = "-", "⋅ ", "×", "'", "∂"
     dots, const, braces = "…", 'upright("const")', ("{", "}")
+    bars = ("abs⟮", "⟯")
 
     def finished(self, text: str) -> str:
         return text.translate(_PRINTED)
@@ -80,6 +82,9 @@ class Typst(Printer):
         if isinstance(argument, Name):
             return self._name(argument, accent)
         return accent.translate(_GROUPING).format(self.bracketed(self(argument)))
+
+    def over(self, index: str, first: str, last: str) -> str:
+        return f"sum_⟮{index} = {first}⟯^⟮{last}⟯"
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         return f"mat⟮{'; '.join(map(', '.join, rows))}⟯"

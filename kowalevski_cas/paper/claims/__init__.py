@@ -21,12 +21,14 @@ from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.claims.limit import Limit
 from kowalevski_cas.paper.claims.local_dimension import LocalDimension
 from kowalevski_cas.paper.claims.measure import LastMultiplier
+from kowalevski_cas.paper.claims.poisson import Casimir, Involution, Jacobi, LiouvilleIntegrable
 from kowalevski_cas.paper.claims.reality import Reality
 from kowalevski_cas.paper.claims.scaling import Scaling
 from kowalevski_cas.paper.claims.union import Union
 
 __all__ = [
     "AllIntegrals",
+    "Casimir",
     "ChangedEquation",
     "Claim",
     "Coefficient",
@@ -45,8 +47,11 @@ __all__ = [
     "Independence",
     "InvariantRelations",
     "InvertibleChange",
+    "Involution",
+    "Jacobi",
     "LastMultiplier",
     "Limit",
+    "LiouvilleIntegrable",
     "LocalDimension",
     "Neighbour",
     "Reality",
