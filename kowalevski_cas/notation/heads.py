@@ -21,10 +21,11 @@ CLOSING = r"\}"
 
 
 class Heads(NamedTuple):
-    """The names that a statement defines, and those whose squares it gives."""
+    """The names that a statement defines, those whose squares it gives, and if it has a matrix."""
 
     names: tuple[str, ...]
     squares: tuple[str, ...]
+    matrix: bool = False
 
 
 @cache
@@ -52,6 +53,7 @@ def _heads(tokens: list[Token], tex: str) -> Heads:
     return Heads(
         tuple(dict.fromkeys(name for name, square in found if name and not square)),
         tuple(dict.fromkeys(name for name, square in found if name and square)),
+        any(member.matrix() for member in members),
     )
 
 
@@ -70,12 +72,26 @@ class _Member(Cursor):
         read = self.tokens[self.at].kind == END and power in (False, "2")
         return (name, power == "2") if read else ("", False)
 
+    def matrix(self) -> bool:
+        """Whether it is a matrix by its rows, of more than one column."""
+        kinds = [token.kind for token in self.tokens[:-1]]
+        ends = kinds[:1] == ["begin"] and kinds.index("end") == len(kinds) - 1
+        return ends and self.tokens[0].text != "vmatrix" and {"row", "cell"} <= {*kinds}
+
     def here(self, text: str) -> bool:
         """Whether this bracket opens here."""
         return self.tokens[self.at].kind == "open" and self.tokens[self.at].text == text
 
     def name(self) -> str:
-        """A letter with its index."""
+        """A letter with its index, perhaps under a dot."""
+        if self.tokens[self.at].text == r"\dot":
+            self.at += 1
+            braced = self.tokens[self.at].kind == "{"
+            self.at += braced
+            letter = self.take().text
+            self.at += braced
+            index = self.index() if self.tokens[self.at].kind == "_" else ""
+            return rf"\dot{{{letter}}}{index}"
         if self.tokens[self.at].kind != "letter":
             raise self.unexpected()
         letter = self.take().text
