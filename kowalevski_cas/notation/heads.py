@@ -83,19 +83,22 @@ class _Member(Cursor):
         return self.tokens[self.at].kind == "open" and self.tokens[self.at].text == text
 
     def name(self) -> str:
-        """A letter with its index, perhaps under a dot."""
-        if self.tokens[self.at].text == r"\dot":
-            self.at += 1
-            braced = self.tokens[self.at].kind == "{"
-            self.at += braced
-            letter = self.take().text
-            self.at += braced
-            index = self.index() if self.tokens[self.at].kind == "_" else ""
-            return rf"\dot{{{letter}}}{index}"
+        """A letter with its index."""
         if self.tokens[self.at].kind != "letter":
             raise self.unexpected()
         letter = self.take().text
         return letter + self.index() if self.tokens[self.at].kind == "_" else letter
+
+    def argument(self) -> str:
+        """A name, perhaps under a dot, as in L(q, dot{q})."""
+        if self.tokens[self.at].text != r"\dot":
+            return self.name()
+        self.at += 1
+        braced = self.tokens[self.at].kind == "{"
+        self.at += braced
+        letter = self.take().text
+        self.at += braced
+        return rf"\dot{{{letter}}}" + (self.index() if self.tokens[self.at].kind == "_" else "")
 
     def bracket(self) -> str:
         """A bracket of names."""
@@ -104,10 +107,10 @@ class _Member(Cursor):
     def listed(self, closing: str) -> str:
         """Names in brackets, with commas between them."""
         self.at += 1
-        names = [self.name()]
+        names = [self.argument()]
         while self.tokens[self.at].kind == "comma":
             self.at += 1
-            names.append(self.name())
+            names.append(self.argument())
         if self.take().text != closing:
             raise self.unexpected()
         return ",".join(names)

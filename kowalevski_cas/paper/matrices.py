@@ -61,10 +61,20 @@ def rows(formula: Formula, setting: Meaning, within: tuple[str, ...] = ()) -> Ro
 
 
 def alike(
-    formulas: Sequence[Formula], setting: Meaning, within: tuple[str, ...] = ()
+    formulas: Sequence[Formula],
+    setting: Meaning,
+    within: tuple[str, ...] = (),
+    only_zero: bool = False,
 ) -> list[Rows]:
-    """Several matrices; a number among them stands for a multiple of the unit matrix."""
-    found = {k: rows(f, setting, within) for k, f in enumerate(formulas) if is_matrix(f, setting)}
+    """Several matrices; a number among them stands for a multiple of the unit matrix.
+
+    With ``only_zero`` it has to be zero, as where matrices are said to be equal.
+    """
+    found = {
+        k: rows(formula, setting, within)
+        for k, formula in enumerate(formulas)
+        if is_matrix(formula, setting) or (only_zero and formula != Number(0))
+    }
     size = len(next(iter(found.values())))
     return [
         found[k] if k in found else _multiple(setting.plain(formula), size)

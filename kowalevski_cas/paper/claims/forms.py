@@ -63,11 +63,11 @@ def members(relation: Relation) -> list[Formula]:
 def chain(on: Elaborations, space: Elaboration, printed: Printed) -> list[Equation]:
     """The equations of a printed chain; ``= const`` says that the first member does not move.
 
-    Matrices are equal entry by entry; a number among them is a multiple of the unit matrix.
+    Matrices are equal entry by entry; a zero may stand for one.
     """
     relation = on.texts.relation(printed)
     if any(is_matrix(member, space) for member in relation.members):
-        return [*_entries(alike(relation.members, space))]
+        return [*_entries(alike(relation.members, space, only_zero=True))]
     found = [space.plain(member) for member in members(relation)]
     equations = list(pairwise(found))
     if isinstance(relation.members[-1], Constant):
