@@ -256,9 +256,9 @@ class System:
 
     def invariant(self, *relations: Tex, expect: str = "") -> Stated:
         """No motion leaves the set on which these hold; a function stands for its zeros."""
-        zero = (f"{one.name}=0" if isinstance(one, Function) else one for one in relations)
-        says = "no motion leaves this set"
-        return self.states(InvariantRelations, "invariant", says, expect, relations=tuple(zero))
+        zero = tuple(f"{one.name}=0" if isinstance(one, Function) else one for one in relations)
+        says = f"no motion leaves the set where {self._listed(zero)}"
+        return self.states(InvariantRelations, "invariant", says, expect, relations=zero)
 
     def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> Stated:
         """A polynomial F with F' = KF, where K is the cofactor."""
@@ -282,12 +282,12 @@ class System:
 
     def involution(self, *functions: Tex, expect: str = "") -> Stated:
         """Functions whose brackets with each other vanish."""
-        says = "their brackets with each other vanish"
+        says = f"the brackets of {self._listed(functions)} with each other vanish"
         return self.states(Involution, "involution", says, expect, functions=functions)
 
     def integrable(self, *integrals: Tex, casimirs: Sequence[Tex] = (), expect: str = "") -> Stated:
         """Integrability in the sense of Liouville; the first integral is the Hamiltonian."""
-        says = "the motion is integrable in the sense of Liouville"
+        says = f"the motion is integrable in the sense of Liouville, by {self._listed(integrals)}"
         return self.states(
             LiouvilleIntegrable, "integrable", says, expect,
             integrals=integrals, casimirs=tuple(casimirs),
@@ -354,6 +354,9 @@ class System:
     def read(self, tex: str) -> Formula:
         """A formula in the names of the system; raises ``NotationError`` for any other name."""
         return read(tex, vocabulary((self.scene,)))
+
+    def _listed(self, formulas: Sequence[Tex]) -> str:
+        return ", ".join(f"${self._tex(one)}$" for one in formulas)
 
     def _formulas(self, display: Display) -> list[Formula]:
         return [s.formula for s in read_display(display.tex, vocabulary((self.scene,)))]

@@ -40,7 +40,7 @@ def test_a_claim_is_a_test_and_its_failure_reads_like_the_terminal(run):
     assert code == 1
     assert "derivation_circle.py::integral-x-2-y-2 PASSED" in out
     assert "derivation_circle.py::integral-x-2-y-2::2 FAILED" in out
-    assert "correct   x² + y²" in out and "expected that it is true, found refuted" in out
+    assert "✓   x² + y²" in out and "expected that it is true, found refuted" in out
     assert "Traceback" not in out
 
 
