@@ -28,6 +28,7 @@ from kowalevski_cas.verify.run import verify
 
 QUESTIONS = {
     "integrals": "polynomial first integrals, up to a degree",
+    "darboux": "polynomials F with F' = KF, up to a degree, and their K",
     "closure": "an invariant set, from a function and its derivatives",
     "parameters": "values of constants for which a polynomial divides its derivative",
 }
