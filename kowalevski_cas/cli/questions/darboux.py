@@ -47,7 +47,9 @@ def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Ite
             multiple = equation(Derivative(value, scene.time), Product((cofactor, value)))
             yield Finding(Implication, scene, says, multiple, {"given": given})
         elif one.cofactor.is_zero:
-            yield Finding(FirstIntegral, scene, "it is constant along every motion", to_latex(value))
+            yield Finding(
+                FirstIntegral, scene, "it is constant along every motion", to_latex(value)
+            )
         else:
             says = f"F' = KF with $K={to_latex(cofactor)}$"
             attributes = {"cofactor": to_latex(cofactor)}
