@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -38,6 +38,15 @@ def enclosures(motion: Motion, times: Iterable[float | Fraction], bits: int) -> 
 
     Raises :class:`Unresolved` if the largest working precision does not suffice.
     """
+    return enclosed(lambda: _Solution(motion), times, bits)
+
+
+def enclosed(
+    solution: Callable[[], Callable[[Fraction], list[arb]]],
+    times: Iterable[float | Fraction],
+    bits: int,
+) -> list[list[arb]]:
+    """The same of any solution, which is made anew at each working precision."""
     found: list[list[arb]] = []
     left = [exact(time) for time in times]
     working = bits + 64
@@ -45,9 +54,9 @@ def enclosures(motion: Motion, times: Iterable[float | Fraction], bits: int) -> 
         if working > LARGEST_PRECISION:
             raise Unresolved(f"no enclosure of {bits} bits at t = {float(left[0]):g}")
         with precision(working):
-            solution = _Solution(motion)
+            at = solution()
             while left:
-                state = solution(left[0])
+                state = at(left[0])
                 if not _narrow(state, bits):
                     break
                 found.append(state)

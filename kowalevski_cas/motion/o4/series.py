@@ -1,0 +1,105 @@
+r"""The Abelian differentials as series of cosines, in balls.
+
+A differential f(φ)dφ is even, and analytic in a strip :math:`|{\rm Im}\,\varphi|\le S`: each factor
+below its root, :math:`g_1\cos^2\frac\varphi2+g_2\sin^2\frac\varphi2`, is at least
+:math:`\frac12(|g_1|+|g_2|-|g_1-g_2|\cosh S)` there. If M is a bound of f in the strip, the
+coefficients of :math:`f=\sum a_k\cos k\varphi` are at most :math:`2Me^{-kS}`, and n values give
+:math:`a_k` up to :math:`4Me^{-(2n-k)S}/(1-e^{-2nS})`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from math import acosh, ceil, log
+
+from flint import arb, arb_mat, ctx
+
+from kowalevski_cas.motion.o4.variable import Pair, Variable
+from kowalevski_cas.motion.parameters import Inadmissible
+
+WIDEST, SHARE = 20.0, 0.9
+"""The greatest cosh S, and its share of the way to the nearest root."""
+
+MOST = 20000
+"""Values of a differential, beyond which two roots are too close."""
+
+
+class Series:
+    """Both differentials of a variable, v and n by dφ, at the precision of FLINT's context."""
+
+    def __init__(self, variable: Variable) -> None:
+        factors = variable.moduli
+        roots = [(x + y) / z for x, y, z in factors if z > 0]
+        cosh = 1 + SHARE * (min([WIDEST, *map(float, roots)]) - 1)
+        self._width = arb(acosh(cosh))
+        bounds = [(x + y - z * self._width.cosh()) / 2 for x, y, z in factors]
+        product = arb(1)
+        for bound in bounds:
+            product *= bound
+        numerators = [(x + y + z * self._width.cosh()) / 2 for x, y, z in variable.pair_moduli]
+        self._bounds = [x * variable.scale / product.sqrt() for x in numerators]
+        # As many values as make the last coefficient smaller than a bit.
+        largest = max(float(bound) for bound in self._bounds)
+        count = ceil((ctx.prec * log(2) + log(1 + largest)) / acosh(cosh)) + 8
+        if not (all(bound > 0 for bound in bounds) and count <= MOST):
+            raise Inadmissible(
+                "two roots are so close that the series of the quadratures hardly converge: any s "
+                "or τ farther from those where the tori of O⁴ degenerate would do"
+            )
+        self._values = [
+            variable.differentials(_squares(arb(2 * j + 1) / (2 * count)), arb.sqrt)
+            for j in range(count)
+        ]
+
+    def means(self) -> Pair:
+        """The means of both differentials."""
+        count = len(self._values)
+        first, second = (
+            sum(values, arb(0)) / count + self._missing(place, 0)
+            for place, values in enumerate(zip(*self._values, strict=True))
+        )
+        return first, second
+
+    def sines(self) -> Callable[[arb], Pair]:
+        """The integrals of both, less their means, as functions of φ."""
+        count = len(self._values)
+        transform = arb_mat.dct(count) * arb_mat([list(pair) for pair in self._values])
+        scale = (arb(2) / count).sqrt()
+        terms = [
+            [(scale * transform[k, place] + self._missing(place, k)) / k for place in (0, 1)]
+            for k in range(1, count)
+        ]
+        beyond = 2 * (-count * self._width).exp() / (1 - (-self._width).exp()) / count
+        rest = [_around_zero(beyond * bound) for bound in self._bounds]
+
+        def series(angle: arb) -> Pair:
+            first, second = rest
+            for k, (one, two) in enumerate(terms, 1):
+                sine = (k * angle).sin()
+                first, second = first + one * sine, second + two * sine
+            return first, second
+
+        return series
+
+    def _missing(self, place: int, k: int) -> arb:
+        """A ball for the error of a coefficient."""
+        last = (-(2 * len(self._values) - k) * self._width).exp()
+        return _around_zero(4 * self._bounds[place] * last)
+
+
+def _squares(half_turn: arb) -> Pair:
+    cos = half_turn.cos_pi()
+    return (1 + cos) / 2, (1 - cos) / 2
+
+
+def _around_zero(bound: arb) -> arb:
+    return arb(0, bound.upper())
+
+
+def means(series: Sequence[Series], signs: Sequence[int]) -> arb_mat:
+    """The matrix of the means with their signs: a row an equation, a column a variable."""
+    columns = [series.means() for series in series]
+    return arb_mat(
+        [[sign * column[place] for sign, column in zip(signs, columns, strict=True)]
+         for place in (0, 1)]
+    )  # fmt: skip
