@@ -6,7 +6,7 @@ from decimal import ROUND_CEILING, Context
 from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.pictures import Mark, mark
-from kowalevski_cas.systems import title
+from kowalevski_cas.tools import title
 from study.step import Row
 
 if TYPE_CHECKING:

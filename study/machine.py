@@ -9,7 +9,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from kowalevski_cas.export.witness import version as told
-from kowalevski_cas.systems import SYSTEMS, MissingSystem, System
+from kowalevski_cas.tools import TOOLS, MissingTool, Tool
 
 LIBRARIES = ("python-flint", "symengine", "sympy", "numpy", "scipy", "matplotlib", "heyoka")
 
@@ -29,17 +29,17 @@ def machine() -> dict[str, str]:
             found[library] = version(library)
         except PackageNotFoundError:
             continue
-    for name, system in SYSTEMS.items():
-        if shown := _number(system):
+    for name, tool in TOOLS.items():
+        if shown := _number(tool):
             found[name] = shown
     return found
 
 
-def _number(system: System) -> str:
+def _number(tool: Tool) -> str:
     """The number of a system's version; empty if it is not installed."""
     try:
-        words = told(system).split()
-    except MissingSystem:
+        words = told(tool).split()
+    except MissingTool:
         return ""
     return next((word for word in words if word[0].isdigit()), "")
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, Protocol
 
-from kowalevski_cas.systems import MissingSystem
+from kowalevski_cas.tools import MissingTool
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -50,7 +50,7 @@ class Task:
         start = perf_counter()
         try:
             found = self.run()
-        except (LeftOut, MissingSystem, ModuleNotFoundError) as missing:
+        except (LeftOut, MissingTool, ModuleNotFoundError) as missing:
             found = {"seconds": None, "verdict": LEFT_OUT, "reason": str(missing)}
         except Exception as error:
             reason = f"{type(error).__name__}: {error}"

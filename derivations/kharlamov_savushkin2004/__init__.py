@@ -1,5 +1,6 @@
 """M. P. Kharlamov, A. Yu. Savushkin (2004): the motions on N^4, separated and solved."""
 
+from kowalevski_cas.paper.closed_form import ClosedForm
 from kowalevski_cas.paper.derivation import Derivation
 
 from ..kharlamov2002 import derivation as kharlamov2002
@@ -34,5 +35,5 @@ derivation = Derivation(
         across.section,
     ),
     rests_on=(kharlamov2002,),
-    closed_form=closed_form.offer,
+    offers={ClosedForm: closed_form.offer},
 )

@@ -33,7 +33,7 @@ functions = Scene(
 
 with_G = initial.having(vectors=VECTORS).defining(G)
 
-with_xi = initial.defining(xi)
+with_xi = with_G.defining(xi)
 
 beside = (
     Scene("beside N⁴", "the variables (9) with $\\sqrt{x_1x_2}$", variables=known)
@@ -54,7 +54,9 @@ def offer() -> ClosedForm:
     return ClosedForm(
         equations=Values(initial, tuple(rf"\dot{{{name}}}" for name in STATE), STATE),
         integrals=Values(
-            with_xi, ("H", "K", "a^2", "b^2", "c", *(Member(printed, 0) for printed in eq16)), STATE
+            with_xi,
+            ("H", "K", "a^2", "b^2", "c", "G", *(Member(printed, 0) for printed in eq16)),
+            STATE,
         ),
         constants=Values(
             with_G, ("x_1x_2", "x_1x_2+z_1z_2", "w_1w_2", "H", "G", "p^2", "c_1c_2"), STATE

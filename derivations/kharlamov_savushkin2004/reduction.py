@@ -1,40 +1,45 @@
 r"""4. Any c: the fields and the body turned so that c is zero."""
 
-from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.paper.claims import Implication
 from kowalevski_cas.paper.derivation import Section
 
 from ..kharlamov2002.section2 import eq10
 from .separation import with_root
-from .setting import complex_integrals, root_of_c
+from .setting import complex_integrals
 
 section = Section("4", "Fields that are not orthogonal", copied=False)
 
+unit_modulus = section.inline("unit-modulus", "q_1q_2 = 1")
+
 angle = section.lemma(
     "angle",
-    r"q^2 = \frac{r^2}{c_1}",
-    r"the number $q$ of modulus one whose angle is half of $-\arctan\frac{2c}{a^2-b^2}$",
+    r"q_1^2c_1 = r^2, \quad q_2^2c_2 = r^2",
+    r"the angle of $q_1$ is half of $-\arctan\frac{2c}{a^2-b^2}$",
 )
 
 turned = section.lemma(
     "turned",
     r"""
-X_1 = q^2x_1, \quad X_2 = \frac{x_2}{q^2}, \quad Y_1 = y_1, \quad Y_2 = y_2, \quad
-Z_1 = qz_1, \quad Z_2 = \frac{z_2}{q}, \quad W_1 = qw_1, \quad W_2 = \frac{w_2}{q}""",
+X_1 = q_1^2x_1, \quad X_2 = q_2^2x_2, \quad Y_1 = y_1, \quad Y_2 = y_2, \quad
+Z_1 = q_1z_1, \quad Z_2 = q_2z_2, \quad W_1 = q_1w_1, \quad W_2 = q_2w_2""",
     "the axes in the body and the fields, turned by the same angle",
 )
 
 rotation = (
     with_root.described(
         "turned variables",
-        "the complex variables, turned so that both constants $c_1$ and $c_2$ become $r^2$",
+        "the complex variables, turned by an angle; $q_1$ and $q_2$ are conjugate numbers",
     )
     .moving(eq10)
-    .adjoining(r"\sqrt{c_1c_2}", root_of_c, angle, complex_integrals[3])
+    .having(
+        constants=("q_1", "q_2", "r"), conjugates=(("q_1", "q_2"),), nonzero=("q_1", "q_2", "r")
+    )
+    .adjoining(complex_integrals[3])
     .defining(turned)
 )
 
 motion = section.states(
-    Identity,
+    Implication,
     section.lemma(
         "turned-motion",
         r"""
@@ -47,10 +52,11 @@ Y_1' = -Y_1\omega_3+Z_2W_1, \quad Y_2' = Y_2\omega_3-Z_1W_2, \quad
     on=rotation,
     says="the equations of motion stay the same",
     ids=[f"turned.{k}" for k in range(1, 10)],
+    given=(unit_modulus[1],),
 )
 
 real_c = section.states(
-    Identity,
+    Implication,
     section.lemma(
         "turned-c",
         r"Z_1^2+X_1Y_2 = r^2, \quad Z_2^2+X_2Y_1 = r^2",
@@ -59,10 +65,11 @@ real_c = section.states(
     on=rotation,
     says="the fields become orthogonal",
     ids=("turned.c1", "turned.c2"),
+    given=(unit_modulus[1], *angle),
 )
 
 kept = section.states(
-    Identity,
+    Implication,
     section.lemma(
         "turned-constants",
         r"""
@@ -74,4 +81,5 @@ m = \frac{1}{r^2}\frac{X_2}{X_1}(W_1^2+X_1), \quad
     on=rotation,
     says=("$p$ stays the same", "$m$ stays the same", r"$\ell$ stays the same"),
     ids=("turned.p", "turned.m", "turned.l"),
+    given=(unit_modulus[1], *angle),
 )

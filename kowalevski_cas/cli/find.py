@@ -1,14 +1,17 @@
-"""Find the polynomial first integrals of a scene of a derivation, up to a degree.
+"""Find what nobody has printed: open questions about the scene of a derivation.
 
-What is found is claimed and decided like any other claim. What is a polynomial in what was found
-before is left out.
+What is found is claimed, decided and certified like any other claim.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+from collections.abc import Iterator
+from dataclasses import dataclass
 from difflib import get_close_matches
+from importlib import import_module
+from time import monotonic
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, UNDECIDED, CommandError
@@ -17,65 +20,70 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.processes import each, time_limit
-from kowalevski_cas.verify.found import with_integrals
+from kowalevski_cas.processes import tell, time_limit
+from kowalevski_cas.verify.found import Finding, with_findings
 from kowalevski_cas.verify.outcome import Outcome
 from kowalevski_cas.verify.run import verify
 
+QUESTIONS = {
+    "integrals": "polynomial first integrals, up to a degree",
+}
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The arguments of the command."""
-    parser.add_argument("derivation", metavar="DERIVATION", help="name in the library, or folder")
-    parser.add_argument("--scene", metavar="NAME", help="the scene, by its name")
-    parser.add_argument(
-        "--degree", type=_natural, default=2, metavar="N", help="the highest degree (2)"
-    )
-    parser.add_argument(
-        "--constants",
-        type=_natural,
-        default=0,
-        metavar="N",
-        help="the highest degree of coefficients in the constants of the scene (0)",
-    )
-    parser.add_argument("--format", choices=("pretty", "json"), default="pretty")
-    parser.add_argument(
-        "--timeout", type=float, default=60.0, metavar="SECONDS", help="for the search (60)"
-    )
+    """The arguments of the command, and those of each question."""
+    questions = parser.add_subparsers(title="questions", metavar="QUESTION", required=True)
+    for name, summary in QUESTIONS.items():
+        module = import_module(f"kowalevski_cas.cli.questions.{name}")
+        one = questions.add_parser(name, help=summary, description=module.__doc__)
+        one.set_defaults(search=module.search)
+        one.add_argument("derivation", metavar="DERIVATION", help="name in the library, or folder")
+        one.add_argument("--scene", metavar="NAME", help="the scene, by its name")
+        module.add_arguments(one)
+        one.add_argument("--format", choices=("pretty", "json"), default="pretty")
+        session.add_timeout(one, 60.0, "for the search, and for each claim")
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     ((_, derivation),) = session.derivations([arguments.derivation])
     scene = _scene(derivation, arguments.scene)
-    (found,) = each(lambda _: _found(derivation, scene, arguments), [None])
-    if found is None:
-        late = f"not found within {arguments.timeout:g} s; a lower --degree takes less"
-        raise CommandError(late, UNDECIDED)
+    (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments), [None])
     if arguments.format == "json":
-        print(json.dumps([_data(outcome) for outcome in found], indent=1))
+        print(json.dumps([_data(outcome) for outcome in answer.outcomes], indent=1))
     else:
-        for outcome in found:
+        for outcome in answer.outcomes:
             print(f"{outcome.verdict}  {', '.join(map(to_plain, outcome.formulas))}")
-        constants = f", {arguments.constants} in the constants" if arguments.constants else ""
-        print(f"{len(found)} first integrals up to degree {arguments.degree}{constants}")
-    return AS_RECORDED if all(outcome.verdict.green for outcome in found) else UNDECIDED
+        print(f"{len(answer.outcomes)} found")
+    if answer.late:
+        late = f"the search was not over within {arguments.timeout:g} s: give it a longer --timeout"
+        raise CommandError(late, UNDECIDED)
+    return AS_RECORDED if all(one.verdict.green for one in answer.outcomes) else UNDECIDED
 
 
-def _found(
-    derivation: Derivation, scene: Scene, arguments: argparse.Namespace
-) -> list[Outcome] | None:
-    """The outcomes for what is found; ``None`` if there was not time enough."""
-    from kowalevski_cas.search.integrals import first_integrals
+@dataclass(frozen=True)
+class _Answer:
+    """What was found, and whether there was not time enough to look further."""
 
+    outcomes: tuple[Outcome, ...]
+    late: bool
+
+
+def _answer(derivation: Derivation, scene: Scene, arguments: argparse.Namespace) -> _Answer:
+    """The answer to a question; what was found before the time was over is kept."""
+    on = Elaborations(derivation.texts(derivation.corrected()))
+    findings: list[Finding] = []
+    end = monotonic() + arguments.timeout
     try:
-        with time_limit(arguments.timeout):
-            texts = derivation.texts(derivation.corrected())
-            at = Elaborations(texts)(scene).finder
-            elements = [*first_integrals(at, arguments.degree, constants=arguments.constants)]
-            claims = with_integrals(derivation, scene, elements)
-            return list(verify(claims, ["flint"]).outcomes)
-    except TimeoutError:
-        return None
+        search: Iterator[Finding] = arguments.search(on, scene, arguments)
+        while True:
+            with time_limit(end - monotonic()):
+                findings.append(next(search))
+            tell(f"{len(findings)} found", 0, 1)
+    except (StopIteration, TimeoutError) as ended:
+        claims = with_findings(derivation, findings)
+        outcomes = verify(claims, ["flint"], timeout=arguments.timeout).outcomes
+        return _Answer(outcomes, isinstance(ended, TimeoutError))
     except (Meaningless, NotationError) as error:
         raise CommandError(f"scene “{scene.name}”: {error}") from None
 
@@ -95,15 +103,10 @@ def _scene(derivation: Derivation, name: str | None) -> Scene:
     raise CommandError(f"{said}: --scene with one of {'; '.join(known)}", NOTHING)
 
 
-def _natural(text: str) -> int:
-    if not text.isdecimal():
-        raise argparse.ArgumentTypeError(f"a whole number is expected, not “{text}”")
-    return int(text)
-
-
 def _data(outcome: Outcome) -> dict[str, object]:
     return {
-        "integral": [to_latex(formula) for formula in outcome.formulas],
+        "says": outcome.words,
+        "formulas": [to_latex(formula) for formula in outcome.formulas],
         "verdict": str(outcome.verdict),
         "digest": outcome.digest,
     }

@@ -1,10 +1,12 @@
-"""Follow a motion on N⁴: the states at equal steps of time, the invariants, the regime.
+"""Follow a motion: the states at equal steps of time, the invariants, M⁴, N⁴, O⁴, the regime.
 
-A motion is given by the lengths of the two fields with m and the energy or the constant ℓ, or
-by a state. By constants alone, s1 and s2 start at the first root of their arcs at t = 0.
+A motion is given by a state, any one; or as one on N⁴, by the two fields with m and the energy
+or the constant ℓ. Then s1 and s2 are at the first root of their arcs at the times --origins.
 
   kowalevski-cas motion --a 1 --b 0.4 --m 0.8 --l 0.9 --until 1e6
   kowalevski-cas motion --a 1 --b 0.4 --m -0.3 --h 1.2 --method ball --format csv --output orbit
+  kowalevski-cas motion --a 1 --b 1 --c 0.2 --m -0.5 --l 0.3 --torus 2 --origins 0 1/3
+  kowalevski-cas motion --point 0.1 0.2 0.3  1 0 0  0 0.4 0.2
 """
 
 from __future__ import annotations
@@ -26,10 +28,14 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from kowalevski_cas.motion.general import General
     from kowalevski_cas.motion.motion import Motion
     from kowalevski_cas.motion.result import Result
 
 LARGEST_COUNT = 10_000_000
+
+CONSTANTS = ("a", "b", "c", "m", "l", "h", "origins", "torus")
+"""The options that describe a motion on N⁴ by its constants and phases."""
 
 ROUNDING = 1e-13
 """How far from a given state a motion may begin without a word, relative to its size."""
@@ -43,7 +49,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--samples", type=int, default=101, metavar="N", help="how many states, default 101"
     )
     words = "; ".join(f"{name}: {words}" for name, words in METHODS.items())
-    parser.add_argument("--method", choices=METHODS, default="closed", help=words)
+    parser.add_argument(
+        "--method",
+        choices=METHODS,
+        help=f"{words}. If none is named: closed where there is a closed form, else dop853",
+    )
     session.add_timeout(parser, 60, "for the method")
     parser.add_argument("--format", choices=FORMATS, default="json")
     parser.add_argument(
@@ -59,16 +69,24 @@ def add_motion(parser: argparse.ArgumentParser) -> None:
     """The arguments that describe a motion, for every command about one."""
     # Numbers are decimals, -1e-3, or quotients, -1/3; argparse knows the plain ones only.
     parser._negative_number_matcher = re.compile(r"^-([.\d]|inf|nan)")
-    parser.add_argument("--a", metavar="A", help="the length of the longer field")
-    parser.add_argument("--b", metavar="B", help="the length of the other field, b < a")
+    parser.add_argument("--a", metavar="A", help="the length of the field α")
+    parser.add_argument("--b", metavar="B", help="the length of the field β")
+    parser.add_argument("--c", metavar="C", help="their scalar product, 0 if not given")
     parser.add_argument("--m", metavar="M", help="the constant m, not zero")
     parser.add_argument("--l", metavar="L", help="the constant ℓ")
     parser.add_argument("--h", metavar="H", help="the energy, instead of ℓ")
     parser.add_argument(
+        "--origins",
+        nargs=2,
+        metavar="T",
+        help="when s1, s2 are at the first root, 0 0 if not given",
+    )
+    parser.add_argument("--torus", type=int, metavar="N", help="which of the tori, 1 if not given")
+    parser.add_argument(
         "--point",
         nargs="+",
         metavar="X",
-        help="the state at t = 0 instead: ω, α, β, nine numbers; the fields at any angle",
+        help="the state at t = 0 instead: ω, α, β, nine numbers, whatever they are",
     )
 
 
@@ -92,6 +110,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _followed(arguments: argparse.Namespace) -> Result:
     import numpy as np
 
+    from kowalevski_cas.motion.general import General
     from kowalevski_cas.motion.methods import MethodError, load
     from kowalevski_cas.motion.methods.ball import Unresolved
     from kowalevski_cas.motion.parameters import exact
@@ -104,27 +123,28 @@ def _followed(arguments: argparse.Namespace) -> Result:
     except (ValueError, OverflowError):
         raise CommandError(f"--until {arguments.until} is no finite number") from None
     motion = motion_of(arguments)
-    if motion.off > ROUNDING and arguments.method in ("closed", "ball"):
+    method = arguments.method or ("dop853" if isinstance(motion, General) else "closed")
+    if motion.off > ROUNDING and method in ("closed", "ball"):
         print(
-            f"the state is not quite on N⁴: {arguments.method} begins {motion.off:.3g} of its "
+            f"the state is not quite on N⁴: {method} begins {motion.off:.3g} of its "
             "size away from it; the integrators begin at it",
             file=sys.stderr,
         )
     times = np.linspace(0.0, until, arguments.samples)
     limit = f"t = {until:g} within {arguments.timeout:g} s"
     if sys.stderr.isatty():
-        print(f"{arguments.method} is to come to {limit} ...", file=sys.stderr)
+        print(f"{method} is to come to {limit} ...", file=sys.stderr)
 
-    def states(motion: Motion) -> NDArray[np.float64]:
+    def states(motion: Motion | General) -> NDArray[np.float64]:
         with time_limit(arguments.timeout):
-            return load(arguments.method)(motion, times)
+            return load(method)(motion, times)
 
     try:
         (found,) = each(states, [motion])
     except TimeoutError:
         raise CommandError(
-            f"{arguments.method} has not come to {limit}; "
-            "--timeout allows it more, and the closed form takes no longer there",
+            f"{method} has not come to {limit}; --timeout allows it more"
+            + (not isinstance(motion, General)) * ", and the closed form takes no longer there",
             UNDECIDED,
         ) from None
     except (MethodError, Unresolved) as error:
@@ -134,11 +154,11 @@ def _followed(arguments: argparse.Namespace) -> Result:
     return Result(motion, times, found)
 
 
-def motion_of(arguments: argparse.Namespace) -> Motion:
+def motion_of(arguments: argparse.Namespace) -> Motion | General:
     """The motion that the arguments describe; a message for every way in which they do not."""
-    from kowalevski_cas.motion import Motion, Parameters, through
+    from kowalevski_cas.motion import Motion, through
 
-    given = {name: getattr(arguments, name) for name in ("a", "b", "m", "l", "h")}
+    given = {name: getattr(arguments, name) for name in CONSTANTS}
     named = [f"--{name}" for name, value in given.items() if value is not None]
     try:
         if arguments.point is not None:
@@ -154,8 +174,7 @@ def motion_of(arguments: argparse.Namespace) -> Motion:
             raise CommandError(
                 "one of --l and --h is needed" + ", not both" * (given["l"] is not None)
             )
-        if given["l"] is None:
-            return Motion(Parameters.at_energy(*(given[name] for name in "abmh")))
-        return Motion(Parameters.of(*(given[name] for name in "abml")))
+        given["ell"] = given.pop("l")
+        return Motion.of(**{name: value for name, value in given.items() if value is not None})
     except ValueError as error:
         raise CommandError(str(error)) from None

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
-from kowalevski_cas.cli.motion import add_motion, motion_of
+from kowalevski_cas.cli.motion import CONSTANTS, add_motion, motion_of
 from kowalevski_cas.files import write
 from kowalevski_cas.motion.pictures import PICTURES, load
 from kowalevski_cas.report.plates import LIST
@@ -69,11 +69,15 @@ def run(arguments: argparse.Namespace) -> int:
 
 def chosen(arguments: argparse.Namespace) -> Motion:
     """The motion that the arguments describe, or the example."""
-    from kowalevski_cas.motion import Motion, Parameters
+    from kowalevski_cas.motion import General, Motion
 
-    if any(getattr(arguments, name) is not None for name in ("a", "b", "m", "l", "h", "point")):
-        return motion_of(arguments)
-    return Motion(Parameters.of(*EXAMPLE))
+    if any(getattr(arguments, name) is not None for name in (*CONSTANTS, "point")):
+        motion = motion_of(arguments)
+        if isinstance(motion, General):
+            raise CommandError(f"only motions in closed form are drawn: {motion.why}")
+        return motion
+    a, b, m, ell = EXAMPLE
+    return Motion.of(a, b, m, ell=ell)
 
 
 def _draw(name: str, motion: Motion, folder: Path) -> None:

@@ -140,6 +140,13 @@ def _seconds(text: str) -> float:
     return value
 
 
+def natural(text: str) -> int:
+    """The whole number that an argument is to be."""
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"a whole number is expected, not “{text}”")
+    return int(text)
+
+
 def watched(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
     """The results of ``work`` on every item, each in a process; with progress on a terminal."""
     with progress_bar() as progress:

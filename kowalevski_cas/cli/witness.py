@@ -15,7 +15,7 @@ from kowalevski_cas.cli.export import translated
 from kowalevski_cas.export import FORMATS, load
 from kowalevski_cas.export.witness import testify
 from kowalevski_cas.files import write
-from kowalevski_cas.systems import MissingSystem
+from kowalevski_cas.tools import MissingTool
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -39,7 +39,7 @@ def run(arguments: argparse.Namespace) -> int:
     format = load(name)
     code = AS_RECORDED
     try:
-        format.system.call()
+        format.tool.call()
         for folder, derivation in session.derivations(arguments.derivations):
             certificates, export = translated(name, folder, derivation)
             digests = {claim: str(one["digest"]) for claim, one in certificates.items()}
@@ -52,6 +52,6 @@ def run(arguments: argparse.Namespace) -> int:
                 code = REJECTED
             said = f"{len(testimony.confirmed)} of {len(certificates)} certificates"
             print(f"{derivation.name}: {said} confirmed by {testimony.version}")
-    except MissingSystem as error:
+    except MissingTool as error:
         raise CommandError(str(error)) from None
     return code

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
-from kowalevski_cas.systems import System
+from kowalevski_cas.tools import Tool
 
 Json = dict[str, Any]
 """A certificate as it was read (docs/certificate.md), accepted by the checker."""
@@ -42,7 +42,7 @@ class Export:
 class Format(ABC):
     """A program that can confirm certificates, and how to speak with it."""
 
-    system: ClassVar[System]
+    tool: ClassVar[Tool]
     """The program itself: its name, and how it is called."""
 
     suffix: ClassVar[str]

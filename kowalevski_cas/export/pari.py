@@ -7,7 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from kowalevski_cas.export.polynomials import Polynomials
-from kowalevski_cas.systems import SYSTEMS
+from kowalevski_cas.tools import TOOLS
 
 _BEGIN = """\
 roots = [];
@@ -41,7 +41,7 @@ holds(words, p, divisors) =
 class Program(Polynomials):
     """Roots are reduced from the last to the first, for a square may contain earlier ones."""
 
-    system = SYSTEMS["pari"]
+    tool = TOOLS["pari"]
     suffix = ".gp"
 
     def arguments(self, file: Path) -> list[str]:

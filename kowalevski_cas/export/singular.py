@@ -7,7 +7,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from kowalevski_cas.export.polynomials import Polynomials
-from kowalevski_cas.systems import SYSTEMS
+from kowalevski_cas.tools import TOOLS
 
 _BEGIN = """\
 ideal relations;
@@ -41,7 +41,7 @@ proc holds(string words, poly p, list divisors)
 class Program(Polynomials):
     """Roots lead in a lexicographic order, so that their relations reduce as they stand."""
 
-    system = SYSTEMS["singular"]
+    tool = TOOLS["singular"]
     suffix = ".sing"
 
     def arguments(self, file: Path) -> list[str]:

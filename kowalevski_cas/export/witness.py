@@ -11,7 +11,7 @@ from tempfile import TemporaryDirectory
 
 from kowalevski_cas.export.format import Export, Format
 from kowalevski_cas.processes import each
-from kowalevski_cas.systems import MissingSystem, System
+from kowalevski_cas.tools import MissingTool, Tool
 
 JOBS = 2
 SECONDS = 300
@@ -38,16 +38,16 @@ class Testimony:
         return json.dumps(asdict(self), indent=1, ensure_ascii=False) + "\n"
 
 
-def version(system: System) -> str:
+def version(tool: Tool) -> str:
     """What a system calls itself, with its version.
 
     Raises:
-        MissingSystem: it is not installed, or does not tell.
+        MissingTool: it is not installed, or does not tell.
     """
-    call = system.call()
-    code, output = _run([*call, *system.version], Path.cwd())
+    call = tool.call()
+    code, output = _run([*call, *tool.version], Path.cwd())
     if code or not output.strip():
-        raise MissingSystem(f"{' '.join(call)} does not tell its version: {_last(output)}")
+        raise MissingTool(f"{' '.join(call)} does not tell its version: {_last(output)}")
     return output.strip().splitlines()[0]
 
 
@@ -63,10 +63,10 @@ def testify(
     ``digests`` has the digest of each claim's certificate.
 
     Raises:
-        MissingSystem: the program is not installed, or does not run.
+        MissingTool: the program is not installed, or does not run.
     """
-    call = format.system.call()
-    testimony = Testimony(name, version(format.system), {}, {})
+    call = format.tool.call()
+    testimony = Testimony(name, version(format.tool), {}, {})
     with TemporaryDirectory() as place:
         folder = Path(place)
         for file, text in export.files.items():

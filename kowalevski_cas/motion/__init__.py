@@ -1,7 +1,7 @@
-r"""Motions on N⁴: separated, solved, followed by any of several methods.
+r"""Motions of the top: on N⁴ separated and solved, and followed by any of several methods.
 
->>> from kowalevski_cas.motion import Motion, Parameters, load
->>> motion = Motion(Parameters.of(a=1, b="0.4", m="0.8", ell="0.9"))
+>>> from kowalevski_cas.motion import Motion, load, through
+>>> motion = Motion.of(a=1, b="0.4", m="0.8", ell="0.9")
 >>> str(motion.regime), motion.regime.tori
 ('m > 0, -a < -b < C < b < a < A', 1)
 
@@ -11,16 +11,22 @@ A method takes a motion and an array of times and returns the states (ω, α, β
 >>> states = load("closed")(motion, np.array([0.0, 1e6]))
 >>> states.shape
 (2, 9)
+
+Through a state that has no closed form goes a general motion, for the integrators:
+
+>>> through([0.1, 0.2, 0.3, 1, 0, 0, 0, 0.4, 0]).why
+'the state is not on N⁴: the left side of (16), equation 1, is 0.108 there, 0.172 of what it can be'
 """
 
+from kowalevski_cas.motion.general import General, through
 from kowalevski_cas.motion.methods import METHODS, MethodError, load
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Inadmissible, Parameters
-from kowalevski_cas.motion.point import through
 from kowalevski_cas.motion.regimes import Regime, all_regimes, coincidences, regime_of
 
 __all__ = [
     "METHODS",
+    "General",
     "Inadmissible",
     "MethodError",
     "Motion",

@@ -1,73 +1,88 @@
-"""The closed form that a derivation offers, compiled to functions of numbers.
+"""The formulas that derivations offer, compiled to functions of numbers.
 
-It is that of the first derivation in the library that offers one.
+Formulas of a kind are those of the first derivation in the library that offers them.
 """
 
 from __future__ import annotations
 
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 from flint import fmpq
 
 from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
 from kowalevski_cas.notation import Formula, Name, replace
-from kowalevski_cas.paper.closed_form import ClosedForm, Member, Values
+from kowalevski_cas.paper.closed_form import ClosedForm, CriticalSets, Member, Values
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 
-INTEGRALS = ("H", "K", "a^2", "b^2", "c", "F_1", "F_2")
+INTEGRALS = ("H", "K", "a^2", "b^2", "c", "G", "F_1", "F_2")
 """Names of the values of :func:`integrals`."""
 
 
 @cache
-def source() -> Derivation:
-    """The derivation that offers the closed form; raises ``LibraryError`` if none does."""
+def source(kind: type = ClosedForm) -> Derivation:
+    """The derivation that offers the formulas of a kind; raises ``LibraryError`` if none does."""
     for name in available():
-        derivation = load(name)
-        if derivation.closed_form is not None:
+        derivation = _loaded(name)
+        if kind in derivation.offers:
             return derivation
-    raise LibraryError("no derivation in the library offers motions in closed form")
+    raise LibraryError(f"no derivation in the library offers motions: {kind.__name__}")
 
 
 @cache
-def _closed_form() -> ClosedForm:
-    offer = source().closed_form
-    assert offer is not None
-    return offer()
+def _loaded(name: str) -> Derivation:
+    return load(name)
+
+
+@cache
+def _offered(kind: Any) -> Any:
+    return source(kind).offers[kind]()
 
 
 def equations() -> Function:
     """The right-hand sides of the nine equations, by the state."""
-    return _compiled(_closed_form().equations)
+    return _compiled(_offered(ClosedForm).equations)
 
 
 def integrals() -> Function:
     """The values of :data:`INTEGRALS`, all constant on N⁴, by the state."""
-    return _compiled(_closed_form().integrals)
+    return _compiled(_offered(ClosedForm).integrals)
 
 
 def constants() -> Function:
     """The polynomials from which m and ℓ are found, by the state."""
-    return _compiled(_closed_form().constants)
+    return _compiled(_offered(ClosedForm).constants)
 
 
 def phase_point() -> Function:
     """The state by what the motion code supplies."""
-    return _compiled(_closed_form().phase_point)
+    return _compiled(_offered(ClosedForm).phase_point)
 
 
 def jacobi_rates() -> Function:
     """The rates of sn, cn, dn of n·t, by sn, cn, dn, n and the modulus k."""
-    return _compiled(_closed_form().jacobi_rates)
+    return _compiled(_offered(ClosedForm).jacobi_rates)
 
 
-def across() -> tuple[Function, Function, Function]:
-    """The complex variables, the functions that vanish on N⁴, and the rates of these."""
-    form = _closed_form()
-    first, second, third = form.complex_variables, form.across, form.across_rates
-    return _compiled(first), _compiled(second), _compiled(third)
+def complex_variables() -> Function:
+    """The complex variables and ω3, by the state and i."""
+    return _compiled(_offered(ClosedForm).complex_variables)
+
+
+def across() -> tuple[Function, Function]:
+    """The functions that vanish on N⁴, and their rates."""
+    form = _offered(ClosedForm)
+    return _compiled(form.across), _compiled(form.across_rates)
+
+
+def critical_sets() -> tuple[Function, Function, Function]:
+    """What vanishes on M⁴, on N⁴ and on O⁴, by the complex variables, and s for the last."""
+    sets = _offered(CriticalSets)
+    M4, N4, O4 = (_compiled(values, CriticalSets) for values in (sets.M4, sets.N4, sets.O4))
+    return M4, N4, O4
 
 
 def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
@@ -77,9 +92,10 @@ def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
 
 
 @cache
-def _compiled(values: Values) -> Function:
+def _compiled(values: Values, kind: type = ClosedForm) -> Function:
     """The values, read on their scene, as a function of numbers."""
-    texts = source().texts(source().corrected(), values.scene)
+    derivation = source(kind)
+    texts = derivation.texts(derivation.corrected(), values.scene)
     on = Elaborations(texts)(values.scene)
     named = [(texts.expression(tex), Name(tex)) for tex in values.supplied]
     elements = []

@@ -8,7 +8,16 @@ The body is symmetric about its third axis. So the equations keep their form whe
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
+
+from flint import arb
+
+from kowalevski_cas.motion.parameters import Inadmissible, ball, precision, root
+from kowalevski_cas.motion.phases import as_fraction
+
+BITS = 320
+"""To how many bits constants and phases are found where they are irrational."""
 
 
 def turned(state: Sequence[Any], cos: Any, sin: Any) -> list[Any]:
@@ -25,3 +34,36 @@ def _about_third(vector: Sequence[Any], cos: Any, sin: Any) -> tuple[Any, Any, A
     """The components of a vector by axes turned about the third one."""
     x, y, z = vector
     return cos * x + sin * y, cos * y - sin * x, z
+
+
+def turn_of(a_square: Fraction, b_square: Fraction, c: Fraction) -> tuple[Fraction, Fraction]:
+    """The cosine and sine of the angle χ that makes the fields orthogonal, a > b."""
+    if c == 0:
+        return Fraction(a_square > b_square), Fraction(a_square < b_square)
+    twice = arb.atan2(ball(2 * c), ball(a_square - b_square))
+    sine, cosine = (twice / 2).sin_cos()
+    return as_fraction(cosine), as_fraction(sine)
+
+
+def straightened(
+    a: Fraction, b: Fraction, c: Fraction
+) -> tuple[Fraction, Fraction, tuple[Fraction, Fraction]]:
+    """The lengths of the fields after the turn that makes them orthogonal, and the turn.
+
+    Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` where no two vectors have
+    the lengths a, b and the scalar product c.
+    """
+    for name, length in (("a", a), ("b", b)):
+        if length < 0:
+            raise Inadmissible(f"the length {name} = {float(length):g} is negative")
+    if abs(c) > a * b:
+        raise Inadmissible(
+            f"c = {float(c):g} is no scalar product of fields of lengths {float(a):g} and "
+            f"{float(b):g}; |c| ≤ {float(a * b):g} would do"
+        )
+    if c == 0:
+        return max(a, b), min(a, b), turn_of(a, b, c)
+    with precision(BITS):
+        r_square = root((a**2 - b**2) ** 2 + 4 * c**2)
+        longer = root((a**2 + b**2 + r_square) / 2)
+        return longer, root(a**2 * b**2 - c**2) / longer, turn_of(a**2, b**2, c)

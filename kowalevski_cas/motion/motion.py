@@ -1,18 +1,27 @@
-r"""A motion on N⁴: its constants, its regime, and where it is at t = 0.
+r"""A motion on N⁴: its constants, its regime, and where it is at t = 0; and a motion off N⁴.
 
 The closed form in the time t − t_j, with signs ±1 that choose the torus where there are
-several, is the motion; :func:`~kowalevski_cas.motion.point.through` finds them for a state.
+several, is the motion; :func:`~kowalevski_cas.motion.point.on_N4` finds them for a state.
 """
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
+from kowalevski_cas.motion.frame import straightened
 from kowalevski_cas.motion.oscillation import Oscillation
-from kowalevski_cas.motion.parameters import Parameters
-from kowalevski_cas.motion.regimes import Arc, Regime, regime_of
+from kowalevski_cas.motion.parameters import Parameters, Real, precision, usable
+from kowalevski_cas.motion.regimes import (
+    Arc,
+    Regime,
+    regime_of,
+    signs_of,
+    without_rounding,
+)
 
 
 @dataclass(frozen=True)
@@ -44,10 +53,51 @@ class Motion:
         """Refuse constants that leave no real motion."""
         _ = self.regime
 
+    @staticmethod
+    def of(
+        a: Real,
+        b: Real,
+        m: Real,
+        *,
+        ell: Real | None = None,
+        h: Real | None = None,
+        c: Real = 0,
+        origins: Sequence[Real] = (0, 0),
+        torus: int = 1,
+    ) -> Motion:
+        r"""The motion in fields of lengths a, b with the scalar product c, by m and ℓ or h.
+
+        ``torus`` is one of those of the regime, numbered from 1. Raises
+        :class:`~kowalevski_cas.motion.parameters.Inadmissible` where there is no motion, and
+        ``ValueError`` for what is no finite number, and unless one of ℓ and h is given.
+        """
+        if (ell is None) == (h is None):
+            raise ValueError("one of ℓ and h is needed" + ", not both" * (h is not None))
+        longer, shorter, turn = straightened(usable(a), usable(b), usable(c))
+        make, last = (Parameters.of, ell) if h is None else (Parameters.at_energy, h)
+        assert last is not None
+        parameters = make(longer, shorter, m, last)
+        t1, t2 = map(usable, origins)
+        if all(turn):
+            parameters = without_rounding(parameters)
+        return Motion(parameters, (t1, t2), signs_of(parameters, torus), turn=turn)
+
     @cached_property
     def regime(self) -> Regime:
         """The regime of its constants."""
         return regime_of(self.parameters)
+
+    @property
+    def constants(self) -> dict[str, float]:
+        """The lengths a, b of the fields and their scalar product c, the integrals, m and ℓ."""
+        known, (cos, sin) = self.parameters, self.turn
+        difference = known.r_square * (cos**2 - sin**2)
+        squares = (known.p_square + difference) / 2, (known.p_square - difference) / 2
+        a, b = (math.sqrt(max(square, Fraction(0))) for square in squares)
+        values = (known.r_square * cos * sin, known.h, known.k, known.g, known.m)
+        named = {name: float(value) for name, value in zip("chkgm", values, strict=True)}
+        with precision(64):
+            return {"a": a, "b": b, **named, "l": float(known.ell)}
 
     def oscillations(self) -> tuple[Oscillation, Oscillation]:
         """The separated equations, solved anew at the precision of FLINT's context."""

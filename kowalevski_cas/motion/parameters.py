@@ -16,6 +16,8 @@ from typing import Any
 
 from flint import arb, ctx, fmpq
 
+from kowalevski_cas.motion.phases import as_fraction
+
 Real = int | float | str | Fraction
 """What may be given as a number; a string is read as the decimal or quotient that it prints."""
 
@@ -205,6 +207,12 @@ def rational_root(square: Fraction) -> Fraction | None:
     above, below = isqrt(square.numerator), isqrt(square.denominator)
     root = Fraction(above, below)
     return root if root**2 == square else None
+
+
+def root(square: Fraction) -> Fraction:
+    """The root of a rational number, at the precision of FLINT's context if it is irrational."""
+    exactly = rational_root(square)
+    return as_fraction(ball(square).sqrt()) if exactly is None else exactly
 
 
 def ball(value: Fraction) -> arb:

@@ -16,8 +16,9 @@ import numpy as np
 from flint import arb
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.critical import LEAST_THETA, TOLERANCE, bounds
 from kowalevski_cas.motion.formulas import exactly
-from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.frame import BITS, turn_of, turned
 from kowalevski_cas.motion.methods.closed import states
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import (
@@ -27,36 +28,16 @@ from kowalevski_cas.motion.parameters import (
     ball,
     extreme_ell,
     precision,
-    rational_root,
+    root,
     usable,
 )
 from kowalevski_cas.motion.phases import as_fraction
-from kowalevski_cas.motion.regimes import (
-    FIELD_1,
-    FIELD_2,
-    PHI,
-    coordinates,
-    gap,
-    regime_of,
-)
+from kowalevski_cas.motion.regimes import NOISE, regime_of, without_rounding
 from kowalevski_cas.motion.start import Values, arc_of, start
 from kowalevski_cas.motion.variables import at_infinity, variables
 
-BITS = 320
-"""To how many bits constants and phases are found."""
 
-NOISE = Fraction(1, 2**256)
-"""What is smaller beside the rest after a turn by a rounded angle, is zero."""
-
-TOLERANCE = Fraction(1, 10**8)
-"""How far from N⁴, and from the closed form at t = 0, a state may be, relative to its size."""
-
-LEAST_THETA = 1e-12
-"""The least x1x2 over r⁴/p², that is p²/(s1 − s2)², for which s1 is finite: the root is what
-s2 loses in accuracy."""
-
-
-def through(state: Sequence[Real]) -> Motion:
+def on_N4(state: Sequence[Real]) -> Motion:
     """The motion that is at the state (ω, α, β), nine numbers, at t = 0.
 
     The fields may have any angle and lengths that are not equal and orthogonal at once. Raises
@@ -70,16 +51,17 @@ def through(state: Sequence[Real]) -> Motion:
         raise ValueError(f"a state has nine numbers, ω, α, β; {len(given)} are given")
     infinite = _check(given)
     with precision(BITS):
-        turn = _turn(given)
+        _, _, a_square, b_square, c, *_ = exactly(formulas.integrals(), given)
+        turn = turn_of(a_square, b_square, c)
         straight = _straight(given, turn)
-        parameters, root = _parameters(straight, infinite)
+        parameters, theta = _parameters(straight, infinite)
         if all(turn):
-            parameters = _coinciding(parameters)
+            parameters = without_rounding(parameters)
         motion = Motion(parameters, turn=turn, point=tuple(map(float, given)))
         if infinite:
             found = [_started(motion, at_infinity(straight, parameters, s)) for s in (1, -1)]
         else:
-            found = [_started(motion, variables(straight, parameters, root))]
+            found = [_started(motion, variables(straight, parameters, theta))]
     best = min((_returning(motion, given) for motion in found), key=lambda motion: motion.off)
     if not best.off <= TOLERANCE:
         raise Inadmissible(
@@ -122,8 +104,7 @@ def _sizes(state: list[Fraction]) -> tuple[Fraction, Fraction]:
 def _check(state: list[Fraction]) -> bool:
     """Whether s1 is infinite, x1x2 = 0; refuse a state off N⁴, and fields that do not separate.
 
-    The left sides of (16) are compared with |ξ|·|fields|·size and r²|ξ|²·size², which
-    bound them: so the answer is that for (νω, ν²α, ν²β), the same motion in another unit of time.
+    The left sides of (16) are compared with what bounds them, exactly.
     """
     *_, first, second = exactly(formulas.integrals(), state)
     theta, *_, p_square, r_fourth = exactly(formulas.constants(), state)
@@ -131,27 +112,14 @@ def _check(state: list[Fraction]) -> bool:
         raise Inadmissible("the fields are orthogonal and of equal size: r = 0, nothing separates")
     if theta * p_square <= Fraction(LEAST_THETA) * r_fourth:
         return True  # where (16) says nothing
-    fields, size = _sizes(state)
-    for number, value, square in (
-        (1, first, theta * fields**2 * size),
-        (2, second, r_fourth * theta**2 * size**2),
-    ):
+    squares = bounds(theta, r_fourth, *_sizes(state))
+    for number, value, square in zip((1, 2), (first, second), squares, strict=True):
         if value**2 > TOLERANCE**2 * square:
             raise Inadmissible(
                 f"the state is not on N⁴: the left side of (16), equation {number}, is "
                 f"{float(value):.3g} there, {float(value**2 / square) ** 0.5:.3g} of what it can be"
             )
     return False
-
-
-def _turn(state: list[Fraction]) -> tuple[Fraction, Fraction]:
-    """The cosine and sine of the angle χ that makes the fields orthogonal, a > b."""
-    _, _, a_square, b_square, c, *_ = exactly(formulas.integrals(), state)
-    if c == 0:
-        return Fraction(a_square > b_square), Fraction(a_square < b_square)
-    twice = arb.atan2(ball(2 * c), ball(a_square - b_square))
-    sine, cosine = (twice / 2).sin_cos()
-    return as_fraction(cosine), as_fraction(sine)
 
 
 def _straight(state: list[Fraction], turn: tuple[Fraction, Fraction]) -> list[Fraction]:
@@ -165,21 +133,6 @@ def _straight(state: list[Fraction], turn: tuple[Fraction, Fraction]) -> list[Fr
     ]
 
 
-def _coinciding(rounded: Parameters) -> Parameters:
-    """The constants for which roots that differ by rounding are the same."""
-    ends = {
-        root: coordinates(rounded, end)[1]
-        for root in PHI
-        for end in (*FIELD_1, *FIELD_2)
-        if abs(rounded.value(*gap(rounded, root, end))) < ball(NOISE * rounded.a)
-    }
-    if not ends:
-        return rounded
-    m = 1 / (ends["A"] - ends["C"]) if len(ends) == 2 else rounded.m
-    ell = 2 * m * ends["A"] - 1 if "A" in ends else 2 * m * ends["C"] + 1
-    return Parameters.of(rounded.a, rounded.b, m, ell)
-
-
 def _parameters(state: list[Fraction], infinite: bool) -> tuple[Parameters, arb]:
     """The constants at a state in fields at right angles, and the root of x1x2."""
     _, _, a_square, b_square, *_ = exactly(formulas.integrals(), state)
@@ -187,7 +140,7 @@ def _parameters(state: list[Fraction], infinite: bool) -> tuple[Parameters, arb]
     # 2g − p²h = r⁴m and ℓ² = 2p²m² + 2hm + 1: no division by x1x2.
     m = (2 * g - p_square * h) / r_fourth
     ell_square = 2 * p_square * m**2 + 2 * h * m + 1
-    a, b, root = (_root(square) for square in (a_square, b_square, theta))
+    a, b, least = (root(square) for square in (a_square, b_square, theta))
     direct = w_square + total * m  # ℓ√(x1x2)
     # Either loses digits, the root of ℓ² near ℓ = 0 and the quotient near x1x2 = 0. On N⁴
     # exactly they agree, and ℓ² is rational.
@@ -197,7 +150,7 @@ def _parameters(state: list[Fraction], infinite: bool) -> tuple[Parameters, arb]
         square = max(ell_square, Fraction(0))
         found = Parameters(a, b, m, square, (-1 if direct < 0 else 1) if square else 0)
     else:
-        found = Parameters.of(a, b, m, as_fraction(ball(direct) / ball(root)))
+        found = Parameters.of(a, b, m, as_fraction(ball(direct) / ball(least)))
     try:
         regime_of(found)
     except Inadmissible:
@@ -206,9 +159,4 @@ def _parameters(state: list[Fraction], infinite: bool) -> tuple[Parameters, arb]
         if abs(abs(found.ell) - ball(bound)) > ball(TOLERANCE * (1 + abs(bound))):
             raise
         found = Parameters.of(a, b, m, bound if found.ell_sign > 0 else -bound)
-    return found, ball(root)
-
-
-def _root(square: Fraction) -> Fraction:
-    exactly = rational_root(square)
-    return as_fraction(ball(square).sqrt()) if exactly is None else exactly
+    return found, ball(least)

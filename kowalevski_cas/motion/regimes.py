@@ -29,6 +29,7 @@ from itertools import pairwise
 from kowalevski_cas.motion.parameters import (
     Inadmissible,
     Parameters,
+    ball,
     energies,
     extreme_ell,
     rounded,
@@ -36,6 +37,10 @@ from kowalevski_cas.motion.parameters import (
 
 FIELD_1, FIELD_2, PHI = ("-a", "a"), ("-b", "b"), ("C", "A")
 """The roots of the radicands S1², S2² and f²."""
+
+
+NOISE = Fraction(1, 2**256)
+"""What is smaller beside the rest after a turn by a rounded angle, is zero."""
 
 
 @dataclass(frozen=True)
@@ -136,6 +141,32 @@ def coincidences(parameters: Parameters) -> list[str]:
         if compare(parameters, root, end) == 0
     ]
     return found + ["ℓ = 0"] * (parameters.ell_sign == 0)
+
+
+def without_rounding(rounded: Parameters) -> Parameters:
+    """The constants for which roots that differ by rounding are the same."""
+    ends = {
+        root: coordinates(rounded, end)[1]
+        for root in PHI
+        for end in (*FIELD_1, *FIELD_2)
+        if abs(rounded.value(*gap(rounded, root, end))) < ball(NOISE * rounded.a)
+    }
+    if not ends:
+        return rounded
+    m = 1 / (ends["A"] - ends["C"]) if len(ends) == 2 else rounded.m
+    ell = 2 * m * ends["A"] - 1 if "A" in ends else 2 * m * ends["C"] + 1
+    return Parameters.of(rounded.a, rounded.b, m, ell)
+
+
+def signs_of(parameters: Parameters, torus: int) -> tuple[int, int]:
+    """The signs of S1 and S2 at the first roots on a torus, one of :func:`tori`, from 1."""
+    regime, count = regime_of(parameters), tori(parameters)
+    if not 1 <= torus <= count:
+        raise Inadmissible(
+            f"there is no torus {torus}: the tori of these constants are 1 to {count}"
+        )
+    first, second = divmod(torus - 1, regime.s2.components)
+    return 1 - 2 * first, 1 - 2 * second
 
 
 def coordinates(parameters: Parameters, root: str) -> tuple[Fraction, Fraction]:

@@ -2,71 +2,85 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.critical import SETS, on, residuals
+from kowalevski_cas.motion.general import General
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.regimes import coincidences, tori
 
+INTEGRALS = {"H": "H", "K": "K", "G": "G", "a^2": "a2", "b^2": "b2", "c": "c"}
+"""The integrals whose drift is told, and their names there."""
+
 
 @dataclass(frozen=True)
 class Result:
-    """States of shape (N, 9) at times of shape (N,)."""
+    """States of shape (N, 9) at times of shape (N,).
 
-    motion: Motion
+    ``radii`` (N,) are those of enclosures: no number of a state is farther from the exact one.
+    """
+
+    motion: Motion | General
     times: NDArray[np.float64]
     states: NDArray[np.float64]
+    radii: NDArray[np.float64] | None = None
 
     @property
     def invariants(self) -> dict[str, object]:
         """The constants of the motion, how far it begins from a given state, and the drift."""
-        known = self.motion.parameters
-        values = dict(zip("abc", self._fields(), strict=True))
-        for name, value in {"m": known.m, "h": known.h, "k": known.k, "g": known.g}.items():
-            values[name] = float(value)
-        with precision(64):
-            values["l"] = float(known.ell)
-        return {**values, "off": self.motion.off, "drift": self.drift}
-
-    def _fields(self) -> tuple[float, float, float]:
-        """The lengths of the two fields and their scalar product, by the turn χ."""
-        known, (cos, sin) = self.motion.parameters, self.motion.turn
-        if not sin:
-            return float(known.a), float(known.b), 0.0
-        difference = known.r_square * (cos**2 - sin**2)
-        a_square, b_square = known.p_square + difference, known.p_square - difference
-        c = float(known.r_square * cos * sin)
-        return math.sqrt(a_square / 2), math.sqrt(max(b_square / 2, Fraction(0))), c
+        return {**self.motion.constants, "off": self.motion.off, "drift": self.drift}
 
     @cached_property
     def drift(self) -> dict[str, float]:
         """The largest change of each integral over the states."""
         values = formulas.integrals()(*self.states.T)
-        names = (name.replace("^", "").replace("_", "") for name in formulas.INTEGRALS)
         return {
-            name: float(np.max(np.abs(value - value[0])))
-            for name, value in zip(names, map(np.atleast_1d, values), strict=True)
+            INTEGRALS[name]: float(np.max(np.abs(value - value[0])))
+            for name, value in zip(formulas.INTEGRALS, map(np.atleast_1d, values), strict=True)
+            if name in INTEGRALS
+        }
+
+    @cached_property
+    def critical_sets(self) -> dict[str, object]:
+        """On which of M⁴, N⁴, O⁴ the motion is, and the residuals: the first and the largest.
+
+        A residual is None where the equations of N⁴ say nothing, at x1x2 = 0.
+        """
+        found = residuals(self.states)
+        first = {name: float(found[name][0]) for name in SETS}
+        if isinstance(self.motion, Motion):
+            first["N4"] = np.fmin(first["N4"], self.motion.off)
+        largest = {name: float(np.fmax.reduce(found[name])) for name in SETS}
+        return {
+            "on": on(first),
+            "residuals": {"first": _without_nan(first), "largest": _without_nan(largest)},
         }
 
     @property
     def regime(self) -> dict[str, object]:
         """The regime: the order of the roots, the arcs of s1 and s2, the tori, the moduli k²."""
-        regime = self.motion.regime
+        motion = self.motion
+        if isinstance(motion, General):
+            return {"none": motion.why}
+        regime = motion.regime
         with precision(64):
-            squares = [float(o.modulus_square) for o in self.motion.oscillations()]
+            squares = [float(o.modulus_square) for o in motion.oscillations()]
         return {
             "order": str(regime),
             "s1": str(regime.s1),
             "s2": str(regime.s2),
-            "tori": tori(self.motion.parameters),
+            "tori": tori(motion.parameters),
             "k1_squared": squares[0],
             "k2_squared": squares[1],
-            "separating": coincidences(self.motion.parameters),
+            "separating": coincidences(motion.parameters),
         }
+
+
+def _without_nan(values: dict[str, float]) -> dict[str, float | None]:
+    return {name: None if np.isnan(value) else value for name, value in values.items()}

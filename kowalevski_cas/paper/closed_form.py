@@ -40,7 +40,7 @@ class ClosedForm:
 
     Args:
         equations: the rates of the nine variables, by the state.
-        integrals: H, K, a², b², c, and the left sides of the two equations of N⁴, by the state.
+        integrals: H, K, a², b², c, G, and the left sides of the two equations of N⁴, by the state.
         constants: :math:`x_1x_2`, :math:`x_1x_2+z_1z_2`, :math:`w_1w_2`, H, G, p², r⁴, by the
             state: polynomials from which m and ℓ are found.
         phase_point: the state by :math:`S_1, S_2, f_1, f_2, d, \psi`, the products
@@ -62,3 +62,18 @@ class ClosedForm:
     complex_variables: Values
     across: Values
     across_rates: Values
+
+
+@dataclass(frozen=True, eq=False)
+class CriticalSets:
+    r"""Where the integrals of the top are dependent, and what their values are there.
+
+    Args:
+        M4: the two functions that vanish on M⁴, by the complex variables and :math:`\omega_3`.
+        N4: the two that vanish on N⁴, by the same.
+        O4: the five that vanish on O⁴, by the same and s.
+    """
+
+    M4: Values
+    N4: Values
+    O4: Values

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 from kowalevski_cas.paper.claims import Claim, Identity
-from kowalevski_cas.paper.closed_form import ClosedForm
 from kowalevski_cas.paper.scene import Change, Locus, Scene, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed, Texts, statements
 
@@ -122,7 +121,8 @@ class Derivation:
         source: the edition that the displays are from.
         sections: the sections, in their order.
         rests_on: the derivations whose displays and scenes it uses, as they are corrected.
-        closed_form: gives what motions are computed with, if the paper solves its problem.
+        offers: what motions are computed with, by its type (:mod:`.closed_form`); each is made
+            when it is asked for.
 
     Raises:
         ValueError: if an id is given twice, here or in what it rests on.
@@ -134,7 +134,7 @@ class Derivation:
     source: str
     sections: tuple[Section, ...]
     rests_on: tuple[Derivation, ...] = ()
-    closed_form: Callable[[], ClosedForm] | None = None
+    offers: Mapping[type, Callable[[], object]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Refuse ids that are given twice, for everything goes by them."""

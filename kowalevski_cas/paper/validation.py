@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import Counter
 
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Name
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Adjoined, Meaningless
@@ -47,8 +47,8 @@ def _pairs(setting: Meaning) -> None:
             raise _refuse(setting, what, "mend the pair or the squares", pair[0])
 
 
-def _same(setting: Meaning, value: Element, formula: object) -> bool:
-    return (value - setting.finder.scalar(formula)).is_zero  # type: ignore[arg-type]
+def _same(setting: Meaning, value: Element, formula: Formula) -> bool:
+    return (value - setting.finder.scalar(formula)).is_zero
 
 
 def _clock(setting: Meaning) -> None:

@@ -8,7 +8,7 @@ from kowalevski_cas.notation import Formula, Relation, to_plain
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.document import Block, Display, Emphasis, Paragraph, Text
 from kowalevski_cas.report.sentences import Phrases, listed
-from kowalevski_cas.systems import title
+from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Condition, Outcome, Step
 
 LONG = 150

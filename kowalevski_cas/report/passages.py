@@ -22,7 +22,7 @@ from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.places import Item, Section
 from kowalevski_cas.report.sentences import Phrases, listed, nonzero
 from kowalevski_cas.report.witnesses import Witness
-from kowalevski_cas.systems import title
+from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 _ROLES: Final = {

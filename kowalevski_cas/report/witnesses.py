@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from kowalevski_cas.systems import SYSTEMS, title
+from kowalevski_cas.tools import TOOLS, title
 from kowalevski_cas.verify.outcome import Outcome
 
 FOLDER: Final = "witnesses"
@@ -59,5 +59,5 @@ def programs(folder: Path, derivation: str, certified: Mapping[str, str]) -> tup
             continue
         if claims:
             found[name] = Witness(title(name), version, claims)
-    order = [*(name for name in SYSTEMS if name in found), *(n for n in found if n not in SYSTEMS)]
+    order = [*(name for name in TOOLS if name in found), *(n for n in found if n not in TOOLS)]
     return tuple(found[name] for name in order)

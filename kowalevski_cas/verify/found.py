@@ -2,23 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
 
-from kowalevski_cas.algebra.present import formula_of
-from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import to_latex
-from kowalevski_cas.paper.claims import FirstIntegral
+from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Printed
+
+Attribute = str | tuple[str, ...] | int | tuple[int, ...]
 
 
-def with_integrals(derivation: Derivation, scene: Scene, found: Iterable[Element]) -> Derivation:
-    """A derivation that rests on another one and claims elements to be integrals on a scene."""
+@dataclass(frozen=True)
+class Finding:
+    """A claim of some kind whose formulas are found, and stand in no paper.
+
+    ``tex`` is the one formula of the claim, if it has one. TeX among the ``attributes`` becomes
+    places as well; the same TeX is the same place.
+    """
+
+    kind: type[Claim]
+    on: Scene
+    says: str
+    tex: str = ""
+    attributes: Mapping[str, Attribute] = field(default_factory=dict)
+
+
+def with_findings(derivation: Derivation, findings: Iterable[Finding]) -> Derivation:
+    """A derivation that rests on another one and claims what was found."""
     section = Section("1", "What was found", copied=False)
-    words = derivation.texts().vocabulary
-    for number, element in enumerate(found, 1):
-        tex = to_latex(formula_of(element, words))
-        place = section.lemma(f"found-{number}", tex, "found by the program")
-        section.states(FirstIntegral, place, on=scene, says="it is constant along every motion")
-    title = f"First integrals on the scene “{scene.name}”"
-    return Derivation(derivation.name, title, "", "", (section,), rests_on=(derivation,))
+    places: dict[str, Printed] = {}
+
+    def place(tex: str) -> Printed:
+        if tex not in places:
+            id = f"formula-{len(places) + 1}"
+            places[tex] = section.lemma(id, tex, "found by the program")[1]
+        return places[tex]
+
+    def placed(value: Attribute) -> Any:
+        if isinstance(value, tuple):
+            return tuple(place(one) if isinstance(one, str) else one for one in value)
+        return place(value) if isinstance(value, str) else value
+
+    for number, one in enumerate(findings, 1):
+        attributes = {name: placed(value) for name, value in one.attributes.items()}
+        printed = place(one.tex) if one.tex else None
+        section.claim(one.kind(f"found-{number}", one.on, printed, one.says, **attributes))
+    return Derivation(
+        derivation.name, f"Found in {derivation.name}", "", "", (section,), rests_on=(derivation,)
+    )

@@ -17,7 +17,7 @@ from typing import Any
 
 from kowalevski_cas.algebra.flint import Arithmetic as Flint
 from kowalevski_cas.algebra.polynomials import Polynomials, Terms
-from kowalevski_cas.systems import SYSTEMS
+from kowalevski_cas.tools import TOOLS
 from study.growth.work import growth
 
 Line = tuple[Any, ...]
@@ -146,7 +146,7 @@ LANGUAGES = {
         number="fmpq({p}, {q})",
     ),
     "singular": Language(
-        call=lambda: (*SYSTEMS["singular"].call(), "--quiet", "--no-rc", "--no-warn"),
+        call=lambda: (*TOOLS["singular"].call(), "--quiet", "--no-rc", "--no-warn"),
         suffix=".sing",
         begin='ring R = 0, ({names}), dp;\nsystem("--ticks-per-sec", 1000);',
         define="poly p{n} = {text};",
@@ -157,7 +157,7 @@ LANGUAGES = {
         step='"step {n} " + string(rtimer - clock) + "e-3";',
     ),
     "pari": Language(
-        call=lambda: (*SYSTEMS["pari"].call(), "--quiet", "--fast", "--default", "parisize=2G"),
+        call=lambda: (*TOOLS["pari"].call(), "--quiet", "--fast", "--default", "parisize=2G"),
         suffix=".gp",
         begin="[{names}];",
         define="p{n} = {text};",

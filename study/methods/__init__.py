@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.export import FORMATS, load
-from kowalevski_cas.systems import MissingSystem
+from kowalevski_cas.tools import MissingTool
 from study.methods.arithmetics import ExactArithmetic, PointArithmetic
 from study.methods.certificates import Checker, Program
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
@@ -20,7 +20,7 @@ def methods() -> list[Method]:
     for name in FORMATS:
         try:
             found.append(Program(name, load(name), SHARES.get(name)))
-        except MissingSystem:
+        except MissingTool:
             continue
     return [*found, *map(PointArithmetic, POINTS), *(ByHand(c, SHARES["by hand"]) for c in CALLS)]
 

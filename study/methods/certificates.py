@@ -47,7 +47,7 @@ class Checker(Method):
 class Program(Method):
     """Another program reads an export, in a process for each statement.
 
-    Raises ``MissingSystem`` if the program is not installed.
+    Raises ``MissingTool`` if the program is not installed.
     """
 
     proves = True
@@ -57,7 +57,7 @@ class Program(Method):
         self.format = format
         if isinstance(format, Polynomials):
             format.trusting = True
-        self.call = format.system.call()
+        self.call = format.tool.call()
 
     @cached_property
     def _folder(self) -> TemporaryDirectory[str]:

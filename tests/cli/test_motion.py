@@ -39,7 +39,7 @@ def states(text):
 def test_json_has_states_invariants_and_regime(cli):
     code, out, _ = cli(*USUAL)
     result = json.loads(out)
-    assert code == 0 and set(result) == {"states", "invariants", "regime"}
+    assert code == 0 and list(result) == ["states", "invariants", "critical_sets", "regime"]
     assert [state["t"] for state in result["states"]] == [0, 0.5, 1, 1.5, 2]
     assert all(len(s[name]) == 3 for s in result["states"] for name in ("omega", "alpha", "beta"))
     assert result["invariants"]["h"] == -1.04675 and result["invariants"]["l"] == 0.9
@@ -118,6 +118,25 @@ def test_a_point_that_is_not_quite_returned_to_is_said(cli, power):
     assert cli(*given, "--method", "dop853")[2] == ""
 
 
+def test_a_point_off_all_three_sets_is_followed_by_an_integrator(cli):
+    code, out, _ = cli("--point", *"123456789", "--until", 1, "--samples", 3)
+    result = json.loads(out)
+    assert code == 0 and states(out)[0].tolist() == list(range(1, 10))
+    assert result["critical_sets"]["on"] == []
+    assert min(result["critical_sets"]["residuals"]["largest"].values()) > 0.01
+    assert max(result["invariants"]["drift"].values()) < 1e-6
+    assert result["regime"]["none"].startswith("the state is not on N⁴")
+
+
+def test_fields_at_any_angle_and_in_any_order(cli):
+    given = ["--a", "1", "--b", "2", "--c", "-1/2", "--m", "-0.2", "--l", "0.3", "--torus", "1"]
+    code, out, _ = cli(*given, "--origins", "1/3", "0", "--samples", 2)
+    alpha, beta = states(out)[1].reshape(3, 3)[1:]
+    assert code == 0
+    assert (alpha @ alpha, beta @ beta, alpha @ beta) == pytest.approx((1, 4, -0.5), abs=1e-14)
+    assert json.loads(out)["critical_sets"]["on"] == ["N4"]
+
+
 def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
     code, out, _ = cli(*FIELDS, "--m", "-1/3", "--h", "-1e-1", "--until", "-3", "--samples", 2)
     assert code == 0
@@ -145,7 +164,10 @@ def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
             "ℓ² = 2p²m²+2hm+1 = -194.68 is negative; h ≥ 0.04 and ≤ 1.66",
         ),
         ([*FIELDS, "--m", "0", "--l", "1"], "m = 0"),
-        (["--a", "1", "--b", "2", "--m", "1", "--l", "1"], "a > b ≥ 0 is needed"),
+        (["--a", "1", "--b", "1", "--m", "1", "--l", "1"], "a > b ≥ 0 is needed"),
+        ([*FIELDS, "--c", "0.5", "--m", "1", "--l", "1"], "|c| ≤ 0.4 would do"),
+        ([*USUAL, "--torus", "2"], "there is no torus 2: the tori of these constants are 1 to 1"),
+        ([*USUAL, "--origins", "0", "x"], "“x” is no finite number"),
         ([*FIELDS, "--m", "x", "--l", "1"], "“x” is no finite number"),
         ([*USUAL, "--until", "inf"], "--until inf is no finite number"),
         ([*USUAL, "--until", "1e300"], "times have to be finite, up to 1e+290"),
@@ -158,7 +180,10 @@ def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
         ([*FIELDS, "--m", "-inf", "--l", "1"], "“-inf” is no finite number"),
         (["--point", "1e300", *"00100040"], "“1e300” is too large"),
         (["--point", "1e50", *"001000", ".4", "0"], "a constant is too large"),
-        (["--point", *"123456789"], "the state is not on N⁴"),
+        (
+            ["--point", *"123456789", "--method", "closed"],
+            "no closed form, but integrators follow the motion: the state is not on N⁴",
+        ),
         ([*USUAL, "--output", "/dev/null/x"], "/dev/null/x/motion.json: cannot be written"),
     ],
 )

@@ -33,6 +33,7 @@ def test_a_motion_may_be_given_and_looks_different(tmp_path: Path) -> None:
         (["portrait"], 6, "hodographs, traces"),
         (["torus", "--a", "1"], 2, "--b, --m missing"),
         ("torus --a 1 --b 0.4 --m 1 --l 0".split(), 2, "negative"),
+        (["torus", "--point", *"123456789"], 2, "only motions in closed form are drawn"),
     ],
 )
 def test_what_cannot_be_drawn_is_said(

@@ -23,8 +23,8 @@ HANDWRITTEN = sorted(Path(__file__).parents[1].glob("problem/handwritten/*.json"
 @pytest.fixture(params=["singular", "pari", "maxima"])
 def language(request):
     language = load(request.param)
-    if shutil.which(language.system.calls[0][0]) is None:
-        pytest.skip(f"{language.system.title} is not installed")
+    if shutil.which(language.tool.calls[0][0]) is None:
+        pytest.skip(f"{language.tool.title} is not installed")
     return language
 
 
@@ -40,7 +40,7 @@ def objection(language, certificate, folder):
     file = folder / f"claim{language.suffix}"
     file.write_text(text, encoding="utf-8")
     done = subprocess.run(
-        [*language.system.call(), *language.arguments(file)],
+        [*language.tool.call(), *language.arguments(file)],
         cwd=folder, capture_output=True, text=True, stdin=subprocess.DEVNULL,
     )  # fmt: skip
     return language.objection(text, done.stdout + done.stderr)

@@ -9,10 +9,11 @@ from flint import acb, arb
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from kowalevski_cas.motion import Inadmissible, load, through
+from kowalevski_cas.motion import Inadmissible, load
 from kowalevski_cas.motion.formulas import constants
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.phases import as_fraction
+from kowalevski_cas.motion.point import on_N4
 from tests.motion.test_closed import motions, relative
 
 closed = load("closed")
@@ -41,7 +42,7 @@ def test_the_state_tells_the_motion_also_there(motion, way, other, exactly):
     state = closed(motion, START)[0]
     if exactly:
         state[3], state[4] = state[7], -state[6]
-    found = through(state.tolist())
+    found = on_N4(state.tolist())
     assert found.off < 1e-13
     assert relative(closed(found, START), state[None]) < 1e-13
     assert relative(closed(found, LATER), closed(motion, LATER)) < 1e-9
@@ -65,4 +66,4 @@ def test_relations_16_are_empty_there_but_a_state_off_the_manifold_is_refused(om
     )
     assume(off > 1e-3)
     with pytest.raises(Inadmissible):
-        through(state)
+        on_N4(state)

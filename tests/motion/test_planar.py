@@ -10,9 +10,10 @@ import pytest
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
-from kowalevski_cas.motion import Inadmissible, load, through
+from kowalevski_cas.motion import Inadmissible, load
 from kowalevski_cas.motion.formulas import integrals
 from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.point import on_N4
 from tests.motion.test_closed import relative
 
 closed, ball, dop853 = load("closed"), load("ball"), load("dop853")
@@ -55,7 +56,7 @@ def at(state):
 
 @given(pendulums())
 def test_a_pendulum_is_followed_and_stays_one(state):
-    motion = through(state)
+    motion = on_N4(state)
     assert "rest" in [oscillation.kind for oscillation in motion.oscillations()]
     there = closed(motion, T)
     assert relative(there[:1], at(state)) < 1e-14
@@ -77,7 +78,7 @@ def test_an_equilibrium_stays_where_it_is(a, b, first, second, slope):
     assume(a != b)
     state = turned(pendulum(0, first * a, (second * b, Fraction(0)), Fraction(0)), *circle(slope))
     for method in closed, ball:
-        assert np.all(np.abs(method(through(state), T) - at(state)) < 1e-15 * float(a + b))
+        assert np.all(np.abs(method(on_N4(state), T) - at(state)) < 1e-15 * float(a + b))
 
 
 @given(slopes, slopes, slopes)
@@ -85,7 +86,7 @@ def test_an_equilibrium_whose_lengths_are_irrational_stays_where_it_is(x, y, z):
     # ω = 0 and e1×α + e2×β = 0: the fields are a symmetric matrix.
     assume(y and x * z != y * y and (x + z) and (x - z, y) != (0, 0))
     state = [*[Fraction(0)] * 3, x, y, Fraction(0), y, z, Fraction(0)]
-    assert np.all(np.abs(closed(through(state), T) - at(state)) < 1e-14 * float(abs(x) + abs(z)))
+    assert np.all(np.abs(closed(on_N4(state), T) - at(state)) < 1e-14 * float(abs(x) + abs(z)))
 
 
 @given(axes, lengths, signs, lengths, slopes, signs, slopes)
@@ -97,7 +98,7 @@ def test_a_pendulum_that_comes_to_rest_upside_down_is_elementary(
     assume(still != length)
     along, across = (length * x for x in circle(slope))
     state = turned(pendulum(axis, side * still, (along, across), way * speed), *circle(turn))
-    motion = through(state)
+    motion = on_N4(state)
     assert (
         {"rest"} < {o.kind for o in motion.oscillations()} <= {"rest", "separatrix", "exponential"}
     )
@@ -114,4 +115,4 @@ def test_turning_about_the_third_axis_is_not_on_the_manifold(a, b, speed, sign):
     assume(a != b)
     state = [Fraction(0), Fraction(0), speed, a, *[Fraction(0)] * 3, sign * b, Fraction(0)]
     with pytest.raises(Inadmissible, match="not on N⁴"):
-        through(state)
+        on_N4(state)

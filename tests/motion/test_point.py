@@ -8,9 +8,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from kowalevski_cas.motion import Inadmissible, load, through
+from kowalevski_cas.motion import Inadmissible, load
 from kowalevski_cas.motion.formulas import integrals
 from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.point import on_N4
 from tests.motion.regions import motion
 from tests.motion.test_closed import ALL, ORIGINS, motions, relative
 
@@ -23,7 +24,7 @@ START, LATER = np.zeros(1), np.array([-1.0, 0.5, 2.0])
 def test_it_is_there_and_stays_with_the_motion(region, signs):
     first = motion(*region, origins=ORIGINS, signs=signs)
     state = closed(first, START)
-    second = through(state[0].tolist())
+    second = on_N4(state[0].tolist())
     assert relative(closed(second, START), state) < 1e-14
     assert relative(closed(second, LATER), closed(first, LATER)) < 1e-11
 
@@ -33,7 +34,7 @@ def test_it_is_there_and_stays_with_the_motion(region, signs):
 def test_it_is_run_through_backwards_where_the_body_turns_the_other_way(region, signs):
     first = motion(*region, origins=ORIGINS, signs=signs)
     back = np.repeat([-1, 1], (3, 6))
-    second = through((closed(first, START)[0] * back).tolist())
+    second = on_N4((closed(first, START)[0] * back).tolist())
     assert relative(closed(second, -LATER) * back, closed(first, LATER)) < 1e-11
 
 
@@ -44,7 +45,7 @@ def test_a_turning_point_costs_no_accuracy(region):
         started = motion(*region, origins=tuple(map(Fraction, origins)))
         if started.oscillations()[0].kind != "exponential":  # s1 is infinite there
             state = closed(started, START)
-            assert relative(closed(through(state[0].tolist()), START), state) < 1e-14
+            assert relative(closed(on_N4(state[0].tolist()), START), state) < 1e-14
 
 
 @given(motions(), st.floats(-3, 3))
@@ -54,7 +55,7 @@ def test_the_fields_may_have_any_angle(motion, angle):
     if min(np.hypot(straight[:, 3] - straight[:, 7], straight[:, 4] + straight[:, 6])) < 1e-3:
         return  # close to x1x2 = 0 the state hardly tells the constants
     oblique = np.array(turned(list(straight.T), np.cos(angle), np.sin(angle))).T
-    moved = through(oblique[0].tolist())
+    moved = on_N4(oblique[0].tolist())
     assert relative(closed(moved, START), oblique[:1]) < 1e-12
     values = np.array(integrals()(*closed(moved, LATER).T))
     assert np.ptp(values[2:5], axis=1).max() < 1e-13 * (1 + np.max(np.abs(oblique)) ** 2)
@@ -81,14 +82,14 @@ def test_a_state_off_the_manifold_is_refused_in_every_unit(state, unit, weaker):
     fields = np.max(np.abs(state[3:]))  # what is tiny beside the rest may come from rounding
     assume(np.max(np.abs(state[:3])) ** 2 > 1e-6 * fields < np.hypot(xi_1, xi_2) * 1e-3)
     with pytest.raises(Inadmissible):
-        through(scaled(state, unit).tolist())
+        on_N4(scaled(state, unit).tolist())
 
 
 @given(motions(), units)
 def test_a_state_on_the_manifold_is_returned_to_in_every_unit(motion, unit):
     state = closed(motion, LATER)[1]
     assume(np.hypot(state[3] - state[7], state[4] + state[6]) > 1e-3)
-    found = through(scaled(state, unit).tolist())
+    found = on_N4(scaled(state, unit).tolist())
     assert relative(scaled(closed(found, START)[0], 1 / unit)[None], state[None]) < 1e-12
     assert found.off < 1e-11
     later = scaled(closed(found, np.array([0.5 / unit]))[0], 1 / unit)
@@ -99,7 +100,7 @@ def test_a_state_on_the_manifold_is_returned_to_in_every_unit(motion, unit):
 def test_how_far_the_closed_form_is_from_a_state_is_said(region, unit, power, place):
     state = closed(motion(*region, origins=ORIGINS), START)[0]
     state[place] += 10**power
-    found = through(scaled(state, unit).tolist())
+    found = on_N4(scaled(state, unit).tolist())
     fields = np.max(np.abs(state[3:]))
     sizes = np.repeat([np.sqrt(np.max(state[:3] ** 2) + fields), fields], (3, 6))
     moved = (scaled(closed(found, START)[0], 1 / unit) - state) / sizes
@@ -108,7 +109,7 @@ def test_how_far_the_closed_form_is_from_a_state_is_said(region, unit, power, pl
 
 def test_integrators_start_from_the_state_itself():
     state = closed(motion("0.8", "0.9", origins=ORIGINS), START)[0] + 1e-10
-    assert dop853(through(state.tolist()), START)[0].tolist() == state.tolist()
+    assert dop853(on_N4(state.tolist()), START)[0].tolist() == state.tolist()
 
 
 @pytest.mark.parametrize(
@@ -125,5 +126,5 @@ def test_integrators_start_from_the_state_itself():
 )
 def test_states_without_a_motion_are_refused_in_words(state, words):
     with pytest.raises(ValueError, match=re.escape(words)):
-        through(state)
+        on_N4(state)
     assert issubclass(Inadmissible, ValueError)

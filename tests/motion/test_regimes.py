@@ -18,11 +18,12 @@ from kowalevski_cas.motion import (
     formulas,
     load,
     regime_of,
-    through,
 )
 from kowalevski_cas.motion.formulas import constants, integrals
 from kowalevski_cas.motion.parameters import ball, extreme_ell, precision
+from kowalevski_cas.motion.point import on_N4
 from kowalevski_cas.motion.regimes import coordinates, tori
+from kowalevski_cas.paper.closed_form import ClosedForm
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
 
 A, B = Fraction(1), Fraction(2, 5)
@@ -90,7 +91,7 @@ def labels(parameters, signs):
     moved = Motion(parameters, (Fraction(1, 3), Fraction(-1, 7)), signs)
     found = set()
     for state in load("closed")(moved, np.linspace(0, 9, 4)):
-        told = through(state.tolist())
+        told = on_N4(state.tolist())
         # Where s1 < 0 a state tells −ℓ, the same motion by the other root of x1x2.
         if parameters.ell_sign in (0, told.parameters.ell_sign):
             arcs = (told.regime.s1, told.regime.s2)
@@ -166,7 +167,7 @@ def test_every_real_point_lies_in_a_regime_and_every_regime_has_points():
     states = sampled(3, 600)
     *_, first, second = integrals()(*states.T)
     assert np.max(np.abs(first)) < 1e-12 and np.max(np.abs(second)) < 1e-11
-    names = formulas.source().closed_form().constants.expressions
+    names = formulas.source().offers[ClosedForm]().constants.expressions
     values = dict(zip(names, constants()(*states.T), strict=True))
     m = (2 * values["G"] - values["p^2"] * values["H"]) / values["c_1c_2"]
     root = np.sqrt(values["x_1x_2"])

@@ -371,6 +371,23 @@ def test_functions_of_low_rank_at_a_few_points_may_be_independent():
     assert verdicts(section, claim) not in (["refuted"], ["error"])
 
 
+def test_dependence_on_another_graph_than_the_set_refutes_nothing():
+    """On the line y=1 the functions depend on each other; on the parabola they do not."""
+    section = Section("1", "Two functions")
+    f = section.display("f", r"\dot x=0,\quad \dot y=0,\quad \dot z=0")
+    scene = Scene("space", "", variables=("x", "y", "z"), field=(*f,))
+    parabola, line = section.display("set", "y=x^2"), section.display("graph", "y=1")
+    functions = (*section.display("g", "y=0"), *section.display("h", "z=0"))
+    claims = [
+        Independence(
+            id, scene, None, "",
+            levels=(), equations=(*parabola,), functions=functions, graph=(*graph,),
+        )
+        for id, graph in (("parabola", parabola), ("line", line))
+    ]  # fmt: skip
+    assert verdicts(section, *claims) == ["proved", "undecided"]
+
+
 def test_a_member_that_is_no_vector_where_one_is_expected_is_an_error():
     section = Section("1", "A vector")
     f = section.display("f", r"\dot{\bs\alpha}=0")

@@ -64,8 +64,8 @@ def refuted_mutants(session, claim):
             yield neighbour, counterexample(statement, denial, judge.accepted), judge.accepted
 
 
-SLOW = {"any-c.1", "any-c.2", "M4.k", "M4.g"}
-"""Most of their mutants have roots that are real nowhere, or at few points that are found."""
+SLOW = {"any-c.1", "any-c.2", "M4.k", "M4.g", "M4-independence", "N4-independence"}
+"""Their mutants have roots that are real nowhere, or at few points that are found; or large minors."""
 
 LONG = ("point.", "norms.", "infinity.")
 """Claims on the phase point of O⁴, whose real points are dear."""

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from kowalevski_cas.algebra import load
-from kowalevski_cas.systems import MissingSystem
+from kowalevski_cas.tools import MissingTool
 from study.growth import draw
 from study.growth.trace import LANGUAGES, program, recorded
 from study.growth.work import growth, steps
@@ -29,7 +29,7 @@ def test_the_same_operations_come_to_the_same_elsewhere(name, tmp_path):
     language = LANGUAGES[name]
     try:
         call = language.call()
-    except MissingSystem as missing:
+    except MissingTool as missing:
         pytest.skip(str(missing))
     file = tmp_path / f"growth{language.suffix}"
     generators, lines = recorded("eq15", 2, 10)

@@ -13,6 +13,10 @@ def render(result: Result) -> bytes:
         json.dumps({"t": t, "omega": row[:3], "alpha": row[3:6], "beta": row[6:]})
         for t, row in zip(result.times.tolist(), result.states.tolist(), strict=True)
     )
-    rest = {"invariants": result.invariants, "regime": result.regime}
+    rest = {
+        "invariants": result.invariants,
+        "critical_sets": result.critical_sets,
+        "regime": result.regime,
+    }
     tail = ",\n".join(f"{json.dumps(k)}: {json.dumps(v, indent=1)}" for k, v in rest.items())
     return f'{{"states": [\n{states}\n],\n{tail}\n}}\n'.encode()

@@ -17,7 +17,7 @@ from kowalevski_cas.export.format import Format, Inexpressible, Json, identifier
 from kowalevski_cas.export.rocq.space import Space
 from kowalevski_cas.export.rocq.theorems import KINDS, Theorems, foundations, instances
 from kowalevski_cas.problem import checker
-from kowalevski_cas.systems import SYSTEMS
+from kowalevski_cas.tools import TOOLS
 
 HEAD = """\
 (** {title}: the formulas as they are printed, and what holds of them.
@@ -72,7 +72,7 @@ class Program(Format):
     squares that add up to zero vanish for real numbers only.
     """
 
-    system: ClassVar = SYSTEMS["rocq"]
+    tool: ClassVar = TOOLS["rocq"]
     suffix: ClassVar = ".v"
 
     def shared(self) -> dict[str, str]:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.general import General
 from kowalevski_cas.motion.methods import MethodError
 from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.motion.motion import Motion
@@ -14,7 +15,7 @@ TOLERANCE = 1e-16
 
 
 def states(
-    motion: Motion, times: NDArray[np.float64], tolerance: float = TOLERANCE
+    motion: Motion | General, times: NDArray[np.float64], tolerance: float = TOLERANCE
 ) -> NDArray[np.float64]:
     """The states at these times, an array of shape (N, 9).
 

@@ -148,6 +148,8 @@ class Independence(Claim):
         if given or graph:
             yield Follows(space, (graph,), given)
             yield Follows(space, (given,), graph)
+            own = tuple(first_member(on, space, p) for p in (*self.levels, *self.functions))
+            yield Rank(space, own, given, len(own) + len(self.graph))
         functions = tuple(first_member(on, others, p) for p in (*self.levels, *self.functions))
         reach = Reach(others)
         for function in functions:
@@ -162,8 +164,9 @@ class Independence(Claim):
         yield Rank(others, functions, (), len(functions))
 
     def refuted_by(self, denial: Denial) -> bool:
-        """Only if the functions are dependent; the set need not be this graph."""
-        return isinstance(denial.evidence, Minors)
+        """Only if the functions are dependent on the set itself, which need not be this graph."""
+        on_set = 2 if self.equations or self.graph else 0
+        return isinstance(denial.evidence, Minors) and denial.goal == on_set
 
     def scenes(self) -> Iterator[Scene]:
         yield from (self.scene, _over(self.scene, self.graph))

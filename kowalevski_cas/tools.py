@@ -6,12 +6,12 @@ import shutil
 from dataclasses import dataclass
 
 
-class MissingSystem(Exception):
-    """A system is not installed, or does not run; the message says what to do."""
+class MissingTool(Exception):
+    """A tool is not installed, or does not run; the message says what to do."""
 
 
 @dataclass(frozen=True)
-class System:
+class Tool:
     """A computer algebra system or a proof assistant, which runs as a process of its own.
 
     Args:
@@ -30,32 +30,32 @@ class System:
         """How it is called on this machine.
 
         Raises:
-            MissingSystem: it is not installed.
+            MissingTool: it is not installed.
         """
         for call in self.calls:
             if shutil.which(call[0]):
                 return call
         names = " or ".join(call[0] for call in self.calls)
-        raise MissingSystem(
+        raise MissingTool(
             f"{names} is not installed; on Debian or Ubuntu: apt-get install {self.package}"
         )
 
 
-SYSTEMS = {
-    "rocq": System("Rocq", (("coqc",), ("rocq", "compile")), "coq"),
-    "singular": System("Singular", (("Singular",),), "singular-ui"),
-    "pari": System("PARI/GP", (("gp",),), "pari-gp", ("--version-short",)),
-    "maxima": System("Maxima", (("maxima",),), "maxima"),
+TOOLS = {
+    "rocq": Tool("Rocq", (("coqc",), ("rocq", "compile")), "coq"),
+    "singular": Tool("Singular", (("Singular",),), "singular-ui"),
+    "pari": Tool("PARI/GP", (("gp",),), "pari-gp", ("--version-short",)),
+    "maxima": Tool("Maxima", (("maxima",),), "maxima"),
 }
-"""The systems that can confirm certificates, in the order in which they are named."""
+"""The tools that can confirm certificates, in the order in which they are named."""
 
 _LIBRARIES = {"flint": "FLINT", "symengine": "SymEngine", "sympy": "SymPy"}
 
 
 def title(name: str) -> str:
-    """What the authors of a system or a library call it; another name stays as it is.
+    """What the authors of a tool or a library call it; another name stays as it is.
 
     >>> title("flint"), title("pari"), title("maple")
     ('FLINT', 'PARI/GP', 'maple')
     """
-    return SYSTEMS[name].title if name in SYSTEMS else _LIBRARIES.get(name, name)
+    return TOOLS[name].title if name in TOOLS else _LIBRARIES.get(name, name)

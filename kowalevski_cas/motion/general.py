@@ -1,0 +1,48 @@
+"""The motion through any state: in closed form where there is one, and without."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NoReturn
+
+from kowalevski_cas.motion import formulas, point
+from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.parameters import Inadmissible, Real, exact
+
+
+@dataclass(frozen=True)
+class General:
+    """A motion that is known by its state at t = 0 alone, which integrators follow.
+
+    ``why`` says why it has no closed form.
+    """
+
+    point: tuple[float, ...]
+    why: str
+    off: float = 0.0
+
+    @property
+    def constants(self) -> dict[str, float]:
+        """The values of a, b, c and of the three integrals."""
+        values = dict(zip(formulas.INTEGRALS, formulas.integrals()(*self.point), strict=True))
+        lengths = {name: values[f"{name}^2"] ** 0.5 for name in "ab"}
+        return {**lengths, "c": values["c"], **{name.lower(): values[name] for name in "HKG"}}
+
+    def oscillations(self) -> NoReturn:
+        """Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible`, with the reason."""
+        raise Inadmissible(
+            f"there is no closed form, but integrators follow the motion: {self.why}"
+        )
+
+
+def through(state: Sequence[Real]) -> Motion | General:
+    """The motion that is at the state (ω, α, β), nine numbers, at t = 0.
+
+    It is in closed form only if that returns to the state. Raises ``ValueError`` for what is no
+    state: another count of numbers, or one that is not finite.
+    """
+    try:
+        return point.on_N4(state)
+    except Inadmissible as error:
+        return General(tuple(float(exact(value)) for value in state), str(error))

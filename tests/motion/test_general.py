@@ -1,0 +1,93 @@
+"""Motions from any state and by any constants."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import assume, example, given, settings
+from hypothesis import strategies as st
+
+from kowalevski_cas.motion import General, Inadmissible, Motion, load, through
+from kowalevski_cas.motion.formulas import INTEGRALS, integrals
+from kowalevski_cas.motion.regimes import tori
+from kowalevski_cas.motion.result import Result
+from tests.motion.regions import EVERY_REGIME
+from tests.motion.test_closed import constants, relative
+from tests.motion.test_critical import states
+
+closed, dop853 = load("closed"), load("dop853")
+T = np.linspace(0.0, 3.0, 7)
+
+lengths = st.fractions(0, 2, max_denominator=50)
+
+
+@given(states)
+@example(np.zeros(9))
+@example(np.array([0, 0, 0, 1.0, 0, 0, 0, 1, 0]))  # r = 0
+@example(np.array([0, 0, 0, 1.0, 0, 0, 0, 1, 0.5]))  # m = 0
+@example(np.array([0, 0, 1.0, 1, 0, 0, 2, 0, 0]))  # parallel fields
+@settings(max_examples=40)
+def test_every_state_is_followed_and_the_integrals_are_kept(state):
+    motion = through(state.tolist())
+    found = dop853(motion, T)
+    assert found[0].tolist() == state.tolist()
+    result = Result(motion, T, found)
+    size = (np.max(np.abs(state[:3])) + np.max(np.abs(state[3:])) ** 0.5 + 1) ** 8
+    assert max(result.drift.values()) < 1e-11 * size
+    assert (result.regime.keys() == {"none"}) == isinstance(motion, General)
+    names = [name.strip("_12").lower() for name in INTEGRALS]
+    values = dict(zip(names, integrals()(*state), strict=True))
+    for name in "hkg":
+        assert result.invariants[name] == pytest.approx(values[name], rel=1e-9, abs=1e-9)
+
+
+def test_what_has_no_closed_form_says_why():
+    motion = through([0.1, 0.2, 0.3, 1, 0, 0, 0, 0.4, 0])
+    with pytest.raises(Inadmissible, match="integrators follow the motion: the state is not on N⁴"):
+        closed(motion, T)
+
+
+@given(lengths, lengths, st.fractions(-1, 1, max_denominator=20), constants, constants, constants)
+def test_the_fields_have_the_lengths_and_the_product_that_are_given(a, b, cosine, m, value, late):
+    c = cosine * a * b
+    try:
+        motion = Motion.of(a, b, m, ell=value, c=c, origins=(late, 0))
+    except Inadmissible:
+        assume(False)
+    start = closed(motion, np.zeros(1))[0]
+    found = dict(zip(INTEGRALS, integrals()(*start), strict=True))
+    expected = {"a^2": a**2, "b^2": b**2, "c": c}
+    for name, exact in expected.items():
+        assert found[name] == pytest.approx(float(exact), abs=1e-12)
+    for name, exact in motion.constants.items():
+        if name in "hkg":
+            assert found[name.upper()] == pytest.approx(exact, rel=1e-9, abs=1e-9)
+    assert motion.constants["l"] == pytest.approx(float(value), abs=1e-15)
+    assert relative(closed(motion, T), dop853(motion, T)) < 1e-6
+
+
+@pytest.mark.parametrize("region", EVERY_REGIME)
+def test_the_tori_are_different_and_are_all(region):
+    m, ell = region
+    count = tori(Motion.of(1, "0.4", m, ell=ell).parameters)
+    numbered = [Motion.of(1, "0.4", m, ell=ell, torus=n) for n in range(1, count + 1)]
+    assert len({motion.signs for motion in numbered}) == count
+    with pytest.raises(Inadmissible, match=f"no torus {count + 1}: .* 1 to {count}"):
+        Motion.of(1, "0.4", m, ell=ell, torus=count + 1)
+
+
+@given(constants, constants)
+def test_the_origins_are_times_at_the_first_roots(t1, t2):
+    later = Motion.of(1, "0.4", "0.8", ell="0.9", origins=(t1, t1))
+    first = Motion.of(1, "0.4", "0.8", ell="0.9")
+    assert relative(closed(later, T + float(t1)), closed(first, T)) < 1e-12
+    assert Motion.of(1, "0.4", "0.8", ell="0.9", origins=(t1, t2)).origins == (t1, t2)
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "c", "words"),
+    [(1, 2, 3, r"\|c\| ≤ 2 would do"), (-1, 2, 0, "a = -1 is negative"), (1, 1, 0, "equal")],
+)
+def test_fields_that_there_are_not_are_refused(a, b, c, words):
+    with pytest.raises(Inadmissible, match=words):
+        Motion.of(a, b, Fraction(1), ell=3, c=c)
