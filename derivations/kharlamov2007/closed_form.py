@@ -7,8 +7,8 @@ from ..kharlamov2005.third_subsystem import with_constants
 from ..kharlamov2005.values import on_O4_values
 from ..kharlamov_savushkin2004.setting import complex_variables
 from .infinity import hats, hatted_fields, hatted_parts, hatted_velocity
-from .phase_point import kappa, radicals
-from .separation import abbreviations, root
+from .phase_point import radicals
+from .separation import root
 
 RADICALS = ("\\mu_1", "A_1", "B_1", "K_1", "\\hat{\\mu}_2", "\\hat{A}_2", "\\hat{B}_2", "\\hat{K}_2")
 PARTS = tuple(rf"\hat{{{name}}}" for name in (r"\Pi", "Y", "V", "d", "T", r"\Lambda", "N"))
@@ -40,13 +40,12 @@ def offer() -> HyperellipticForm:
         variables=Values(
             plane,
             (
-                Member(root, 1), r"\tau_3\xi+q", r"\tau_3\xi-q", r"\tau_3-X", r"\tau_3\xi^2+\sigma X"
+                Member(root[1], 1), r"\tau_3\xi+q", r"\tau_3\xi-q", r"\tau_3-X", r"\tau_3\xi^2+\sigma X"
             ),
             plane.variables,
         ),
         integrals=Values(
-            values, tuple(Member(printed, 1) for printed in (*on_O4_values, abbreviations[1])),
-            CONSTANTS,
+            values, tuple(Member(printed, 1) for printed in on_O4_values), CONSTANTS
         ),
         squares=Values(
             here,

@@ -14,7 +14,13 @@ from flint import fmpq
 from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
 from kowalevski_cas.notation import Formula, Name, replace
-from kowalevski_cas.paper.closed_form import ClosedForm, CriticalSets, Member, Values
+from kowalevski_cas.paper.closed_form import (
+    ClosedForm,
+    CriticalSets,
+    HyperellipticForm,
+    Member,
+    Values,
+)
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 
@@ -83,6 +89,11 @@ def critical_sets() -> tuple[Function, Function, Function]:
     sets = _offered(CriticalSets)
     M4, N4, O4 = (_compiled(values, CriticalSets) for values in (sets.M4, sets.N4, sets.O4))
     return M4, N4, O4
+
+
+def hyperelliptic(values: str) -> Function:
+    """These values of the :class:`~kowalevski_cas.paper.closed_form.HyperellipticForm`, on O⁴."""
+    return _compiled(getattr(_offered(HyperellipticForm), values), HyperellipticForm)
 
 
 def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:

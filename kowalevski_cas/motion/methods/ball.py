@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 
 from kowalevski_cas.motion.frame import turned
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.ball import SolutionO4
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import ball, exact, precision
 from kowalevski_cas.motion.solution import PhasePoint, Variable
@@ -23,7 +25,7 @@ class Unresolved(ArithmeticError):
     """An enclosure that is still wide at the largest working precision."""
 
 
-def states(motion: Motion, times: NDArray[np.float64]) -> NDArray[np.float64]:
+def states(motion: Motion | MotionO4, times: NDArray[np.float64]) -> NDArray[np.float64]:
     """The states at these times, an array of shape (N, 9): the middles of enclosures.
 
     Their radii are below 2⁻⁶⁴ of the state's size, so that rounding is what is left of the
@@ -33,20 +35,13 @@ def states(motion: Motion, times: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.array(rows).reshape(-1, 9)
 
 
-def enclosures(motion: Motion, times: Iterable[float | Fraction], bits: int) -> list[list[arb]]:
+def enclosures(
+    motion: Motion | MotionO4, times: Iterable[float | Fraction], bits: int
+) -> list[list[arb]]:
     """For each time nine balls that contain the state, of radii below 2^−bits times its size.
 
     Raises :class:`Unresolved` if the largest working precision does not suffice.
     """
-    return enclosed(lambda: _Solution(motion), times, bits)
-
-
-def enclosed(
-    solution: Callable[[], Callable[[Fraction], list[arb]]],
-    times: Iterable[float | Fraction],
-    bits: int,
-) -> list[list[arb]]:
-    """The same of any solution, which is made anew at each working precision."""
     found: list[list[arb]] = []
     left = [exact(time) for time in times]
     working = bits + 64
@@ -54,9 +49,9 @@ def enclosed(
         if working > LARGEST_PRECISION:
             raise Unresolved(f"no enclosure of {bits} bits at t = {float(left[0]):g}")
         with precision(working):
-            at = solution()
+            solution = SolutionO4(motion) if isinstance(motion, MotionO4) else _Solution(motion)
             while left:
-                state = at(left[0])
+                state = solution(left[0])
                 if not _narrow(state, bits):
                     break
                 found.append(state)

@@ -1,42 +1,32 @@
-"""Balls: a rigorous enclosure of the closed form on O⁴, at any precision and any time."""
+"""Balls: a rigorous enclosure of the closed form on O⁴."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 
 import numpy as np
 from flint import arb, arb_mat
 
 from kowalevski_cas.motion.frame import turned
-from kowalevski_cas.motion.methods.ball import enclosed
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.point import PhasePoint
 from kowalevski_cas.motion.o4.quadrature import Quadratures
-from kowalevski_cas.motion.o4.series import Series, means
+from kowalevski_cas.motion.o4.series import Series, matrix
 from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import ball
 
-def enclosures(motion: MotionO4, times: Iterable[float | Fraction], bits: int) -> list[list[arb]]:
-    """For each time nine balls that contain the state, of radii below 2^−bits times its size.
-
-    Raises :class:`~kowalevski_cas.motion.methods.ball.Unresolved` if the largest working precision
-    does not suffice.
-    """
-    return enclosed(lambda: _Solution(motion), times, bits)
-
-
-class _Solution:
+class SolutionO4:
     """The closed form at one working precision."""
 
     def __init__(self, motion: MotionO4) -> None:
         self._motion = motion
-        self._variables = [Variable(motion.constants, arc, lambda x: x) for arc in motion.arcs]
-        self._point = PhasePoint(motion.constants, motion.regime, motion.signs, lambda x: x, arb.sqrt)
+        self._variables = [Variable(motion.parameters, arc, lambda x: x) for arc in motion.arcs]
+        self._point = PhasePoint(motion.parameters, motion.regime, motion.signs, lambda x: x, arb.sqrt)
         series = [Series(variable) for variable in self._variables]
-        self._means = means(series, motion.orientations)
+        self._means = matrix(series, motion.orientations)
         self._sines = [one.sines() for one in series]
-        self._floats = Quadratures(motion, self._means)
+        self._floats = Quadratures(motion, series)
         self._origin = self._integrals([ball(angle) for angle in motion.angles])
 
     def __call__(self, time: Fraction) -> list[arb]:

@@ -10,30 +10,29 @@ from kowalevski_cas.motion.frame import turned
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.point import PhasePoint
 from kowalevski_cas.motion.o4.quadrature import Quadratures
-from kowalevski_cas.motion.o4.series import Series, means
+from kowalevski_cas.motion.o4.series import Series, matrix
 from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import precision
-from kowalevski_cas.motion.phases import LARGEST, Phase, parts_needed
+from kowalevski_cas.motion.phases import Phase, parts_needed
 
 Array = NDArray[np.float64]
 
-BLOCK = 4096
+BLOCK = 1024
 """Times that are worked on at once, so that all arrays stay in the cache."""
 
 BITS = 128
 """The precision of the means at moderate times."""
 
 
-class Closed:
+class ClosedO4:
     """The closed form of one motion, for times up to ``largest``."""
 
     def __init__(self, motion: MotionO4, largest: float) -> None:
         with precision(BITS + max(0, int(np.frexp(largest)[1]))):
-            series = [Series(Variable(motion.constants, arc, lambda x: x)) for arc in motion.arcs]
-            matrix = means(series, motion.orientations)
-            self._quadratures = Quadratures(motion, matrix)
+            series = [Series(Variable(motion.parameters, arc, lambda x: x)) for arc in motion.arcs]
+            self._quadratures = Quadratures(motion, series)
             origins = self._quadratures.phases(np.array([[float(x)] for x in motion.angles]))
-            rates = matrix.solve(arb_mat([[0], [-1]])).entries()
+            rates = matrix(series, motion.orientations).solve(arb_mat([[0], [-1]])).entries()
             # A quarter of the phases of half angles is π.
             self._phases = [
                 Phase(rate / arb.pi(), arb(origin) / arb.pi(), parts_needed(size, largest))
@@ -41,7 +40,7 @@ class Closed:
                 for size in [abs(float(rate))]
             ]
             self._point = PhasePoint(
-                motion.constants, motion.regime, motion.signs, float, np.sqrt
+                motion.parameters, motion.regime, motion.signs, float, np.sqrt
             )
         self._cos, self._sin = (float(x) for x in motion.turn)
 
@@ -59,15 +58,3 @@ class Closed:
         halves = ((np.cos(angle / 2), np.sin(angle / 2)) for angle in (first, second))
         states = self._point(*halves)
         return np.array(turned(states, self._cos, -self._sin) if self._sin else states)
-
-
-def states(motion: MotionO4, times: Array) -> Array:
-    """The states at these times, an array of shape (N, 9); the error does not grow with time.
-
-    Raises ``ValueError`` for times that are not finite.
-    """
-    t = np.ascontiguousarray(times, dtype=float)
-    largest = float(np.max(np.abs(t), initial=0.0))
-    if not largest <= LARGEST:
-        raise ValueError(f"times have to be finite, up to {LARGEST:g}")
-    return Closed(motion, largest)(t).T

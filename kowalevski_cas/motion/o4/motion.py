@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from kowalevski_cas.motion.o4.constants import Constants
+from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import Arc, Regime, regime_of
 
 
@@ -24,7 +24,7 @@ class MotionO4:
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` where there is no motion.
     """
 
-    constants: Constants
+    constants: ParametersO4
     angles: tuple[Fraction, Fraction] = (Fraction(0), Fraction(0))
     signs: tuple[int, ...] = (1, -1, 1, 1, 1)
     turn: tuple[Fraction, Fraction] = (Fraction(1), Fraction(0))

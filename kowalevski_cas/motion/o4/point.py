@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from flint import arb
 
 from kowalevski_cas.motion import formulas
-from kowalevski_cas.motion.o4.constants import Constants
+from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import Regime
 from kowalevski_cas.motion.o4.variable import Number, Pair, Variable
 from kowalevski_cas.motion.parameters import ball
@@ -22,7 +22,7 @@ class PhasePoint:
 
     def __init__(
         self,
-        constants: Constants,
+        constants: ParametersO4,
         regime: Regime,
         signs: Sequence[int],
         number: Callable[[arb], Number],

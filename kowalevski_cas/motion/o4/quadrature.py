@@ -11,21 +11,19 @@ determinant has the factor :math:`u_1-u_2`; so Newton's method with damping find
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
-from flint import arb_mat
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion.o4.motion import MotionO4
+from kowalevski_cas.motion.o4.series import Series, matrix
 from kowalevski_cas.motion.o4.variable import Variable
-from kowalevski_cas.motion.parameters import Inadmissible
 
 Array = NDArray[np.float64]
 
-SAMPLES = (64, 1 << 15)
-"""How many values of a differential are taken at first, and at most."""
-
-NOISE = 1e-16
-"""The terms that are left out, relative to the largest."""
+BITS = 54
+"""How small the terms are that are left out."""
 
 NEAR = 1e-10
 """A Newton step after which no other is needed."""
@@ -35,16 +33,17 @@ STEPS = 100
 
 
 class Quadratures:
-    """The quadratures in floating point, with the exact matrix of the means."""
+    """The quadratures in floating point."""
 
-    def __init__(self, motion: MotionO4, matrix: arb_mat) -> None:
-        self._matrix = np.array(matrix.tolist(), dtype=float)
-        self._variables = [Variable(motion.constants, arc, float) for arc in motion.arcs]
+    def __init__(self, motion: MotionO4, series: Sequence[Series]) -> None:
+        means = matrix(series, motion.orientations)
+        self._matrix = np.array(means.tolist(), dtype=float)
+        self._variables = [Variable(motion.parameters, arc, float) for arc in motion.arcs]
         self._signs = motion.orientations
-        inverse = np.array(matrix.inv().tolist(), dtype=float)
+        inverse = np.array(means.inv().tolist(), dtype=float)
         self._series = [
-            inverse @ (sign * _sines(variable))
-            for sign, variable in zip(self._signs, self._variables, strict=True)
+            inverse @ (sign * _sines(variable, one.terms(BITS)))
+            for sign, variable, one in zip(self._signs, self._variables, series, strict=True)
         ]
 
     def phases(self, angles: Array) -> Array:
@@ -92,33 +91,22 @@ def _squares(angle: Array) -> tuple[Array, Array]:
     return (1 + cos) / 2, (1 - cos) / 2
 
 
-def _sines(variable: Variable) -> Array:
-    """The coefficients (2, terms) of sin φ, sin 2φ, … in the integrals of the differentials.
-
-    Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if there are too many.
-    """
-    samples, most = SAMPLES
-    while samples <= most:
-        angle = 2 * np.pi / samples * np.arange(samples)
-        values = np.array(variable.differentials(_squares(angle), np.sqrt))
-        cosines = np.fft.rfft(values)[:, 1:].real * (2 / samples)
-        seen = abs(cosines) > NOISE * abs(values).max(axis=1, keepdims=True)
-        terms = int(np.flatnonzero(seen.any(axis=0)).max(initial=0)) + 1
-        if 3 * terms < samples:
-            found: Array = cosines[:, :terms] / np.arange(1, terms + 1)
-            return found
-        samples *= 2
-    raise Inadmissible(
-        "two roots are so close that the series of the quadratures do not converge: any s or τ "
-        "farther from those where the tori of O⁴ degenerate would do"
-    )
+def _sines(variable: Variable, terms: int) -> Array:
+    """The coefficients (2, terms) of sin φ, sin 2φ, … in the integrals of the differentials."""
+    samples = 4 * terms
+    angle = 2 * np.pi / samples * np.arange(samples)
+    values = np.array(variable.differentials(_squares(angle), np.sqrt))
+    cosines = np.fft.rfft(values)[:, 1 : terms + 1].real * (2 / samples)
+    found: Array = cosines / np.arange(1, terms + 1)
+    return found
 
 
 def _sum(coefficients: Array, angle: Array) -> Array:
-    """Both series of sines (2, N), by Clenshaw's recurrence."""
-    twice = 2 * np.cos(angle)
-    one, two = np.zeros((2, len(angle))), np.zeros((2, len(angle)))
-    for pair in coefficients.T[::-1]:
-        one, two = pair[:, None] + twice * one - two, one
-    found: Array = np.sin(angle) * one
+    """Both series of sines (2, N)."""
+    sines, twice = np.empty((coefficients.shape[1] + 1, len(angle))), 2 * np.cos(angle)
+    sines[0], sines[1] = 0.0, np.sin(angle)
+    for before, here, after in zip(sines, sines[1:], sines[2:], strict=False):
+        np.multiply(twice, here, out=after)
+        after -= before
+    found: Array = coefficients @ sines[1:]
     return found

@@ -19,7 +19,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kowalevski_cas.motion.o4.constants import HIGH, KAPPA, LOW, MU, Constants
+from kowalevski_cas.motion.o4.parameters import HIGH, KAPPA, LOW, MU, ParametersO4
 from kowalevski_cas.motion.parameters import Inadmissible
 
 PRODUCTS = (
@@ -84,7 +84,7 @@ class Regime:
         return f"{signs}, u1 in {self.u1}, u2 in {self.u2}"
 
 
-def regime_of(constants: Constants) -> Regime:
+def regime_of(constants: ParametersO4) -> Regime:
     """The regime of given constants.
 
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if there is no real motion, and
@@ -107,7 +107,7 @@ def regime_of(constants: Constants) -> Regime:
     )
 
 
-def _arcs(constants: Constants, number: int) -> Iterator[tuple[Arc, Fraction]]:
+def _arcs(constants: ParametersO4, number: int) -> Iterator[tuple[Arc, Fraction]]:
     """The arcs on which the radicands of u1 or u2 are positive, and a point of each.
 
     The point is told by its square with its own sign, like the roots.
@@ -122,7 +122,7 @@ def _arcs(constants: Constants, number: int) -> Iterator[tuple[Arc, Fraction]]:
             yield Arc(ends, (roots[place - 1], roots[(place + 2) % len(roots)]), after == 0), point
 
 
-def _radicands(constants: Constants, number: int, key: Fraction) -> tuple[bool, ...]:
+def _radicands(constants: ParametersO4, number: int, key: Fraction) -> tuple[bool, ...]:
     """Whether the squares of μ, A, B, K are positive at a point."""
     low, high = constants.keys[LOW], constants.keys[HIGH]
     mu = (abs(key) > constants.sigma) == (constants.tau > 0)
@@ -133,7 +133,7 @@ def _radicands(constants: Constants, number: int, key: Fraction) -> tuple[bool, 
     return mu, (key > low) == (key > high), inside != (constants.s > 0)
 
 
-def _positive(constants: Constants, first: Fraction, second: Fraction) -> bool:
+def _positive(constants: ParametersO4, first: Fraction, second: Fraction) -> bool:
     """Whether nu1 + σv is positive, for n + τv > 0, where σ is; both points by their squares."""
     beyond = 1 if second > constants.keys[LOW] else -1  # the sign of v
     square = first * second + constants.sigma * abs(constants.sigma)

@@ -17,7 +17,7 @@ from flint import arb, arb_mat, ctx
 from kowalevski_cas.motion.o4.variable import Pair, Variable
 from kowalevski_cas.motion.parameters import Inadmissible
 
-WIDEST, SHARE = 20.0, 0.9
+WIDEST, SHARE = 20.0, 0.98
 """The greatest cosh S, and its share of the way to the nearest root."""
 
 MOST = 20000
@@ -38,18 +38,21 @@ class Series:
             product *= bound
         numerators = [(x + y + z * self._width.cosh()) / 2 for x, y, z in variable.pair_moduli]
         self._bounds = [x * variable.scale / product.sqrt() for x in numerators]
-        # As many values as make the last coefficient smaller than a bit.
-        largest = max(float(bound) for bound in self._bounds)
-        count = ceil((ctx.prec * log(2) + log(1 + largest)) / acosh(cosh)) + 8
-        if not (all(bound > 0 for bound in bounds) and count <= MOST):
+        if not (all(bound > 0 for bound in bounds) and self.terms(ctx.prec) <= MOST):
             raise Inadmissible(
                 "two roots are so close that the series of the quadratures hardly converge: any s "
                 "or τ farther from those where the tori of O⁴ degenerate would do"
             )
+        count = self.terms(ctx.prec)
         self._values = [
             variable.differentials(_squares(arb(2 * j + 1) / (2 * count)), arb.sqrt)
             for j in range(count)
         ]
+
+    def terms(self, bits: int) -> int:
+        """How many coefficients there are that need not be smaller than 2^−bits."""
+        largest = log(1 + max(map(float, self._bounds)))
+        return ceil((bits * log(2) + largest) / float(self._width)) + 1
 
     def means(self) -> Pair:
         """The means of both differentials."""
@@ -96,7 +99,7 @@ def _around_zero(bound: arb) -> arb:
     return arb(0, bound.upper())
 
 
-def means(series: Sequence[Series], signs: Sequence[int]) -> arb_mat:
+def matrix(series: Sequence[Series], signs: Sequence[int]) -> arb_mat:
     """The matrix of the means with their signs: a row an equation, a column a variable."""
     columns = [series.means() for series in series]
     return arb_mat(

@@ -20,8 +20,8 @@ from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.critical import TOLERANCE
 from kowalevski_cas.motion.formulas import exactly
 from kowalevski_cas.motion.frame import BITS, turn_of, turned
-from kowalevski_cas.motion.o4.closed import states
-from kowalevski_cas.motion.o4.constants import Constants
+from kowalevski_cas.motion.methods.closed import states
+from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.point import PhasePoint
 from kowalevski_cas.motion.o4.variable import Variable
@@ -65,7 +65,7 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
     return replace(motion, off=off)
 
 
-def _separated(state: list[Fraction]) -> tuple[Constants, list[tuple[arb, arb]]]:
+def _separated(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb]]]:
     """The constants at a state in fields at right angles, and both variables as quotients."""
     if not any(state[:2]):
         raise Inadmissible("ω1 = ω2 = 0 at the state: it does not tell the constant s of O⁴")
@@ -73,7 +73,7 @@ def _separated(state: list[Fraction]) -> tuple[Constants, list[tuple[arb, arb]]]
     found = [acb(value).real for value in formulas.hyperelliptic("constants")(*known)]
     s, tau, X, both = map(as_fraction, found)
     _, _, a_square, b_square, *_ = exactly(formulas.integrals(), state)
-    constants = Constants(root(a_square), root(b_square), s, tau)
+    constants = ParametersO4(root(a_square), root(b_square), s, tau)
     xi = both - tau
     square, *_ = _variables(X, xi, constants, 0)
     q = root(max(square, Fraction(0)))
@@ -85,7 +85,7 @@ def _separated(state: list[Fraction]) -> tuple[Constants, list[tuple[arb, arb]]]
 
 
 def _variables(
-    X: Fraction, xi: Fraction, constants: Constants, q: Fraction
+    X: Fraction, xi: Fraction, constants: ParametersO4, q: Fraction
 ) -> list[Fraction]:
     """The discriminant, the numerators of u1 and u2, their denominator and that of u1u2."""
     return exactly(
@@ -99,7 +99,7 @@ def _fitted(motion: MotionO4, angles: list[float], state: np.ndarray) -> MotionO
     weights[:3] **= 0.5
 
     def missing(signs: np.ndarray, angles: np.ndarray) -> np.ndarray:
-        point = PhasePoint(motion.constants, motion.regime, signs, float, np.sqrt)
+        point = PhasePoint(motion.parameters, motion.regime, signs, float, np.sqrt)
         halves = [(np.cos(angle / 2), np.sin(angle / 2)) for angle in angles]
         with np.errstate(invalid="ignore"):
             found = np.array(np.broadcast_arrays(*point(*halves)))

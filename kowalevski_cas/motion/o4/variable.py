@@ -22,7 +22,7 @@ from typing import Any
 
 from flint import arb
 
-from kowalevski_cas.motion.o4.constants import HIGH, KAPPA, LOW, MU, Constants
+from kowalevski_cas.motion.o4.parameters import HIGH, KAPPA, LOW, MU, ParametersO4
 from kowalevski_cas.motion.o4.regimes import Arc
 from kowalevski_cas.motion.parameters import ball
 
@@ -35,7 +35,7 @@ Pair = tuple[Number, Number]
 class Variable:
     """The variable on one arc, in one arithmetic."""
 
-    def __init__(self, constants: Constants, arc: Arc, number: Callable[[arb], Number]) -> None:
+    def __init__(self, constants: ParametersO4, arc: Arc, number: Callable[[arb], Number]) -> None:
         (first, last), (below, above), gap = arc.roots, arc.neighbours, constants.gap
         quotient = gap(below, first) * gap(above, first) / (gap(below, last) * gap(above, last))
         factor = abs(quotient).sqrt() * (-1 if arc.infinite else 1)

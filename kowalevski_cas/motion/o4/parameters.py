@@ -22,7 +22,7 @@ MU, KAPPA, LOW, HIGH = ("-√σ", "√σ"), ("-κ", "κ"), "-τ-r²", "-τ+r²"
 
 
 @dataclass(frozen=True)
-class Constants:
+class ParametersO4:
     """The constants of a motion on O⁴ in fields of lengths a > b > 0 at right angles."""
 
     a: Fraction
@@ -39,9 +39,9 @@ class Constants:
                 raise Inadmissible(f"{name} = 0: u1, u2 do not separate; {name} ≠ 0 is needed")
 
     @staticmethod
-    def of(a: Real, b: Real, s: Real, tau: Real) -> Constants:
+    def of(a: Real, b: Real, s: Real, tau: Real) -> ParametersO4:
         """The constants as they are given; raises ``ValueError`` for what is no finite number."""
-        return Constants(usable(a), usable(b), usable(s), usable(tau))
+        return ParametersO4(usable(a), usable(b), usable(s), usable(tau))
 
     @property
     def r_square(self) -> Fraction:
@@ -67,7 +67,7 @@ class Constants:
     def integrals(self) -> tuple[float, float, float]:
         """The values of H, K and G."""
         p, r = (float(ball(square).sqrt()) for square in (self.p_square, self.r_square))
-        h, k, g, _ = formulas.hyperelliptic("integrals")(float(self.s), float(self.tau), p, r)
+        h, k, g = formulas.hyperelliptic("integrals")(float(self.s), float(self.tau), p, r)
         return h, k, g
 
     @cached_property
