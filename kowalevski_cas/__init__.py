@@ -1,3 +1,15 @@
 """Printed derivations of mathematical mechanics, read, proved or refuted."""
 
+from importlib import import_module
+from typing import Any
+
 __version__ = "0.1.0"
+
+__all__ = ["System", "__version__", "display"]
+
+
+def __getattr__(name: str) -> Any:
+    """``System`` and ``display``, loaded when they are first asked for."""
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.system"), name)

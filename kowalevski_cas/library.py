@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
+from contextlib import suppress
 from importlib import invalidate_caches
-from importlib.util import module_from_spec, spec_from_file_location
+from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
-from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.derivation import Derivation, Section
 
 
 class LibraryError(ValueError):
@@ -30,15 +31,46 @@ def available() -> list[str]:
     return sorted(path.parent.name for path in folder.glob("*/__init__.py"))
 
 
+EVIDENCE = ".evidence"
+"""How the folder ends that holds the record and the certificates of a file beside it."""
+
+
 def find(name: str) -> Path:
-    """The folder of a derivation, by its name in the library or by a path."""
+    """The folder with what is kept of a derivation, by its name, its path, or its module.
+
+    A derivation that is a folder keeps its record and its certificates with it; that in a file
+    ``lorenz.py`` has a folder ``lorenz.evidence`` beside it, once there is something to keep.
+    """
     for folder in (library() / name, Path(name)):
-        if (folder / "__init__.py").is_file():
+        if source(folder).is_file():
             return folder
+    path = Path(name)
+    if not path.exists() and name.replace(".", "").isidentifier():
+        path = _module(name) or path
+    if path.name == "__init__.py":
+        return path.parent
+    if path.is_file() and path.suffix == ".py":
+        return path.with_suffix(EVIDENCE)
+    if path.exists():
+        raise LibraryError(
+            f"{name} is no derivation: a Python file is expected, or a folder with an __init__.py"
+            + ("; a TeX source is for `kowalevski-cas audit`" if path.suffix == ".tex" else "")
+        )
     known = ", ".join(available()) or "none"
-    if Path(name).exists():
-        raise LibraryError(f"{name} is no derivation: a folder with an __init__.py is expected")
     raise LibraryError(f"there is no derivation “{name}”; the library has: {known}")
+
+
+def source(folder: Path) -> Path:
+    """The file that is executed for the derivation of which this folder keeps what there is."""
+    return folder.with_suffix(".py") if folder.suffix == EVIDENCE else folder / "__init__.py"
+
+
+def _module(name: str) -> Path | None:
+    """The file of an importable module."""
+    with suppress(ImportError, ValueError):
+        spec = find_spec(name)
+        return Path(spec.origin) if spec is not None and spec.origin else None
+    return None
 
 
 SHELF = "kowalevski_cas_derivations"
@@ -46,47 +78,64 @@ SHELF = "kowalevski_cas_derivations"
 
 
 def load(name: str) -> Derivation:
-    """The derivation with this name or in this folder.
+    """The derivation with this name, in this folder, this file or this module.
 
     It can rest on another one in the folder beside it or in the library, and imports it from
-    there: ``from ..kharlamov2002.section1 import eq3``. Raises :class:`LibraryError` if the
-    folder does not hold a derivation. Its modules are Python and are executed: load only
-    derivations that you would run.
+    there: ``from ..kharlamov2002.section1 import eq3``. A file that does not say what its
+    ``derivation`` is, has the sections of its systems, in their order. Raises
+    :class:`LibraryError` if nothing is stated there. Its modules are Python and are executed:
+    load only derivations that you would run.
     """
     folder = find(name).resolve()
-    initial = folder / "__init__.py"
+    file = source(folder)
+    inside = file.parent == folder
     for known in [m for m in sys.modules if m == SHELF or m.startswith(f"{SHELF}.")]:
         del sys.modules[known]
     shelf = ModuleType(SHELF)
     shelf.__path__ = [str(folder.parent), str(library())]
     sys.modules[SHELF] = shelf
     invalidate_caches()
-    module_name = f"{SHELF}.{folder.name.replace('.', '_')}"
-    spec = spec_from_file_location(module_name, initial, submodule_search_locations=[str(folder)])
+    module_name = f"{SHELF}.{folder.stem if not inside else folder.name.replace('.', '_')}"
+    below = [str(folder)] if inside else None
+    spec = spec_from_file_location(module_name, file, submodule_search_locations=below)
     assert spec is not None and spec.loader is not None
     module = module_from_spec(spec)
     sys.modules[module_name] = module
     try:
         spec.loader.exec_module(module)
+        return _derivation(module, file, folder.stem)
     except LibraryError:
         raise
-    except Exception as error:
-        raise LibraryError(f"{_place(error, folder)}: {type(error).__name__}: {error}") from error
-    derivation = getattr(module, "derivation", None)
-    if not isinstance(derivation, Derivation):
-        raise LibraryError(f"{initial} does not define `derivation = Derivation(...)`")
-    return derivation
+    except (Exception, SystemExit) as error:
+        place = _place(error, folder if inside else file, file)
+        kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
+        raise LibraryError(f"{place}: {kind}{error}") from error
 
 
-def _place(error: Exception, folder: Path) -> str:
+def _derivation(module: ModuleType, file: Path, name: str) -> Derivation:
+    """What a module calls its derivation, or the sections that its values have."""
+    found = getattr(module, "derivation", None)
+    if isinstance(found, Derivation):
+        return found
+    sections = (getattr(value, "section", None) for value in vars(module).values())
+    own = tuple(dict.fromkeys(one for one in sections if isinstance(one, Section)))
+    if not own:
+        raise LibraryError(
+            f"{file} states nothing: make a System(...), or define `derivation = Derivation(...)`"
+        )
+    title = (module.__doc__ or name).strip().splitlines()[0].rstrip(".")
+    return Derivation(name, title, "", file.name, own)
+
+
+def _place(error: BaseException, within: Path, file: Path) -> str:
     """The file and line of a derivation at which an error arose."""
-    place = str(folder)
     if isinstance(error, SyntaxError):
-        return f"{error.filename or folder / '__init__.py'}:{error.lineno or 1}"
+        return f"{error.filename or file}:{error.lineno or 1}"
+    place = str(within)
     trace = error.__traceback__
     while trace is not None:
-        file = trace.tb_frame.f_code.co_filename
-        if Path(file).is_relative_to(folder.resolve()):
-            place = f"{file}:{trace.tb_lineno}"
+        name = trace.tb_frame.f_code.co_filename
+        if Path(name).is_relative_to(within):
+            place = f"{name}:{trace.tb_lineno}"
         trace = trace.tb_next
     return place

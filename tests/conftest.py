@@ -11,14 +11,19 @@ from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import verify
 
-settings.register_profile(
-    "quick",
-    max_examples=25,
-    deadline=None,
-    derandomize=True,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
-)
-settings.load_profile("quick")
+for profile, examples in (("quick", 25), ("slow", 100)):
+    settings.register_profile(
+        profile,
+        max_examples=examples,
+        deadline=None,
+        derandomize=True,
+        suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much],
+    )
+
+
+def pytest_configure(config):
+    """Without slow tests, Hypothesis looks less hard, too."""
+    settings.load_profile("quick" if config.option.markexpr == "not slow" else "slow")
 
 
 @pytest.fixture(params=EXACT)

@@ -27,10 +27,12 @@ def test_what_is_loaded_twice_is_loaded_anew(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", "{file} does not define `derivation = Derivation(...)`"),
+        ("", "{file} states nothing: make a System(...), or define `derivation = Derivation(...)`"),
         ("1 +", "{file}:1: SyntaxError: invalid syntax"),
         ("x = 1\nx.y", "{file}:2: AttributeError: 'int' object has no attribute 'y'"),
         ("from . import nothing", "{file}:1: ImportError"),
+        ("import sys\nsys.exit()", "{file}:2: SystemExit"),
+        ("\nint('a')", "{file}:2: invalid literal for int()"),
     ],
 )
 def test_the_message_names_file_and_line(tmp_path, text, message):
@@ -52,7 +54,8 @@ def test_a_file_is_no_derivation(tmp_path):
     file = tmp_path / "paper.tex"
     file.write_text("")
     with pytest.raises(
-        LibraryError, match=r"is no derivation: a folder with an __init__\.py is expected"
+        LibraryError,
+        match=r"is no derivation: a Python file is expected, or a folder .*kowalevski-cas audit",
     ):
         find(str(file))
 

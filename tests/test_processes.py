@@ -103,14 +103,19 @@ def test_nothing_is_left_running_when_the_work_ends_early(error):
             os.kill(pid, 0)
 
 
-def test_a_process_that_is_not_wanted_any_more_tidies_up(tmp_path):
+def test_a_process_that_is_not_wanted_any_more_tidies_up(tmp_path, monkeypatch):
+    monkeypatch.setattr("kowalevski_cas.processes.GRACE", LONG)
+    begun = []
+
     def work(_):
         with TemporaryDirectory(dir=tmp_path):
             tell("begun")
             sleep(LONG)
 
     def heard(*words):
-        raise KeyboardInterrupt
+        begun.append(words)
+        if len(begun) == 2:
+            raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
         list(each(work, range(2), jobs=2, heard=heard))

@@ -14,6 +14,16 @@ def test_the_lines_of_python_follow_a_motion():
     assert names["states"].shape == (3, 9)
 
 
+def test_the_file_of_a_system_is_as_expected(tmp_path, capsys):
+    from kowalevski_cas.cli import main
+
+    lines = re.search(r"^A file anywhere.*:\n\n((?:    .*\n|\n)+)", README, re.MULTILINE)[1]
+    file = tmp_path / "lorenz.py"
+    file.write_text(re.sub("^    ", "", lines, flags=re.MULTILINE))
+    assert main(["verify", str(file), "--arithmetic", "flint"]) == 0
+    assert "3 claims: 2 proved, 1 refuted" in capsys.readouterr().out
+
+
 def test_its_commands_and_their_options_exist(capsys):
     from kowalevski_cas.cli import main
 

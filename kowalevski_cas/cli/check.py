@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
-from kowalevski_cas.library import LibraryError, available, find
+from kowalevski_cas.library import LibraryError, available, find, source
 from kowalevski_cas.problem.checker import printable
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
@@ -84,7 +84,7 @@ def _checked(names: list[str]) -> list[Checked]:
 def _about(folder: Path) -> Expected | None:
     """What files in a folder have to be about, if it is that of a derivation's certificates."""
     folder = folder.parent if folder.name == CORRECTED else folder
-    if folder.name != FOLDER or not (folder.parent / "__init__.py").is_file():
+    if folder.name != FOLDER or not source(folder.parent).is_file():
         return None
     return expected(folder.parent, load_record(folder.parent) or {})
 

@@ -26,7 +26,13 @@ from kowalevski_cas.cli.exits import (
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.record import RecordError, contradictions, differences, load_record
+from kowalevski_cas.verify.record import (
+    RecordError,
+    contradictions,
+    differences,
+    load_record,
+    unexpected,
+)
 from kowalevski_cas.verify.teller import disagreement
 
 
@@ -71,14 +77,14 @@ def _result(arguments: argparse.Namespace, folder: Path, derivation: Derivation)
     except RecordError as error:
         raise CommandError(str(error)) from None
     if record is None:
-        compared = None
+        compared = unexpected(found, derivation.expected)
     elif arguments.arithmetic in POINTS:
         compared = contradictions(found, record)
     else:
         compared = differences(found, record, not arguments.only)
     if explain:
         found = replace(found, versions=session.versions())
-    return Result(folder, found, compared)
+    return Result(folder, found, compared, record is not None, derivation.lines)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -120,8 +126,6 @@ def exit_code(result: Result) -> int:
         return UNDECIDED
     if any(o.verdict is Verdict.TIMEOUT for o in outcomes):
         return UNDECIDED
-    if result.differences is None:
-        return AS_RECORDED if all(o.verdict.likely for o in outcomes) else DIFFERENT
     return DIFFERENT if result.differences else AS_RECORDED
 
 

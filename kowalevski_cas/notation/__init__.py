@@ -37,9 +37,11 @@ from kowalevski_cas.notation.heads import Heads, heads
 from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.mathml import to_mathml
+from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.notation.plain import to_plain
 from kowalevski_cas.notation.prose import Prose, print_prose, read_prose
 from kowalevski_cas.notation.reader import Statement, read, read_display
+from kowalevski_cas.notation.sympy import from_sympy, to_sympy
 from kowalevski_cas.notation.typst import to_typst
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import Vocabulary
@@ -60,6 +62,7 @@ __all__ = [
     "Negative",
     "NotationError",
     "Number",
+    "OpenParser",
     "Partial",
     "PoissonBracket",
     "Power",
@@ -76,6 +79,7 @@ __all__ = [
     "Vector",
     "Vocabulary",
     "edits",
+    "from_sympy",
     "heads",
     "is_small_change",
     "print_prose",
@@ -90,5 +94,6 @@ __all__ = [
     "to_latex",
     "to_mathml",
     "to_plain",
+    "to_sympy",
     "to_typst",
 ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
@@ -19,6 +21,8 @@ class Section:
     """A section of a paper: it collects displays and claims in the order of the paper.
 
     ``copied`` says whether its displays are what the edition prints, sign by sign, or restate it.
+    ``lines`` has the file and the line in which a claim is stated, by its id, and ``expected`` the
+    verdict that its author expects, where he says so.
     """
 
     number: str
@@ -27,6 +31,8 @@ class Section:
     displays: list[Display] = field(default_factory=list)
     claims: list[Claim] = field(default_factory=list)
     accepted: dict[Printed, str] = field(default_factory=dict)
+    lines: dict[str, tuple[str, int]] = field(default_factory=dict)
+    expected: dict[str, str] = field(default_factory=dict)
 
     def display(self, id: str, tex: str, label: str = "") -> Display:
         """A displayed formula; ``eq3`` is labelled (3) if nothing else is said."""
@@ -84,11 +90,18 @@ class Section:
         return printed
 
     def claim(self, *claims: Claim) -> None:
-        """Statements that the paper makes here; raises ``TypeError`` for anything else."""
+        """Statements that the paper makes here; raises ``TypeError`` for anything else.
+
+        Raises ``ValueError`` for an id that cannot be the name of a certificate.
+        """
         for claim in claims:
             if not isinstance(claim, Claim):
                 raise TypeError(f"a claim is expected, not {claim!r}")
+            if re.fullmatch(r"[\w.-]+", claim.id, re.ASCII) is None:
+                allowed = "letters, digits, “_”, “-” and “.” are allowed"
+                raise ValueError(f"the claim {claim.id!r}: in its id {allowed}")
             self.claims.append(claim)
+            self.lines[claim.id] = _line()
 
     def accept(self, printed: Printed, tex: str) -> None:
         """Read this in place of what is printed, in all that follows from it.
@@ -102,6 +115,14 @@ class Section:
         display = Display(id, tex, self.number, **attributes)
         self.displays.append(display)
         return display
+
+
+def _line() -> tuple[str, int]:
+    """The file and the line, outside of this package, that is being executed."""
+    frame = sys._getframe()
+    while frame.f_back and frame.f_globals.get("__name__", "").startswith("kowalevski_cas."):
+        frame = frame.f_back
+    return frame.f_code.co_filename, frame.f_lineno
 
 
 def _label(id: str) -> str:
@@ -139,17 +160,28 @@ class Derivation:
     def __post_init__(self) -> None:
         """Refuse ids that are given twice, for everything goes by them."""
         for kind, ids in (
+            ("sections or systems", [section.number for section in self.sections]),
             ("claims", [claim.id for claim in self.claims]),
             ("displays", [display.id for display in self._known_displays()]),
         ):
             twice = sorted({id for id in ids if ids.count(id) > 1})
             if twice:
-                raise ValueError(f"two {kind} are called {twice[0]}")
+                raise ValueError(f"two {kind} are called {twice[0]}: give one another name")
 
     @property
     def claims(self) -> tuple[Claim, ...]:
         """All claims in the order of the paper."""
         return tuple(claim for section in self.sections for claim in section.claims)
+
+    @property
+    def lines(self) -> dict[str, tuple[str, int]]:
+        """The file and the line in which each claim is stated."""
+        return {id: line for section in self.sections for id, line in section.lines.items()}
+
+    @property
+    def expected(self) -> dict[str, str]:
+        """The verdicts that the author expects, by claims."""
+        return {id: verdict for one in self.sections for id, verdict in one.expected.items()}
 
     def scenes(self) -> tuple[Scene, ...]:
         """The scenes on which the claims stand, and those from which they are changes."""

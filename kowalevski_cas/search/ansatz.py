@@ -3,21 +3,27 @@
 A combination of the generators has to cancel every monomial that is not in the target. So the
 monomials of the cofactors are sought from those of the target: each is brought in by a term of
 a generator, and brings in the others of that generator. If weights of the variables make all of
-them homogeneous this ends; otherwise there are soon too many.
+them homogeneous this ends; otherwise there may soon be too many, and only those are taken that
+lead to no higher degree.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import combinations_with_replacement
 
 from flint import fmpq, fmpq_mpoly, nmod_mat
 
 from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.search.weights import gradings
 
 Monomial = tuple[int, ...]
 Column = tuple[int, Monomial]
 """A generator, and a monomial of its cofactor."""
+
+Combination = tuple[fmpq_mpoly, list[fmpq_mpoly]]
+"""A polynomial u and cofactors c: u times the target is the sum of c[k] times generator k."""
 
 PRIME = 2**61 - 1
 
@@ -27,25 +33,69 @@ MOST = 600
 
 def combination(target: fmpq_mpoly, generators: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly] | None:
     """Polynomials c with ``target`` = sum of c[k] ``generators[k]``; ``None`` if none is found."""
-    goal, terms = _terms(target), [_terms(generator) for generator in generators]
-    columns = _columns(goal, terms)
-    if columns is None:
-        return None
-    found: list[dict[Monomial, fmpq]] = [{} for _ in generators]
-    for (k, monomial), value in _solved(goal, terms, columns):
-        found[k][monomial] = fmpq(value.numerator, value.denominator)
+    found = multiple(target, generators, 0)
+    return None if found is None else [c / found[0].leading_coefficient() for c in found[1]]
+
+
+def multiple(
+    target: fmpq_mpoly, generators: Sequence[fmpq_mpoly], degree: int
+) -> Combination | None:
+    """The multiple of the target by a polynomial u that is a combination of generators.
+
+    The degree of u is the least for which one is found, and at most ``degree``. No u is itself
+    a combination of the generators: it would vanish wherever these do.
+    """
+    polynomials = [terms for one in (target, *generators) if (terms := _terms(one))]
+    weights = gradings(polynomials)
     context = target.context()
-    cofactors = [context.from_dict(part) for part in found]
-    total = context.constant(0)
-    for cofactor, generator in zip(cofactors, generators, strict=True):
-        total += cofactor * generator
-    return cofactors if total == target else None
+    places = [k for k in range(context.nvars()) if any(m[k] for p in polynomials for m in p)]
+    blocks: dict[tuple[int, ...], list[Monomial]] = {}
+    for size in range(degree + 1):
+        for chosen in combinations_with_replacement(places, size):
+            monomial = tuple(map(chosen.count, range(context.nvars())))
+            grade = tuple(sum(w * e for w, e in zip(one, monomial, strict=True)) for one in weights)
+            blocks.setdefault(grade, []).append(monomial)
+        for block in blocks.values():
+            if sum(block[-1]) < size:
+                continue
+            for unit, cofactors in _combinations(target, generators, block):
+                if not size or combination(unit, generators) is None:
+                    return unit, cofactors
+    return None
 
 
-def _columns(target: Terms, generators: Sequence[Terms]) -> list[Column] | None:
-    """The unknowns; ``None`` if there are too many."""
+def _combinations(
+    target: fmpq_mpoly, generators: Sequence[fmpq_mpoly], block: Sequence[Monomial]
+) -> Iterator[Combination]:
+    """Those in which the target is multiplied by terms with monomials of a block."""
+    goal, terms = _terms(target), [_terms(generator) for generator in generators]
+    multiples = [_multiple(goal, monomial) for monomial in block]
+    start = list(dict.fromkeys(monomial for one in multiples for monomial in one))
+    columns = _columns(start, terms) or _columns(start, terms, max(map(sum, start)))
+    if columns is None:
+        return
+    context, size = target.context(), len(columns)
+    for solution in _relations([_multiple(terms[k], m) for k, m in columns], multiples):
+        unit = context.from_dict({block[k - size]: v for k, v in solution.items() if k >= size})
+        parts: list[dict[Monomial, fmpq]] = [{} for _ in generators]
+        for place, value in solution.items():
+            if place < size:
+                k, monomial = columns[place]
+                parts[k][monomial] = -value
+        cofactors = [context.from_dict(part) for part in parts]
+        total = unit * target
+        for cofactor, generator in zip(cofactors, generators, strict=True):
+            total -= cofactor * generator
+        if total.is_zero():
+            yield unit, cofactors
+
+
+def _columns(
+    start: Sequence[Monomial], generators: Sequence[Terms], degree: int | None = None
+) -> list[Column] | None:
+    """The unknowns, for terms up to a degree if one is given; ``None`` if there are too many."""
     columns: dict[Column, None] = {}
-    waiting, seen = [*target], {*target}
+    waiting, seen = [*start], {*start}
     while waiting:
         row = waiting.pop(0)
         for k, generator in enumerate(generators):
@@ -53,39 +103,44 @@ def _columns(target: Terms, generators: Sequence[Terms]) -> list[Column] | None:
                 monomial = tuple(a - b for a, b in zip(row, term, strict=True))
                 if min(monomial) < 0 or (k, monomial) in columns:
                     continue
+                more = [_times(monomial, other) for other in generator]
+                if degree is not None and max(map(sum, more)) > degree:
+                    continue
                 columns[k, monomial] = None
                 if len(columns) > MOST:
                     return None
-                more = [_times(monomial, other) for other in generator]
                 waiting += [m for m in more if m not in seen]
                 seen.update(more)
     return [*columns]
 
 
-def _solved(
-    target: Terms, generators: Sequence[Terms], columns: Sequence[Column]
-) -> Iterator[tuple[Column, Fraction]]:
-    """The coefficients that are not zero, if there are any that fit modulo a prime."""
-    rows: dict[Monomial, int] = {monomial: j for j, monomial in enumerate(target)}
-    entries = []
-    for place, (k, monomial) in enumerate(columns):
-        for term, value in generators[k].items():
-            row = rows.setdefault(_times(monomial, term), len(rows))
-            entries.append((row, place, _residue(value)))
-    last = len(columns)
-    matrix = nmod_mat(len(rows), last + 1, PRIME)
+def _relations(known: Sequence[Terms], new: Sequence[Terms]) -> Iterator[dict[int, fmpq]]:
+    """Each of the new polynomials that depends on those before it, as a relation modulo a prime.
+
+    It is given by the coefficients of all polynomials, the new ones after the known ones.
+    """
+    rows: dict[Monomial, int] = {}
+    entries = [
+        (rows.setdefault(monomial, len(rows)), place, _residue(value))
+        for place, terms in enumerate((*known, *new))
+        for monomial, value in terms.items()
+    ]
+    matrix = nmod_mat(len(rows), len(known) + len(new), PRIME)
     for row, place, residue in entries:
         matrix[row, place] = residue
-    for monomial, value in target.items():
-        matrix[rows[monomial], last] = _residue(value)
     reduced, rank = matrix.rref()
-    pivot = 0
-    for row in range(rank):
-        while not int(reduced[row, pivot]):
-            pivot += 1
-        residue = int(reduced[row, last])
-        if pivot < last and residue:
-            yield columns[pivot], _rational(residue)
+    pivots: list[int] = []
+    for place in range(len(known) + len(new)):
+        if len(pivots) < rank and int(reduced[len(pivots), place]):
+            pivots.append(place)
+        elif place >= len(known):
+            relation = {p: _rational(int(reduced[row, place])) for row, p in enumerate(pivots)}
+            relation[place] = Fraction(-1)
+            yield {p: fmpq(-v.numerator, v.denominator) for p, v in relation.items() if v}
+
+
+def _multiple(terms: Terms, by: Monomial) -> Terms:
+    return {_times(by, monomial): value for monomial, value in terms.items()}
 
 
 def _times(one: Monomial, other: Monomial) -> Monomial:

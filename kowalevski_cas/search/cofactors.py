@@ -8,7 +8,10 @@ from fractions import Fraction
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.tower import Element, Ring
-from kowalevski_cas.search.ansatz import combination
+from kowalevski_cas.search.ansatz import combination, multiple
+
+LARGEST_DEGREE = 2
+"""The largest degree of what is divided by where no division finds anything."""
 
 Monomial = tuple[int, ...]
 Split = dict[Monomial, fmpq_mpoly]
@@ -43,6 +46,10 @@ def cofactors(
         if found is not None:
             ordered = dict(zip(order, _unreduced(found[1], steps), strict=True))
             found = found[0], [ordered[k] for k in range(len(order))]
+    if found is None and len(numerators) > 1:
+        relations = flat.relations(among=numerators)
+        least = multiple(dividend, [*numerators, *relations], LARGEST_DEGREE)
+        found = None if least is None else (least[0], least[1][: len(numerators)])
     if found is None:
         return None
     unit, quotients = found

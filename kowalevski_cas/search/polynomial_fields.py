@@ -7,12 +7,11 @@ from fractions import Fraction
 from functools import cached_property
 from math import gcd, lcm
 
-from flint import fmpz_mat
-
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.search.weights import whole_solutions
 
 Exponents = tuple[int, ...]
 Terms = dict[Exponents, Fraction]
@@ -85,7 +84,7 @@ class PolynomialField:
                 row = [*exponents, -1]
                 row[k] -= 1
                 rows.append(row)
-        return _kernel(rows, width)
+        return whole_solutions(rows, width)
 
     def grade(self, exponents: Exponents) -> Exponents:
         """The weights of a monomial in all gradings: the derivative keeps them together."""
@@ -93,19 +92,6 @@ class PolynomialField:
             sum(w * e for w, e in zip(weights[:-1], exponents, strict=True))
             for weights in self.gradings
         )
-
-
-def _kernel(rows: Sequence[Sequence[int]], width: int) -> list[Exponents]:
-    """A basis of the whole solutions of homogeneous linear equations, as short as can be."""
-    if not rows:
-        return [tuple(int(j == k) for j in range(width)) for k in range(width)]
-    matrix = fmpz_mat([list(row) for row in rows])
-    basis, rank = matrix.nullspace()
-    columns = [[int(basis[i, j]) for i in range(width)] for j in range(int(rank))]
-    if not columns:
-        return []
-    whole = fmpz_mat([[v // gcd(*column) for v in column] for column in columns])
-    return [tuple(int(v) for v in row) for row in whole.lll().tolist()]
 
 
 def monomials(weights: Sequence[int], weight: int) -> Iterator[Exponents]:

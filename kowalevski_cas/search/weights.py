@@ -10,6 +10,15 @@ from flint import fmpz_mat
 from kowalevski_cas.algebra.polynomials import Terms
 
 
+def gradings(polynomials: Sequence[Terms]) -> list[tuple[int, ...]]:
+    """A basis of the weights, of any sign, for which all polynomials are homogeneous."""
+    rows = []
+    for terms in polynomials:
+        first, *others = terms
+        rows += [[a - b for a, b in zip(first, other, strict=True)] for other in others]
+    return whole_solutions(rows, len(first))
+
+
 def weights(polynomials: Sequence[Terms]) -> tuple[int, ...] | None:
     """The smallest positive integers that do it, if they are unique up to a factor.
 
@@ -18,16 +27,21 @@ def weights(polynomials: Sequence[Terms]) -> tuple[int, ...] | None:
     >>> weights([{(2, 0): one, (0, 1): one}])
     (1, 2)
     """
-    rows = []
-    for terms in polynomials:
-        first, *others = terms
-        rows += [[a - b for a, b in zip(first, other, strict=True)] for other in others]
+    found = gradings(polynomials)
+    if len(found) != 1:
+        return None
+    result = tuple(map(abs, found[0]))
+    return result if found[0] in (result, tuple(-w for w in result)) and all(result) else None
+
+
+def whole_solutions(rows: Sequence[Sequence[int]], width: int) -> list[tuple[int, ...]]:
+    """A basis of the whole solutions of homogeneous linear equations, as short as can be."""
     if not rows:
-        return None
-    space, nullity = fmpz_mat(rows).nullspace()
-    if nullity != 1:
-        return None
-    found = [int(space[k, 0]) for k in range(len(rows[0]))]
-    size = gcd(*found) * (1 if found[0] > 0 else -1)
-    result = tuple(weight // size for weight in found)
-    return result if all(weight > 0 for weight in result) else None
+        return [tuple(int(j == k) for j in range(width)) for k in range(width)]
+    matrix = fmpz_mat([list(row) for row in rows])
+    basis, rank = matrix.nullspace()
+    columns = [[int(basis[i, j]) for i in range(width)] for j in range(int(rank))]
+    if not columns:
+        return []
+    whole = fmpz_mat([[v // gcd(*column) for v in column] for column in columns])
+    return [tuple(int(v) for v in row) for row in whole.lll().tolist()]

@@ -92,6 +92,15 @@ def differences(
     return result
 
 
+def unexpected(run: Run, expected: Mapping[str, str]) -> list[Difference]:
+    """Where outcomes are others than the author expects: that all is true, unless he says so."""
+    return [
+        Difference(o.claim, expected.get(o.claim, "that it is true"), str(o.verdict))
+        for o in run.outcomes
+        if not (o.verdict == expected[o.claim] if o.claim in expected else o.verdict.likely)
+    ]
+
+
 def contradictions(run: Run, record: Mapping[str, Mapping[str, object]]) -> list[Difference]:
     """Where a screening denies the record; that it proves less is no difference."""
     result = []

@@ -46,14 +46,8 @@ def objection(language, certificate, folder):
     return language.objection(text, done.stdout + done.stderr)
 
 
-@pytest.mark.parametrize(
-    "claim",
-    [
-        "eq14", "eq15", "eq20.1", "eq21", "reality", "N4-independence", "J3", "ansatz-exponents",
-        "equilibria", "last-multiplier", "limit", "redundant-integral", "corrected/critical-set",
-    ],
-)  # fmt: skip
-def test_a_certificate_of_each_kind_is_confirmed(language, claim, tmp_path):
+@pytest.mark.parametrize("claim", ["eq14", "eq15", "reality", "equilibria"])
+def test_a_certificate_of_the_paper_is_confirmed(language, claim, tmp_path):
     assert objection(language, CERTIFICATES[claim], tmp_path) == ""
 
 
@@ -74,7 +68,8 @@ def test_evidence_and_denials_of_each_kind_are_confirmed(language, path, tmp_pat
     assert objection(language, data, tmp_path) == ""
 
 
-def test_a_changed_statement_is_confirmed_only_if_it_is_true(language, blind, tmp_path):
+@pytest.mark.parametrize("many", [2, pytest.param(10, marks=pytest.mark.slow)])
+def test_a_changed_statement_is_confirmed_only_if_it_is_true(language, blind, many, tmp_path):
     random.seed(1)
     denied = 0
     for claim in ("eq7", "eq16.2", "eq20.1", "M4-independence", "reality"):
@@ -87,7 +82,7 @@ def test_a_changed_statement_is_confirmed_only_if_it_is_true(language, blind, tm
             if path[0] == "goals" and path[2:3] and path[2] not in ("space", "goal")
             for _, changed in mutants(data, path, names)
         ]
-        for changed in random.sample(changes, 10):
+        for changed in random.sample(changes, many):
             try:
                 words = objection(language, changed, tmp_path)
             except Exception:
@@ -95,12 +90,13 @@ def test_a_changed_statement_is_confirmed_only_if_it_is_true(language, blind, tm
             denied += bool(words)
             if not words:
                 checker.check(seal(changed))
-    assert denied > 15
+    assert denied > 1.5 * many
 
 
+@pytest.mark.parametrize("many", [4, pytest.param(12, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("place", ["field", "steps"])
 def test_a_changed_space_is_confirmed_only_if_the_statement_stays_true(
-    language, blind, place, tmp_path
+    language, blind, place, many, tmp_path
 ):
     random.seed(2)
     data = CERTIFICATES["eq7"]
@@ -111,7 +107,7 @@ def test_a_changed_space_is_confirmed_only_if_the_statement_stays_true(
         if path[0] == "spaces" and path[2:3] == (place,)
         for _, changed in mutants(data, path, names)
     ]
-    for changed in random.sample(changes, 12):
+    for changed in random.sample(changes, many):
         try:
             words = objection(language, changed, tmp_path)
         except Exception:

@@ -45,6 +45,7 @@ def rocq(tmp_path_factory):
 
 
 @needs_rocq
+@pytest.mark.slow
 def test_the_exported_theories_are_built_by_coq_makefile(small, tmp_path):
     assert main(["export", "rocq", str(small), "-o", str(tmp_path / "out")]) == 0
     folder = tmp_path / "out" / "kharlamov2002"
@@ -80,14 +81,17 @@ def test_what_divides_by_a_polynomial_is_multiplied_by_it(rocq, claim):
     assert rocq("multiplied.v", text) == ""
 
 
-@needs_rocq
-@pytest.mark.parametrize(
-    "name",
-    [
-        "alternatives", "denied-alternatives", "denied-empty", "denied-fails", "denied-independence",
-        "denied-minors", "denied-rank", "exponents", "invariant-relation", "last-multiplier",
-    ],
+KINDS = (
+    "alternatives", "denied-fails", "denied-rank",
+    *(pytest.param(name, marks=pytest.mark.slow) for name in (
+        "denied-alternatives", "denied-empty", "denied-independence", "denied-minors",
+        "exponents", "invariant-relation", "last-multiplier",
+    )),
 )  # fmt: skip
+
+
+@needs_rocq
+@pytest.mark.parametrize("name", KINDS)
 def test_evidence_and_denials_of_each_kind(rocq, name):
     path = Path(__file__).parents[1] / f"problem/handwritten/{name}.json"
     data = json.loads(path.read_text(encoding="utf-8"))

@@ -26,6 +26,9 @@ from tests.paper.small import Oscillator, decide
 
 NOTHING = "no real point is known that satisfies the hypotheses"
 
+few = settings(max_examples=settings.default.max_examples // 4)
+"""A search that has to come to its end is dear."""
+
 whole = st.integers(-3, 3)
 polynomials = st.builds(
     "{0:+d}x{1:+d}v{2:+d}".format, whole.filter(bool), whole, whole
@@ -73,7 +76,7 @@ def claims(small, scene, given_ones, conclusion):
     ]
 
 
-@settings(max_examples=25, deadline=None)
+@few
 @given(hypotheses(), conclusions)
 def test_nothing_follows_from_hypotheses_that_no_real_point_satisfies(drawn, conclusion):
     small, scene, given_ones, kind = drawn
@@ -84,7 +87,7 @@ def test_nothing_follows_from_hypotheses_that_no_real_point_satisfies(drawn, con
     assert refused or (outcomes[0].verdict, outcomes[0].message) == ("undecided", NOTHING)
 
 
-@settings(max_examples=15, deadline=None)
+@few
 @given(st.integers(-4, 4), st.integers(-4, 4), whole.filter(bool), conclusions)
 def test_the_same_conclusions_are_decided_on_a_line_through_a_point(a, b, k, conclusion):
     """The hypotheses hold at (a, b), and the conclusion does or does not."""
@@ -100,7 +103,7 @@ def test_the_same_conclusions_are_decided_on_a_line_through_a_point(a, b, k, con
     assert outcome.verdict == ("proved" if holds else "refuted")
 
 
-@settings(max_examples=10, deadline=None)
+@few
 @given(polynomials, polynomials, st.integers(1, 5))
 def test_an_identity_in_a_setting_without_a_real_point(p, q, n):
     small = Oscillator()

@@ -19,6 +19,7 @@ from kowalevski_cas.paper.claims import (
     InvariantRelations,
     InvertibleChange,
     LastMultiplier,
+    LocalDimension,
     Reality,
     Unit,
 )
@@ -532,3 +533,21 @@ def test_a_root_that_moves_is_differentiated_without_a_division():
         "circle", "", variables=("s",), constants=("n",), field=(motion[1],), roots={"C": motion[2]}
     )
     assert verdicts(section, Identity("t", scene, motion[3], "")) == ["proved"]
+
+
+@pytest.mark.parametrize(
+    ("tex", "dimension", "verdict"),
+    [
+        ("x=0", 1, "proved"),
+        ("xv=0", 1, "proved"),
+        ("x=0", 0, "refuted"),
+        (r"x=0,\quad v=0", 0, "proved"),
+        (r"x=0,\quad xv=0", 0, "undecided"),
+        (r"x=0,\quad xv=0", 1, "undecided"),
+        ("x^2+v^2=-1", 1, "undecided"),
+    ],
+)
+def test_dimension_near_a_point(oscillator, tex, dimension, verdict):
+    places = (*oscillator.section.display("set", tex),)
+    claim = LocalDimension("t", oscillator.scene, None, "", equations=places, dimension=dimension)
+    assert verdicts(oscillator.section, claim) == [verdict]

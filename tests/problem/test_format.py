@@ -1,4 +1,5 @@
 import json
+import random
 import re
 from pathlib import Path
 
@@ -22,19 +23,23 @@ def test_the_example_of_the_document_is_accepted(tmp_path, capsys):
     assert capsys.readouterr().out == SAID
 
 
-def test_every_change_of_the_example_is_rejected_or_true():
+@pytest.mark.parametrize("share", [0.1, pytest.param(1, marks=pytest.mark.slow)])
+def test_a_change_of_the_example_is_rejected_or_true(share):
     data = json.loads(EXAMPLE)
-    names, through, tampered = sorted(names_in([data["spaces"], data["goals"]])), 0, 0
-    for path in [p for p in places(data) if p[0] in ("spaces", "goals", "sign", "evidence")]:
-        for value in others(data, path, names):
-            other, tampered = changed(data, path, value), tampered + 1
-            try:
-                checker.check(seal(other))
-            except checker.Rejected:
-                continue
-            through += 1
-            assert is_true(other) == (True, ""), (path, value)
-    assert tampered > 1000 and through < tampered / 5
+    names, through = sorted(names_in([data["spaces"], data["goals"]])), 0
+    paths = [p for p in places(data) if p[0] in ("spaces", "goals", "sign", "evidence")]
+    changes = [(path, value) for path in paths for value in others(data, path, names)]
+    assert len(changes) > 1000
+    changes = random.Random(1).sample(changes, int(share * len(changes)))
+    for path, value in changes:
+        other = changed(data, path, value)
+        try:
+            checker.check(seal(other))
+        except checker.Rejected:
+            continue
+        through += 1
+        assert is_true(other) == (True, ""), (path, value)
+    assert through < len(changes) / 5
 
 
 @pytest.mark.parametrize("word", ["variables", "constants", "nonzero", "steps", "field", "change",

@@ -1,6 +1,7 @@
 """Small certificates of every kind, written by hand, and what becomes of them if they are changed."""
 
 import json
+import random
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,8 @@ from .tampering import changed, names_in, others, places, seal
 
 FILES = sorted((Path(__file__).parent / "handwritten").glob("*.json"))
 TEXTS = {path.stem: path.read_text(encoding="utf-8") for path in FILES}
+SHARES = (0.1, pytest.param(1, marks=pytest.mark.slow))
+"""How many of all changes are tried."""
 KINDS = ("follows", "fails", "rank", "exists", "positive", "count")
 
 
@@ -49,24 +52,28 @@ def test_the_oracle_agrees(claim):
     assert is_true(json.loads(TEXTS[claim])) == (True, "")
 
 
+@pytest.mark.parametrize("share", SHARES)
 @pytest.mark.parametrize("claim", TEXTS)
-def test_every_change_of_the_evidence_is_rejected_or_still_a_proof(claim):
-    tampered(claim, {"evidence", "sign"}, most=0.35)
+def test_a_change_of_the_evidence_is_rejected_or_still_a_proof(claim, share):
+    tampered(claim, {"evidence", "sign"}, share, most=0.35)
 
 
+@pytest.mark.parametrize("share", SHARES)
 @pytest.mark.parametrize("claim", TEXTS)
-def test_every_change_of_the_problem_is_rejected_or_still_proved(claim):
-    tampered(claim, {"spaces", "goals"}, most=0.6)
+def test_a_change_of_the_problem_is_rejected_or_still_proved(claim, share):
+    tampered(claim, {"spaces", "goals"}, share, most=0.6)
 
 
-def tampered(claim, keys, most):
+def tampered(claim, keys, share, most):
     data = json.loads(TEXTS[claim])
-    names, through, count = sorted(names_in([data["spaces"], data["goals"]])), 0, 0
-    for path in [p for p in places(data) if p[0] in keys]:
-        for value in others(data, path, names):
-            other, count = changed(data, path, value), count + 1
-            if accepted(other):
-                through += 1
-                true, why = is_true(other)
-                assert true, f"{path} = {str(value)[:80]} got through: {why}"
-    assert count > 10 and through < most * count
+    names, through = sorted(names_in([data["spaces"], data["goals"]])), 0
+    changes = [(p, v) for p in places(data) if p[0] in keys for v in others(data, p, names)]
+    assert len(changes) > 10
+    changes = random.Random(claim).sample(changes, max(10, int(share * len(changes))))
+    for path, value in changes:
+        other = changed(data, path, value)
+        if accepted(other):
+            through += 1
+            true, why = is_true(other)
+            assert true, f"{path} = {str(value)[:80]} got through: {why}"
+    assert through < (most if share == 1 else 1) * len(changes)

@@ -45,7 +45,7 @@ TEXTS = {
 }
 """The certificates of the first paper; the oracle cannot look at as many roots as the other has."""
 
-SAMPLE = 25
+SAMPLE = 10
 """How many certificates are judged by the oracle, out of all, and tampered with in a quick run."""
 
 
@@ -391,9 +391,7 @@ def exchanged(text, choose):
 
 @pytest.mark.parametrize("change", CHANGES)
 def test_what_is_changed_in_any_way_is_rejected_or_true(change):
-    assert counted(150, CHANGES[change], change) < 75
-    if change == "doubled":
-        assert counted(50, CHANGES[change], 1) == 0
+    assert counted(60, CHANGES[change], change) < (1 if change == "doubled" else 30)
 
 
 @pytest.mark.slow

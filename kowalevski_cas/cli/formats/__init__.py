@@ -15,25 +15,23 @@ FORMATS = ("pretty", "json", "junit", "github")
 
 @dataclass(frozen=True)
 class Result:
-    """A run, and how it differs from the record (``None`` where there is no record)."""
+    """A run, and how it differs from the record, or from what is expected where there is none.
+
+    ``lines`` has the file and the line in which each claim is stated.
+    """
 
     folder: Path
     run: Run
-    differences: list[Difference] | None
+    differences: list[Difference]
+    recorded: bool
+    lines: dict[str, tuple[str, int]]
+
+    def line(self, claim: str) -> tuple[str, int]:
+        """Where a claim is stated; of a recorded one that is gone, where all the others are."""
+        return self.lines.get(claim, (str(self.folder), 1))
 
 
 def load_format(name: str) -> Callable[[Sequence[Result]], str]:
     """The function that turns results into text in this format."""
     render: Callable[[Sequence[Result]], str] = import_module(f"{__name__}.{name}").render
     return render
-
-
-def locate(result: Result, claim: str) -> tuple[str, int]:
-    """The file and line of a derivation where a claim is stated."""
-    stem = f'"{claim.rsplit(".", 1)[0]}'
-    for needle in (f'"{claim}"', stem):
-        for path in sorted(result.folder.glob("*.py")):
-            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-                if needle in line:
-                    return str(path), number
-    return str(result.folder), 1

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kowalevski_cas.cli.formats import Result, locate
+from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
 
@@ -12,12 +12,12 @@ def render(results: Sequence[Result]) -> str:
     """An error for each difference from the record, a notice for each misprint."""
     lines = []
     for result in results:
-        for change in result.differences or ():
-            place = locate(result, change.claim)
+        for change in result.differences:
+            place = result.line(change.claim)
             message = f"recorded: {change.recorded}; found: {change.found}"
             lines.append(annotation("error", place, change.claim, message))
         for outcome in result.run.outcomes:
-            place = locate(result, outcome.claim)
+            place = result.line(outcome.claim)
             if outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT):
                 lines.append(annotation("error", place, outcome.claim, outcome.message))
             if outcome.verdict is Verdict.REFUTED:

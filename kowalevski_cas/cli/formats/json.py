@@ -22,7 +22,7 @@ from kowalevski_cas.verify.outcome import (
 def render(results: Sequence[Result]) -> str:
     """All claims, and a summary."""
     outcomes = [(r.run.derivation, o) for r in results for o in r.run.outcomes]
-    differences = [d for r in results for d in r.differences or ()]
+    differences = [d for r in results for d in r.differences]
     counts = Counter(str(o.verdict) for _, o in outcomes)
     value = {
         "claims": [_claim(derivation, outcome) for derivation, outcome in outcomes],

@@ -20,7 +20,7 @@ def render(results: Sequence[Result]) -> str:
 
 
 def _suite(result: Result) -> ElementTree.Element:
-    changed = {d.claim: d for d in result.differences or ()}
+    changed = {d.claim: d for d in result.differences}
     outcomes = result.run.outcomes
     suite = ElementTree.Element("testsuite", name=result.run.derivation)
     failures = errors = 0

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 
 from kowalevski_cas.cli import plain
-from kowalevski_cas.cli.formats import Result, locate
+from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 
 MARKS = {
@@ -29,7 +29,7 @@ def render(results: Sequence[Result]) -> str:
 def _derivation(result: Result, colour: bool) -> str:
     run = result.run
     title = plain.words(run.title, run.vocabulary)
-    lines = [f"{run.author}. {title}", run.source]
+    lines = [". ".join(filter(None, (run.author, title))), run.source]
     for number, title in run.sections:
         outcomes = [o for o in run.outcomes if o.section == number]
         if outcomes:
@@ -69,7 +69,7 @@ def _errors(result: Result) -> list[str]:
     lines: list[str] = []
     for outcome in result.run.outcomes:
         if outcome.verdict is Verdict.ERROR:
-            file, number = locate(result, outcome.claim)
+            file, number = result.line(outcome.claim)
             first, *rest = outcome.message.splitlines()
             lines += [f"  {file}:{number}: {first}", *(f"    {line}" for line in rest)]
     if not lines:
@@ -119,10 +119,12 @@ def _summary(result: Result) -> str:
     shown = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
     seconds = sum(sum(o.seconds.values()) for o in run.outcomes)
     head = f"{len(run.outcomes)} claims: {shown}; {', '.join(run.arithmetics)}; {seconds:.2f} s"
-    if result.differences is None:
-        return f"{head}; there is no record to compare with (`kowalevski-cas record`)"
+    noun, other = (
+        ("recorded", "THE RECORD") if result.recorded else ("expected", "WHAT IS EXPECTED")
+    )
     if not result.differences:
-        return f"{head}; as recorded"
-    lines = [f"{head}; DIFFERENT FROM THE RECORD:"]
-    lines += [f"  {d.claim}: recorded {d.recorded}, found {d.found}" for d in result.differences]
+        none = "; there is no record to compare with (`kowalevski-cas record`)"
+        return f"{head}; as {noun}{'' if result.recorded else none}"
+    lines = [f"{head}; DIFFERENT FROM {other}:"]
+    lines += [f"  {d.claim}: {noun} {d.recorded}, found {d.found}" for d in result.differences]
     return "\n".join(lines)

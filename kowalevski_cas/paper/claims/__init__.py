@@ -5,6 +5,7 @@ from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.coefficient import Coefficient
 from kowalevski_cas.paper.claims.constant_root import ConstantRoot
 from kowalevski_cas.paper.claims.critical_set import CriticalSet
+from kowalevski_cas.paper.claims.darboux import DarbouxPolynomial
 from kowalevski_cas.paper.claims.definition import Definition
 from kowalevski_cas.paper.claims.degree import Degree
 from kowalevski_cas.paper.claims.dimension import Dimension, Independence
@@ -17,6 +18,7 @@ from kowalevski_cas.paper.claims.identity import Identity
 from kowalevski_cas.paper.claims.implication import Implication
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.claims.limit import Limit
+from kowalevski_cas.paper.claims.local_dimension import LocalDimension
 from kowalevski_cas.paper.claims.measure import LastMultiplier
 from kowalevski_cas.paper.claims.reality import Reality
 from kowalevski_cas.paper.claims.scaling import Scaling
@@ -28,6 +30,7 @@ __all__ = [
     "Coefficient",
     "ConstantRoot",
     "CriticalSet",
+    "DarbouxPolynomial",
     "Definition",
     "Degree",
     "Dimension",
@@ -42,6 +45,7 @@ __all__ = [
     "InvertibleChange",
     "LastMultiplier",
     "Limit",
+    "LocalDimension",
     "Neighbour",
     "Reality",
     "Scaling",

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
-from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Conjugate, Formula, Name, Partial
 from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
 from kowalevski_cas.paper.claims.forms import (
@@ -48,7 +47,7 @@ class Dimension(Claim):
         given = equations(on, space, self.equations)
         functions = [*levels, *map(minus, given)]
         values = [space.finder.scalar(function) for function in functions]
-        self._check_conjugates(functions, values, space)
+        check_conjugates(functions, space)
         yield Rank(space, levels, given, len(space.variables) - self.dimension)
         multipliers = [Name(name) for name in self._multipliers]
         combined = (
@@ -104,18 +103,17 @@ class Dimension(Claim):
     def _with_multipliers(self) -> Scene:
         return _having(self.scene, self._multipliers)
 
-    @staticmethod
-    def _check_conjugates(
-        functions: Sequence[Formula], values: Sequence[Element], space: Elaboration
-    ) -> None:
-        """Refuse a function whose conjugate is none of the others, up to the sign."""
-        for function in functions:
-            bar = space.finder.scalar(Conjugate(function))
-            if not any((bar - value).is_zero or (bar + value).is_zero for value in values):
-                raise Meaningless(
-                    "a function of the set is complex, and its conjugate is not among the others: "
-                    "give the equations for both, for the real dimension counts both"
-                )
+
+def check_conjugates(functions: Sequence[Formula], space: Elaboration) -> None:
+    """Refuse a function whose conjugate is none of the others, up to the sign."""
+    values = [space.finder.scalar(function) for function in functions]
+    for function in functions:
+        bar = space.finder.scalar(Conjugate(function))
+        if not any((bar - value).is_zero or (bar + value).is_zero for value in values):
+            raise Meaningless(
+                "a function of the set is complex, and its conjugate is not among the others: "
+                "give the equations for both, for the real dimension counts both"
+            )
 
 
 @cache

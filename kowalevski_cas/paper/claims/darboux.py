@@ -1,0 +1,48 @@
+"""Darboux polynomials: polynomials that divide their derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Formula, Relation, to_latex
+from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.forms import members, rate, times
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.goals import Goal, Rank, identity
+from kowalevski_cas.problem.space import Meaningless
+
+
+@dataclass(frozen=True, eq=False)
+class DarbouxPolynomial(Claim):
+    """The printed polynomial F in the variables satisfies F' = KF with a polynomial K.
+
+    K, the ``cofactor``, is printed; F is not constant. Both are a formula, or the first member of
+    the equation that defines it.
+    """
+
+    cofactor: Printed
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        value, cofactor = (polynomial(on, space, place) for place in (self.own, self.cofactor))
+        yield identity(space, (rate(value), times(cofactor, value)))
+        yield Rank(space, (value,), (), 1)
+
+
+def polynomial(on: Elaborations, space: Elaboration, place: Printed) -> Formula:
+    """What stands at a place, or is defined there; raises :class:`Meaningless` for a quotient."""
+    formula = on.texts.formula(place)
+    first = members(formula)[0] if isinstance(formula, Relation) else formula
+    value = space.plain(first)
+    at = space.finder
+    element = at.scalar(value)
+    used = (bit for bit, _ in enumerate(at.ring.roots) if any(m >> bit & 1 for m in element.parts))
+    under = [at.ring.radicands[bit] for bit in used]
+    for one in (*at.ring.divided_by([element]), *under):
+        if any(not at.partial(one, name).is_zero for name in space.variables):
+            shown = to_latex(first)
+            raise Meaningless(f"{shown} at {place.place} is no polynomial in the variables")
+    return value

@@ -1,0 +1,410 @@
+r"""Equations of motion of one's own: what is claimed and asked about them, in Python or in a file.
+
+>>> lorenz = System(r"\dot x=\sigma(y-x),\quad \dot y=\rho x-y-xz,\quad \dot z=xy-bz")
+>>> lorenz
+x, y, z move; σ, ρ, b are constant
+>>> F = lorenz.define(r"F=x^2-2\sigma z")
+>>> lorenz.where(r"b=2\sigma").darboux(F, cofactor=r"-2\sigma").verdict
+<Verdict.PROVED: 'proved'>
+
+A system builds the scenes and the claims that the derivations of papers write out, and is run like
+them: ``kowalevski-cas verify lorenz.py``.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from copy import copy
+from dataclasses import replace
+from functools import cached_property
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    OpenParser,
+    Relation,
+    Vocabulary,
+    from_sympy,
+    read,
+    read_display,
+    to_latex,
+    to_mathml,
+    to_plain,
+    to_sympy,
+)
+from kowalevski_cas.paper.claims import (
+    Claim,
+    DarbouxPolynomial,
+    FirstIntegral,
+    Identity,
+    Implication,
+    InvariantRelations,
+)
+from kowalevski_cas.paper.derivation import Derivation, Section
+from kowalevski_cas.paper.scene import Scene, vocabulary
+from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.problem.prune import mentions
+from kowalevski_cas.verify.outcome import Counterexample, Outcome, Verdict, in_latex
+from kowalevski_cas.verify.run import verify
+
+LONGEST = 24
+"""The signs of a formula by which a claim is called."""
+
+
+Tex = Any
+"""A formula: LaTeX, what was defined, or an expression of SymPy."""
+
+
+class Shown:
+    """Something with formulas: in a notebook, in LaTeX, and for SymPy."""
+
+    system: System
+    formulas: tuple[Formula, ...]
+
+    def sympy(self) -> Any:
+        """The formula as an expression of SymPy, or a list if there are several."""
+        found = [to_sympy(formula, self.system.symbols) for formula in self.formulas]
+        return found[0] if len(found) == 1 else found
+
+    def __repr__(self) -> str:
+        return ", ".join(map(to_plain, self.formulas))
+
+    def _repr_latex_(self) -> str:
+        return f"${in_latex(self.formulas)}$"
+
+
+class Function(Shown):
+    """What a system has a name for; it stands for that name wherever LaTeX is taken."""
+
+    def __init__(self, system: System, place: Printed, name: str) -> None:
+        self.system, self.place, self.name = system, place, name
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:  # type: ignore[override]
+        """The equation that defines it."""
+        return (self.system.read(self.place.tex),)
+
+
+class Stated(Shown):
+    """A claim about a system. It is decided when something is asked of it."""
+
+    def __init__(self, system: System, claim: Claim) -> None:
+        self.system, self.claim = system, claim
+
+    @cached_property
+    def outcome(self) -> Outcome:
+        """All that a run says about it, with FLINT."""
+        derivation = Derivation("", "", "", "", (self.system.section,))
+        return verify(derivation, ["flint"], [self.claim.id]).outcomes[0]
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether it is proved, perhaps under conditions, refuted, or not decided."""
+        return self.outcome.verdict
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:  # type: ignore[override]
+        """What is claimed, as it is read."""
+        return self.outcome.formulas
+
+    @property
+    def conditions(self) -> tuple[Formula, ...]:
+        """The expressions that are supposed not to vanish."""
+        return tuple(condition.expression for condition in self.outcome.conditions)
+
+    @property
+    def counterexample(self) -> Counterexample | None:
+        """An exact point at which it fails."""
+        return self.outcome.counterexample
+
+    def __repr__(self) -> str:
+        where = ", ".join(f"{to_plain(formula)} ≠ 0" for formula in self.conditions)
+        said = f"{self.verdict}{f' where {where}' if where else ''}: {super().__repr__()}"
+        return f"{said}\n{self.outcome.message}" if self.outcome.message else said
+
+    def _repr_html_(self) -> str:
+        where = ", ".join(f"{_math(formula)} ≠ 0" for formula in self.conditions)
+        said = ", ".join(map(_math, self.formulas))
+        return f"<p><b>{self.verdict}</b>{f' where {where}' if where else ''}: {said}</p>"
+
+
+class System:
+    r"""Equations of motion: what has a derivative moves, and all other names are constant.
+
+    Args:
+        field: a display of equations with derivatives on their left sides, or the right sides by
+            variables of SymPy.
+        name: what the claims of a file with several systems are called after.
+        vectors: the components of the names in bold type.
+
+    Raises:
+        NotationError: an equation cannot be read.
+        ValueError: they are no equations of motion; the message says why.
+    """
+
+    def __init__(
+        self,
+        field: str | Mapping[Any, Any],
+        name: str = "",
+        vectors: Mapping[str, tuple[str, ...]] | None = None,
+    ) -> None:
+        self.symbols: dict[str, Any] = {}
+        """The symbols of SymPy in which the system is written, by their names here."""
+        self.prefix = f"{name}-" if name else ""
+        if not isinstance(field, str):
+            rows = (rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items())
+            field = r",\quad ".join(rows)
+        self.section = Section(name or "1", "")
+        display = self.section.display(f"{self.prefix}field", field)
+        moving, others = _names(display, vectors or {})
+        components = vectors or {}
+        variables = tuple(part for one in moving for part in components.get(one, (one,)))
+        constants = tuple(part for one in others for part in components.get(one, (one,)))
+        self.scene = Scene(
+            name or "the system",
+            "",
+            vectors=components,
+            variables=variables,
+            constants=constants,
+            field=(*display,),
+        )
+        self.section.title = _echo(variables, constants, "${}$".format)
+
+    def __repr__(self) -> str:
+        return _echo(self.scene.variables, self.scene.constants, lambda n: to_plain(self.read(n)))
+
+    def _repr_latex_(self) -> str:
+        display = self.section.displays[0]
+        return f"${in_latex(self._formulas(display))}$"
+
+    # -- scenes ------------------------------------------------------------------
+
+    def define(self, formula: Tex) -> Function:
+        """A name for what is printed, as in ``F=x^2-z``; what is derived from here knows it too.
+
+        Raises:
+            NotationError: it cannot be read.
+            ValueError: it defines no new name.
+        """
+        tex = self._tex(formula)
+        display = self.section.display(self._id("", tex), tex)
+        self.scene = self.scene.defining(display)
+        self._formulas(display)
+        return Function(self, display[1], display[1].heads.names[0])
+
+    def where(self, *relations: Tex) -> System:
+        r"""The system for special constants: ``b=2\sigma``, ``r^2=x^2+y^2``, ``\sigma\ne0``.
+
+        Raises:
+            NotationError: a relation cannot be read.
+            ValueError: a relation gives no constant.
+        """
+        special = copy(self)
+        for place in self._places("where", *relations):
+            special.scene = _restricted(special.scene, place)
+            special._formulas(place.display)
+        said = ", ".join(map(self._tex, relations))
+        special.scene = special.scene.described(f"{self.scene.name} where {said}", f"${said}$")
+        return special
+
+    # -- claims ------------------------------------------------------------------
+
+    def identity(self, equation: Tex, expect: str = "") -> Stated:
+        """Both sides are equal; derivatives are along the motion."""
+        says = "both sides are the same function"
+        return self.states(Identity, "identity", says, expect, printed=equation)
+
+    def implication(self, equation: Tex, given: Sequence[Tex], expect: str = "") -> Stated:
+        """An equation holds wherever the given ones do."""
+        says = "this holds wherever what is given does"
+        return self.states(
+            Implication, "implication", says, expect, printed=equation, given=tuple(given)
+        )
+
+    def integral(self, formula: Tex, given: Sequence[Tex] = (), expect: str = "") -> Stated:
+        """A function is constant along every motion, perhaps on an invariant set only."""
+        says = "this is constant along every motion"
+        return self.states(
+            FirstIntegral, "integral", says, expect, printed=formula, given=tuple(given)
+        )
+
+    def invariant(self, *relations: Tex, expect: str = "") -> Stated:
+        """No motion leaves the set on which these hold; a function stands for its zeros."""
+        zero = (f"{one.name}=0" if isinstance(one, Function) else one for one in relations)
+        says = "no motion leaves this set"
+        return self.states(InvariantRelations, "invariant", says, expect, relations=tuple(zero))
+
+    def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> Stated:
+        """A polynomial F with F' = KF, where K is the cofactor."""
+        says = "its derivative is this multiple of it"
+        return self.states(
+            DarbouxPolynomial, "darboux", says, expect, printed=formula, cofactor=cofactor
+        )
+
+    def states(
+        self,
+        kind: type[Claim],
+        name: str,
+        says: str,
+        expect: str = "",
+        printed: Tex | None = None,
+        **attributes: Any,
+    ) -> Stated:
+        """A claim of any kind, called after the name and its first formula.
+
+        Formulas, and tuples of them, are taken for what the kind expects at these attributes.
+
+        Raises:
+            NotationError: a formula is broken TeX.
+            ValueError: there is no such verdict to expect.
+        """
+        if expect and expect not in {*Verdict}:
+            raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
+        first = next(one for one in (printed, *attributes.values()) if one is not None)
+        id = self._id(name, self._tex(first[0] if isinstance(first, tuple) else first))
+        made: dict[str, Any] = {}
+        for key, value in {"printed": printed, **attributes}.items():
+            if value is None:
+                made[key] = None
+            elif isinstance(value, tuple):
+                made[key] = (*self._places(f"{id}-{key}", *value),)
+            else:
+                (made[key],) = self._places(id if key == "printed" else f"{id}-{key}", value)
+        own = made.pop("printed")
+        claim = kind(id, self.scene, own, says, **made)
+        self.section.claim(claim)
+        if expect:
+            self.section.expected[id] = expect
+        return Stated(self, claim)
+
+    # -- formulas ----------------------------------------------------------------
+
+    def read(self, tex: str) -> Formula:
+        """A formula in the names of the system; raises ``NotationError`` for any other name."""
+        return read(tex, vocabulary((self.scene,)))
+
+    def _formulas(self, display: Display) -> list[Formula]:
+        return [s.formula for s in read_display(display.tex, vocabulary((self.scene,)))]
+
+    def _tex(self, formula: Tex) -> str:
+        if isinstance(formula, str):
+            return formula
+        return formula.name if isinstance(formula, Function) else to_latex(self._of_sympy(formula))
+
+    def _of_sympy(self, expression: Any) -> Formula:
+        return from_sympy(expression, self._name)
+
+    def _name(self, symbol: Any) -> str:
+        """How a symbol of SymPy is printed, as one name."""
+        from sympy import latex
+
+        formula = read(latex(symbol), Vocabulary(), OpenParser)
+        name = formula.name if isinstance(formula, Name) else rf"\mathrm{{{symbol.name}}}"
+        self.symbols[name] = symbol
+        return name
+
+    def _places(self, id: str, *formulas: Tex) -> Iterator[Printed]:
+        """Where formulas stand: where they were defined, or in displays of their own."""
+        for number, formula in enumerate(formulas, 1):
+            if isinstance(formula, Function):
+                yield formula.place
+            else:
+                own = id if number == 1 else f"{id}-{number}"
+                yield from self.section.display(own, self._tex(formula))
+
+    def _id(self, kind: str, tex: str) -> str:
+        """A new id, after the letters of a formula."""
+        letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
+        id = stem = self.prefix + "-".join(filter(None, (kind, letters)))
+        known = {*(one.id for one in self.section.displays), *self.section.lines}
+        more = count(2)
+        while id in known:
+            id = f"{stem}.{next(more)}"
+        return id
+
+
+def _math(formula: Formula) -> str:
+    return f"<math>{to_mathml(formula)}</math>"
+
+
+def _names(
+    display: Display, vectors: Mapping[str, tuple[str, ...]]
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """The names in equations of motion: those that move, and the others."""
+    words = Vocabulary(vectors=frozenset(vectors), times=frozenset({"t"}))
+    rows = [read(place.tex, words, OpenParser) for place in display]
+    found = [_moving(row) for row in rows]
+    moving = dict.fromkeys(name for names in found for name in names)
+    for place, names in zip(display, found, strict=True):
+        if not names:
+            raise ValueError(f"no equation of motion: {place.tex} has no derivative of a name")
+    if len(rows) > len(moving):
+        raise ValueError(
+            f"{len(rows)} equations for {len(moving)} unknowns ({', '.join(moving)}): "
+            "leave one out, or claim it as an identity"
+        )
+    mentioned = dict.fromkeys(
+        one.name for row in rows for one in mentions(row) if isinstance(one, Name)
+    )
+    if "t" in mentioned:
+        raise ValueError("the time t stands in the equations: give it a name, with \\dot s=1")
+    return tuple(moving), tuple(name for name in mentioned if name not in moving)
+
+
+def _moving(formula: Formula) -> list[str]:
+    """The names that stand under a derivative."""
+    if isinstance(formula, Derivative) and isinstance(formula.argument, Name):
+        return [formula.argument.name]
+    return [name for child in formula.children() for name in _moving(child)]
+
+
+def _restricted(scene: Scene, place: Printed) -> Scene:
+    """A scene with what a relation says of its constants."""
+    formula = read(place.tex, vocabulary((scene,)), OpenParser)
+    match formula:
+        case Relation((left, Number(0)), (r"\ne",)):
+            return scene.having(nonzero=(to_latex(left),))
+    if any(name in scene.constants for name in place.heads.squares):
+        return scene.adjoining(place)
+    for name in place.heads.names:
+        if name in scene.constants:
+            kept = tuple(one for one in scene.constants if one != name)
+            return replace(scene, constants=kept).naming(name, place)
+    raise ValueError(
+        f"{place.tex} gives no constant: solve it for one of {', '.join(scene.constants) or 'none'}"
+    )
+
+
+def _echo(variables: Sequence[str], constants: Sequence[str], shown: Callable[[str], str]) -> str:
+    """What moves and what does not, in words."""
+    moving = f"{', '.join(map(shown, variables))} move{'' if len(variables) > 1 else 's'}"
+    still = f"{', '.join(map(shown, constants))} {'are' if len(constants) > 1 else 'is'} constant"
+    return f"{moving}; {still}" if constants else moving
+
+
+def display(source: str, label: str) -> str:
+    r"""The display with this label in a TeX file, its macros written out: as it stands there now.
+
+    A relative path is one from the folder of the file that asks.
+
+    Raises:
+        ValueError: the file cannot be read, or has no display, or several, with this label.
+    """
+    from kowalevski_cas.audit.audit import typed_formulas  # seldom asked for
+    from kowalevski_cas.audit.source import read_source
+
+    here = sys._getframe(1).f_globals.get("__file__", "")
+    path = Path(here).parent / source
+    found = [one for one in typed_formulas(read_source(path))[1] if label in one.labels]
+    if len(found) != 1:
+        raise ValueError(f"{path} has {len(found) or 'no'} displays with the label {label}")
+    if found[0].trouble:
+        raise ValueError(f"{path}: the display {label} cannot be read: {found[0].trouble}")
+    return found[0].tex

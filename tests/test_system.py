@@ -1,0 +1,242 @@
+"""Equations of motion of one's own: the scenes and claims that they build, and what is said of them."""
+
+import pytest
+
+from kowalevski_cas import System
+from kowalevski_cas.cli import main
+from kowalevski_cas.notation import NotationError
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.run import verify
+from tests.laws.systems import SYSTEMS
+
+LORENZ = r"""\begin{align}
+  \dot x &= \sigma(y-x)\\ \dot y &= \rho x-y-xz\\ \dot z &= xy-bz
+\end{align}"""
+
+FILE = (
+    "from kowalevski_cas import System\n"
+    f'lorenz = System(r"""{LORENZ}""")\n'
+    r"""
+F = lorenz.define(r"F = x^2-2\sigma z")
+special = lorenz.where(r"b=2\sigma")
+special.darboux(F, cofactor=r"-2\sigma")
+special.invariant("F=0")
+lorenz.invariant("F=0", expect="refuted")
+"""
+)
+
+
+@pytest.fixture
+def lorenz():
+    return System(LORENZ)
+
+
+@pytest.fixture
+def cli(capsys, tmp_path):
+    """Run a command on a file with this content; the exit code, and all that is printed."""
+
+    def cli(command, content, *arguments, name="lorenz.py"):
+        file = tmp_path / name
+        file.write_text(content, encoding="utf-8")
+        code = main([command, str(file), *arguments])
+        out, err = capsys.readouterr()
+        assert "Traceback" not in out + err
+        return code, out + err
+
+    return cli
+
+
+def test_what_has_a_derivative_moves_and_the_rest_is_constant(lorenz):
+    assert lorenz.scene.variables == ("x", "y", "z")
+    assert lorenz.scene.constants == (r"\sigma", r"\rho", "b")
+    assert repr(lorenz) == "x, y, z move; σ, ρ, b are constant"
+
+
+@pytest.mark.parametrize("textbook", SYSTEMS, ids=lambda system: system.name)
+def test_a_system_is_the_scene_that_a_derivation_writes_out(textbook):
+    found = System(r",\quad ".join(textbook.motion)).scene
+    (scene,) = {
+        claim.scene for claim in textbook.derivation().claims if not claim.scene.definitions
+    }
+    roots = set(scene.roots)
+    assert set(found.variables) == set(scene.variables)
+    assert set(found.constants) == set(scene.constants) | roots
+
+
+def test_a_function_that_is_an_integral_on_special_parameters_only(lorenz):
+    F = lorenz.define(r"F = x^2-2\sigma z")
+    special = lorenz.where(r"b=2\sigma")
+    assert special.darboux(F, cofactor=r"-2\sigma").verdict is Verdict.PROVED
+    assert special.invariant(F).verdict is Verdict.PROVED
+    assert lorenz.invariant(F).verdict is Verdict.REFUTED
+    assert lorenz.darboux(F, cofactor=r"-2\sigma").counterexample is not None
+
+
+@pytest.mark.parametrize(
+    "cofactor", [r"2\sigma", r"-\sigma", r"-2\rho", r"-2b", r"-2\sigma x", "0"]
+)
+def test_another_cofactor_is_refuted(lorenz, cofactor):
+    special = lorenz.where(r"b=2\sigma")
+    assert special.darboux(r"x^2-2\sigma z", cofactor).verdict is Verdict.REFUTED
+
+
+def test_a_constant_is_no_darboux_polynomial(lorenz):
+    assert lorenz.darboux(r"\sigma", "0").verdict is Verdict.REFUTED
+
+
+def test_a_quotient_is_no_cofactor(lorenz):
+    outcome = lorenz.darboux("x", r"\frac{\sigma(y-x)}{x}").outcome
+    assert outcome.verdict is Verdict.ERROR
+    assert "is no polynomial in the variables" in outcome.message
+
+
+def test_what_a_statement_needs_is_named():
+    top = System(r"A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A-B)pq")
+    energy = top.integral("Ap^2+Bq^2+Cr^2")
+    assert energy.verdict is Verdict.CONDITIONAL
+    assert repr(energy) == "conditional where A ≠ 0, B ≠ 0, C ≠ 0: Ap² + Bq² + Cr²"
+    solid = top.where(r"A\ne0", r"B\ne0", r"C\ne0")
+    assert solid.integral("Ap^2+Bq^2+Cr^2").verdict is Verdict.PROVED
+
+
+def test_a_constant_can_be_a_root():
+    kepler = System(r"\dot x=u, \dot y=v, \dot u=-\frac{x}{r^3}, \dot v=-\frac{y}{r^3}")
+    plane = kepler.where("r^2=x^2+y^2", r"r\ne0")
+    assert plane.integral(r"\frac{1}{2}(u^2+v^2)-\frac{1}{r}").verdict is Verdict.PROVED
+    assert plane.identity(r"\dot r=\frac{xu+yv}{r}").verdict is Verdict.PROVED
+    assert plane.implication("xu+yv=0", given=["r^2=1", r"\dot r=0"]).verdict is Verdict.PROVED
+
+
+def test_vectors_are_given_by_components():
+    omega, gamma = r"\boldsymbol{\omega}", r"\boldsymbol{\gamma}"
+    body = System(
+        rf"\dot{omega}={omega}\times{gamma},\quad \dot{gamma}={gamma}\times{omega}",
+        vectors={omega: ("p", "q", "r"), gamma: (r"\gamma_1", r"\gamma_2", r"\gamma_3")},
+    )
+    assert body.scene.variables == ("p", "q", "r", r"\gamma_1", r"\gamma_2", r"\gamma_3")
+    assert body.integral(rf"{gamma}\cdot{gamma}").verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("field", "message"),
+    [
+        (r"\dot x=y, x=2", "x=2 has no derivative of a name"),
+        (r"\dot x=y, \dot y=-x, \dot x=-y", r"3 equations for 2 unknowns \(x, y\): leave one out"),
+        (r"\dot x=t", "the time t stands in the equations"),
+        (r"\dot{\mathbf{x}}=y", r"mathbf\{x\} is not declared"),
+    ],
+)
+def test_what_is_no_system_is_refused(field, message):
+    with pytest.raises(ValueError, match=message):
+        System(field)
+
+
+def test_a_name_that_nothing_gives_a_value_is_an_error(lorenz):
+    outcome = lorenz.integral("x^2+w^2").outcome
+    assert outcome.verdict is Verdict.ERROR and "w is not declared here" in outcome.message
+    with pytest.raises(NotationError, match=r"kappa is not declared here"):
+        lorenz.where(r"b=\kappa")
+    with pytest.raises(NotationError, match="w is not declared here"):
+        lorenz.define("F=x+w")
+    with pytest.raises(ValueError, match=r"x=1 gives no constant: solve it for one of"):
+        lorenz.where("x=1")
+    with pytest.raises(ValueError, match=r"expect “wrong”: a verdict is one of proved, "):
+        lorenz.integral("x", expect="wrong")
+
+
+# -- SymPy --------------------------------------------------------------------------
+
+
+def test_expressions_of_sympy_are_as_good_as_latex():
+    from sympy import Eq, symbols
+
+    x, y, z, s, rate = symbols("x1 y z sigma rate")
+    lorenz = System({x: s * (y - x), y: rate * x - y - x * z, z: x * y - 2 * s * z})
+    assert lorenz.scene.variables == ("x_1", "y", "z")
+    assert lorenz.scene.constants == (r"\sigma", r"\mathrm{rate}")
+    claim = lorenz.darboux(x**2 - 2 * s * z, cofactor=-2 * s)
+    assert claim.verdict is Verdict.PROVED
+    assert claim.sympy() == x**2 - 2 * s * z
+    F = lorenz.define(r"F=\frac{x_1^2}{2\sigma}-z")
+    assert F.sympy().rhs == x**2 / (2 * s) - z
+    assert (
+        lorenz.identity(Eq((x + y) ** 2 / 2, x**2 / 2 + x * y + y**2 / 2)).verdict is Verdict.PROVED
+    )
+    with pytest.raises(TypeError, match=r"is no sum, product, whole power or square root"):
+        lorenz.integral(x**y)
+
+
+def test_a_notebook_shows_what_is_said(lorenz):
+    F = lorenz.define(r"F=x^2-2\sigma z")
+    assert F._repr_latex_() == r"$F = x^2 - 2\sigma z$"
+    assert r"\dot{x} = \sigma(y - x)" in lorenz._repr_latex_()
+    assert lorenz.integral(F)._repr_html_().startswith("<p><b>refuted</b>: <math>")
+
+
+# -- files --------------------------------------------------------------------------
+
+
+def test_a_file_is_verified_recorded_and_certified(cli, tmp_path):
+    code, out = cli("verify", FILE, "--arithmetic", "flint")
+    assert code == 0
+    assert "x, y, z move; σ, ρ, b are constant" in out
+    assert "3 claims: 2 proved, 1 refuted" in out and "as expected" in out
+    assert cli("record", FILE)[0] == 0
+    assert (tmp_path / "lorenz.evidence" / "record.json").is_file()
+    code, out = cli("check", FILE)
+    assert code == 0 and "CERTIFIED 3 of 3" in out
+    code, out = cli("verify", FILE, "--arithmetic", "flint")
+    assert code == 0 and "as recorded" in out
+
+
+def test_what_is_otherwise_than_expected_is_a_difference(cli):
+    code, out = cli("verify", FILE.replace(', expect="refuted"', ""), "--arithmetic", "flint")
+    assert code == 1
+    assert "DIFFERENT FROM WHAT IS EXPECTED" in out
+    assert "invariant-F.2: expected that it is true, found refuted" in out
+    code, out = cli("verify", FILE.replace('"F=0")', '"F=0", expect="refuted")'))
+    assert code == 1 and "invariant-F: expected refuted, found proved" in out
+
+
+def test_a_claim_that_cannot_be_read_hides_no_other(cli):
+    code, out = cli("verify", FILE + 'lorenz.integral("w")\n', "--arithmetic", "flint")
+    assert code == 2 and "2 proved" in out
+    assert f"lorenz.py:{FILE.count(chr(10)) + 1}: integral-w: w is not declared here" in out
+
+
+def test_systems_of_a_file_are_told_apart_by_their_names(cli):
+    two = """
+from kowalevski_cas import System
+first = System(r"\\dot x=y, \\dot y=-x"{})
+second = System(r"\\dot x=y, \\dot y=x"{})
+first.integral("x^2+y^2")
+second.integral("x^2+y^2", expect="refuted")
+"""
+    code, out = cli("verify", two.format("", ""))
+    assert code == 2 and "two sections or systems are called 1: give one another name" in out
+    code, out = cli("verify", two.format(', "circle"', ', "saddle"'), "--arithmetic", "flint")
+    assert code == 0 and "circle-integral-x-2-y-2" in out and "saddle. x, y move" in out
+
+
+def test_a_derivation_and_a_system_have_one_vocabulary(lorenz):
+    lorenz.invariant("x=0", "y=0")
+    run = verify(Derivation("lorenz", "", "", "", (lorenz.section,)), ["flint"])
+    assert [outcome.verdict for outcome in run.outcomes] == [Verdict.PROVED]
+
+
+def test_a_display_is_taken_from_its_source(cli, tmp_path):
+    (tmp_path / "paper.tex").write_text(
+        r"\newcommand{\half}{\tfrac12}\begin{document}"
+        r"\begin{equation}\label{eq:14} E=\half(x^2+y^2) \end{equation}\end{document}"
+    )
+    file = """
+from kowalevski_cas import System, display
+circle = System(r"\\dot x=y, \\dot y=-x")
+E = circle.define(display("paper.tex", label="{}"))
+circle.integral(E)
+"""
+    code, out = cli("verify", file.format("eq:14"), "--arithmetic", "flint")
+    assert code == 0, out
+    code, out = cli("verify", file.format("eq:15"))
+    assert code == 2 and "lorenz.py:4: " in out and "no displays with the label eq:15" in out
