@@ -10,7 +10,16 @@ from .infinity import hats, hatted_fields, hatted_parts, hatted_velocity
 from .phase_point import radicals
 from .separation import root
 
-RADICALS = ("\\mu_1", "A_1", "B_1", "K_1", "\\hat{\\mu}_2", "\\hat{A}_2", "\\hat{B}_2", "\\hat{K}_2")
+RADICALS = (
+    "\\mu_1",
+    "A_1",
+    "B_1",
+    "K_1",
+    "\\hat{\\mu}_2",
+    "\\hat{A}_2",
+    "\\hat{B}_2",
+    "\\hat{K}_2",
+)
 PARTS = tuple(rf"\hat{{{name}}}" for name in (r"\Pi", "Y", "V", "d", "T", r"\Lambda", "N"))
 COORDINATES = ("u_1", "n", "v")
 CONSTANTS = ("s", r"\tau_3", "p", "r")
@@ -18,14 +27,21 @@ CONSTANTS = ("s", r"\tau_3", "p", "r")
 here = Scene(
     "phase point on O⁴, supplied",
     "the radicals, and parts of the formulas, as variables",
-    variables=(*COORDINATES, *RADICALS, r"\hat{E}", *PARTS, *CONSTANTS, r"\sigma", r"\kappa", "vu_1-n"),
+    variables=(
+        *COORDINATES,
+        *RADICALS,
+        r"\hat{E}",
+        *PARTS,
+        *CONSTANTS,
+        r"\sigma",
+        r"\kappa",
+        "vu_1-n",
+    ),
 )
 
 values = Scene("constants of O⁴", "the constants as variables", variables=CONSTANTS)
 
-plane = Scene(
-    "X, ξ, q", "as variables", variables=("X", r"\xi", r"\tau_3", r"\sigma", "q")
-)
+plane = Scene("X, ξ, q", "as variables", variables=("X", r"\xi", r"\tau_3", r"\sigma", "q"))
 
 
 def offer() -> HyperellipticForm:
@@ -40,13 +56,15 @@ def offer() -> HyperellipticForm:
         variables=Values(
             plane,
             (
-                Member(root[1], 1), r"\tau_3\xi+q", r"\tau_3\xi-q", r"\tau_3-X", r"\tau_3\xi^2+\sigma X"
+                Member(root[1], 1),
+                r"\tau_3\xi+q",
+                r"\tau_3\xi-q",
+                r"\tau_3-X",
+                r"\tau_3\xi^2+\sigma X",
             ),
             plane.variables,
         ),
-        integrals=Values(
-            values, tuple(Member(printed, 1) for printed in on_O4_values), CONSTANTS
-        ),
+        integrals=Values(values, tuple(Member(printed, 1) for printed in on_O4_values), CONSTANTS),
         squares=Values(
             here,
             tuple(Member(printed, 1) for printed in squares),

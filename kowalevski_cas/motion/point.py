@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from math import sqrt
 
 import numpy as np
 from flint import arb
@@ -96,8 +97,8 @@ def distance(state: NDArray[np.float64], given: list[Fraction]) -> float:
     fields, whole = _sizes(given)
     differences = _sizes([x - y for x, y in zip(there, given, strict=True)])
     # |Δω|² is the difference of the two sizes of weight 2.
-    omega_square = (differences[1] - differences[0]) / whole
-    return max(float(differences[0] / fields), float(omega_square) ** 0.5)
+    omega_square = float((differences[1] - differences[0]) / whole)
+    return max(float(differences[0] / fields), sqrt(omega_square))
 
 
 def _sizes(state: list[Fraction]) -> tuple[Fraction, Fraction]:

@@ -83,8 +83,9 @@ def states(motion: Motion | MotionO4, times: Array) -> Array:
     largest = float(np.max(np.abs(t), initial=0.0))
     if not largest <= LARGEST:
         raise ValueError(f"times have to be finite, up to {LARGEST:g}")
-    solution = ClosedO4 if isinstance(motion, MotionO4) else Closed
-    return solution(motion, largest)(t).T
+    if isinstance(motion, MotionO4):
+        return ClosedO4(motion, largest)(t).T
+    return Closed(motion, largest)(t).T
 
 
 def _select(condition: Array, positive: Array, negative: Array) -> Array:

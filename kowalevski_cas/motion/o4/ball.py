@@ -13,16 +13,17 @@ from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.point import PhasePoint
 from kowalevski_cas.motion.o4.quadrature import Quadratures
 from kowalevski_cas.motion.o4.series import Series, matrix
-from kowalevski_cas.motion.o4.variable import Variable
+from kowalevski_cas.motion.o4.variable import Variable, cosines
 from kowalevski_cas.motion.parameters import ball
+
 
 class SolutionO4:
     """The closed form at one working precision."""
 
     def __init__(self, motion: MotionO4) -> None:
-        self._motion = motion
-        self._variables = [Variable(motion.parameters, arc, lambda x: x) for arc in motion.arcs]
-        self._point = PhasePoint(motion.parameters, motion.regime, motion.signs, lambda x: x, arb.sqrt)
+        self._motion, known = motion, motion.parameters
+        self._variables = [Variable(known, arc, lambda x: x) for arc in motion.arcs]
+        self._point = PhasePoint(known, motion.regime, motion.signs, lambda x: x, arb.sqrt)
         series = [Series(variable) for variable in self._variables]
         self._means = matrix(series, motion.orientations)
         self._sines = [one.sines() for one in series]
@@ -30,31 +31,28 @@ class SolutionO4:
         self._origin = self._integrals([ball(angle) for angle in motion.angles])
 
     def __call__(self, time: Fraction) -> list[arb]:
-        """The state, or balls that are not finite where no enclosure is found."""
+        """The state; balls that are not finite where no enclosure is found."""
         aim = self._origin - arb_mat([[0], [ball(time)]])
-        phases = self._means.solve(aim).entries()
-        turns = [(phase / (2 * arb.pi())).mid().floor() for phase in phases]
-        aim -= self._means * arb_mat([[2 * arb.pi() * turn] for turn in turns])
-        near = [[float(x - 2 * arb.pi() * y)] for x, y in zip(phases, turns, strict=True)]
+        phases, turn = self._means.solve(aim, nonstop=True).entries(), 2 * arb.pi()
+        turns = [(phase / turn).mid().floor() for phase in phases]
+        aim -= self._means * arb_mat([[turn * count] for count in turns])
+        near = [[float(phase - turn * k)] for phase, k in zip(phases, turns, strict=True)]
         angles = self._enclosed(self._floats.angles(np.array(near))[:, 0].tolist(), aim)
-        # A whole period changes the signs of both functions of half the angle.
-        halves = [
-            tuple(reversed((angle / 2 + arb.pi() * turn).sin_cos()))
-            for angle, turn in zip(angles, turns, strict=True)
-        ]
-        state = list(self._point(*halves))
+        # After a turn the functions of half the angle have the other sign.
+        (sin_1, cos_1), (sin_2, cos_2) = (
+            ((angle + turn * count) / 2).sin_cos()
+            for angle, count in zip(angles, turns, strict=True)
+        )
+        state = list(self._point((cos_1, sin_1), (cos_2, sin_2)))
         cos, sin = self._motion.turn
         return turned(state, ball(cos), ball(-sin)) if sin else state
 
     def _integrals(self, angles: Sequence[arb]) -> arb_mat:
         """Both integrals, a column."""
-        columns = [series(angle) for series, angle in zip(self._sines, angles, strict=True)]
-        sines = [
-            [sum((sign * column[place] for sign, column in
-                  zip(self._motion.orientations, columns, strict=True)), arb(0))]
-            for place in (0, 1)
-        ]  # fmt: skip
-        return self._means * arb_mat([[angle] for angle in angles]) + arb_mat(sines)
+        found = self._means * arb_mat([[angle] for angle in angles])
+        for sign, series, angle in zip(self._motion.orientations, self._sines, angles, strict=True):
+            found += arb_mat([[sign * value] for value in series(angle)])
+        return found
 
     def _slopes(self, angles: Sequence[arb]) -> arb_mat:
         """The matrix of the differentials at these angles."""
@@ -62,24 +60,28 @@ class SolutionO4:
         for sign, variable, angle in zip(
             self._motion.orientations, self._variables, angles, strict=True
         ):
-            cos = angle.cos()
-            values = variable.differentials(((1 + cos) / 2, (1 - cos) / 2), arb.sqrt)
+            values = variable.differentials(cosines(angle, arb.cos), arb.sqrt)
             columns.append([sign * value for value in values])
         return arb_mat(columns).transpose()
 
-    def _enclosed(self, start: list[float], aim: arb_mat) -> list[arb]:
-        """The angles where the integrals are those aimed at, by an interval Newton step."""
+    def _enclosed(self, start: Sequence[float], aim: arb_mat) -> list[arb]:
+        """The angles where the integrals are those aimed at.
+
+        Newton's method, as long as its steps shrink, and then an interval Newton step: if it
+        leads into the interior of a box, the box has exactly one solution, and that is where it
+        leads.
+        """
         angles, before = [arb(x) for x in start], arb("inf")
         while True:
             missing = aim - self._integrals(angles)
-            steps = self._slopes(angles).solve(missing).entries()
+            steps = self._slopes(angles).solve(missing, nonstop=True).entries()
             size = max((abs(step).upper() for step in steps), key=float)
             if not 4 * size < before:
                 break
             before = size
             angles = [(angle + step).mid() for angle, step in zip(angles, steps, strict=True)]
         box = [angle + arb(0, 2 * size) for angle in angles]
-        steps = self._slopes(box).solve(missing).entries()
+        steps = self._slopes(box).solve(missing, nonstop=True).entries()
         if all(abs(step) < 2 * size for step in steps):
             return [angle + step for angle, step in zip(angles, steps, strict=True)]
         return [arb("nan"), arb("nan")]

@@ -21,27 +21,27 @@ BLOCK = 1024
 """Times that are worked on at once, so that all arrays stay in the cache."""
 
 BITS = 128
-"""The precision of the means at moderate times."""
+"""The precision of the means, for times below one."""
 
 
 class ClosedO4:
     """The closed form of one motion, for times up to ``largest``."""
 
     def __init__(self, motion: MotionO4, largest: float) -> None:
+        known = motion.parameters
+        # A phase of many turns needs so many more bits of the rate.
         with precision(BITS + max(0, int(np.frexp(largest)[1]))):
-            series = [Series(Variable(motion.parameters, arc, lambda x: x)) for arc in motion.arcs]
+            series = [Series(Variable(known, arc, lambda x: x)) for arc in motion.arcs]
             self._quadratures = Quadratures(motion, series)
             origins = self._quadratures.phases(np.array([[float(x)] for x in motion.angles]))
             rates = matrix(series, motion.orientations).solve(arb_mat([[0], [-1]])).entries()
-            # A quarter of the phases of half angles is π.
+            # Functions of half the angles have the period 4π: a quarter of it is π.
             self._phases = [
                 Phase(rate / arb.pi(), arb(origin) / arb.pi(), parts_needed(size, largest))
                 for rate, (origin,) in zip(rates, origins.tolist(), strict=True)
                 for size in [abs(float(rate))]
             ]
-            self._point = PhasePoint(
-                motion.parameters, motion.regime, motion.signs, float, np.sqrt
-            )
+            self._point = PhasePoint(known, motion.regime, motion.signs, float, np.sqrt)
         self._cos, self._sin = (float(x) for x in motion.turn)
 
     def __call__(self, t: Array) -> Array:
@@ -55,6 +55,6 @@ class ClosedO4:
 
     def torus(self, first: Array, second: Array) -> Array:
         """The states (9, N) by the two angles: points of the torus."""
-        halves = ((np.cos(angle / 2), np.sin(angle / 2)) for angle in (first, second))
-        states = self._point(*halves)
+        one, two = ((np.cos(angle / 2), np.sin(angle / 2)) for angle in (first, second))
+        states = self._point(one, two)
         return np.array(turned(states, self._cos, -self._sin) if self._sin else states)

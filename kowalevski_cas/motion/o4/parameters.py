@@ -14,7 +14,6 @@ from functools import cached_property
 from flint import arb
 
 from kowalevski_cas.motion import formulas
-from kowalevski_cas.motion.formulas import exactly
 from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, usable
 
 MU, KAPPA, LOW, HIGH = ("-√σ", "√σ"), ("-κ", "κ"), "-τ-r²", "-τ+r²"
@@ -36,7 +35,7 @@ class ParametersO4:
             raise Inadmissible(f"a = {float(self.a):g}, b = {float(self.b):g}; a > b > 0 is needed")
         for name, value in (("s", self.s), ("τ", self.tau), ("σ", self.sigma)):
             if value == 0:
-                raise Inadmissible(f"{name} = 0: u1, u2 do not separate; {name} ≠ 0 is needed")
+                raise Inadmissible(f"{name} = 0: the tori of O⁴ degenerate; {name} ≠ 0 is needed")
 
     @staticmethod
     def of(a: Real, b: Real, s: Real, tau: Real) -> ParametersO4:
@@ -78,7 +77,7 @@ class ParametersO4:
     @cached_property
     def keys(self) -> dict[str, Fraction]:
         """The square of each real root with the sign of the root."""
-        found = {}
+        found: dict[str, Fraction] = {}
         for (low, high), square in ((MU, self.sigma), (KAPPA, self.kappa_square)):
             if square >= 0:
                 found |= {low: -square, high: square}

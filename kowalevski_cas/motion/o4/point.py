@@ -9,54 +9,50 @@ from flint import arb
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import Regime
-from kowalevski_cas.motion.o4.variable import Number, Pair, Variable
+from kowalevski_cas.motion.o4.variable import Number, Pair, Root, Variable
 from kowalevski_cas.motion.parameters import ball
 
 
 class PhasePoint:
-    """The nine variables by (cos φ1/2, sin φ1/2) and (cos φ2/2, sin φ2/2).
+    """The nine variables by (cos φ/2, sin φ/2) of either variable.
 
-    ``signs`` are those of :math:`K_1, \\mu_2, A_2, B_2, K_2` where both angles are between 0 and π,
-    and the other radicals positive: they choose the torus, and the point on it.
+    ``signs`` are those of :class:`~kowalevski_cas.motion.o4.motion.MotionO4`.
     """
 
     def __init__(
         self,
-        constants: ParametersO4,
+        known: ParametersO4,
         regime: Regime,
-        signs: Sequence[int],
+        signs: Sequence[Number],
         number: Callable[[arb], Number],
-        root: Callable[[Number], Number],
+        root: Root,
     ) -> None:
-        self.variables = tuple(Variable(constants, arc, number) for arc in (regime.u1, regime.u2))
-        names = ("s", "tau", "p", "r", "sigma", "kappa")
-        values = [ball(constants.s), ball(constants.tau)]
-        values += [ball(square).sqrt() for square in (constants.p_square, constants.r_square)]
-        values += [ball(constants.sigma), ball(constants.kappa_square).sqrt()]
-        self._known = dict(zip(names, map(number, values), strict=True))
-        self._signs = signs
-        self._root = root
-        self._squares, self._parts, self._point = map(
-            formulas.hyperelliptic, ("squares", "parts", "phase_point")
-        )
+        self._variables = [Variable(known, arc, number) for arc in (regime.u1, regime.u2)]
+        squares = known.p_square, known.r_square, known.kappa_square
+        p, r, kappa = (number(ball(square).sqrt()) for square in squares)
+        s, tau, sigma = (number(ball(value)) for value in (known.s, known.tau, known.sigma))
+        self._for_squares = s, tau, r, sigma, kappa
+        self._for_parts = s, tau, p, r
+        self._for_point = s, tau, r
+        self._signs, self._root = signs, root
+        self._squares = formulas.hyperelliptic("squares")
+        self._parts = formulas.hyperelliptic("parts")
+        self._point = formulas.hyperelliptic("phase_point")
 
     def __call__(self, first: Pair, second: Pair) -> tuple[Number, ...]:
         """The state."""
-        s, tau, p, r, sigma, kappa = self._known.values()
-        one, two = self.variables
-        n1, v1 = one.pair((first[0] * first[0], first[1] * first[1]))
-        n, v = two.pair((second[0] * second[0], second[1] * second[1]))
-        radicals_1 = one.radicals(first, self._root)
-        radicals_2 = two.radicals(second, self._root)
-        sign_K1, *others = self._signs
-        u1, weight = n1 / v1, self._root(v1)
-        mu1, A1, B1, K1 = (radicals_1[name] for name in ("mu", "A", "B", "K"))
-        radicals = (mu1 / v1, A1 / weight, B1 / weight, sign_K1 * K1 / v1) + tuple(
-            sign * radicals_2[name]
-            for sign, name in zip(others, ("mu", "A", "B", "K"), strict=True)
+        root = self._root
+        (n1, v1), (n, v) = (
+            variable.pair((cos * cos, sin * sin))
+            for variable, (cos, sin) in zip(self._variables, (first, second), strict=True)
         )
-        *_, square = self._squares(u1, n, v, radicals[0], radicals[4], s, tau, r, sigma, kappa)
-        E = self._root(square)
-        d = v * radicals[0] - radicals[4]
-        parts = self._parts(u1, n, v, *radicals, s, tau, p, r, d)
-        return self._point(*radicals, E, *parts, s, tau, r, v * u1 - n)
+        mu1, A1, B1, K1 = self._variables[0].radicals(first, root)
+        others = self._variables[1].radicals(second, root)
+        sign, *signs = self._signs
+        u1 = n1 / v1
+        one = (mu1 / v1, A1 / root(v1), B1 / root(v1), sign * K1 / v1)
+        two = [sign * radical for sign, radical in zip(signs, others, strict=True)]
+        d = v * one[0] - two[0]
+        *_, square = self._squares(u1, n, v, one[0], two[0], *self._for_squares)
+        parts = self._parts(u1, n, v, *one, *two, *self._for_parts, d)
+        return self._point(*one, *two, root(square), *parts, *self._for_point, v * u1 - n)

@@ -73,13 +73,12 @@ class Regime:
             for number, arc in ((1, self.u1), (2, self.u2))
             for end in arc.roots
         }
-        return 2 ** (len(known) - _rank(changes))
+        return 1 << len(known) - _rank(changes)
 
     def __str__(self) -> str:
         """The signs, and the arcs."""
         signs = ", ".join(
-            f"{name} {'>' if sign else '<'} 0"
-            for name, sign in zip("sτσ", self.signs, strict=True)
+            f"{name} {'>' if sign else '<'} 0" for name, sign in zip("sτσ", self.signs, strict=True)
         )
         return f"{signs}, u1 in {self.u1}, u2 in {self.u2}"
 
@@ -101,9 +100,10 @@ def regime_of(constants: ParametersO4) -> Regime:
         for second, at_2 in _arcs(constants, 2):
             if not signs[2] or _positive(constants, at_1, at_2):
                 return Regime(signs, first, second)
+    a, b, s, tau = map(float, (constants.a, constants.b, constants.s, constants.tau))
     raise Inadmissible(
-        f"no real motion on O⁴ has s = {float(constants.s):.6g}, τ = {float(constants.tau):.6g} for "
-        f"a = {float(constants.a):.6g}, b = {float(constants.b):.6g}: some radicand is negative"
+        f"no real motion on O⁴ has s = {s:.6g}, τ = {tau:.6g} in fields of lengths {a:.6g}, "
+        f"{b:.6g}: one of the radicands is negative everywhere"
     )
 
 

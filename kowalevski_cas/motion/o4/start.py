@@ -1,9 +1,9 @@
 r"""The motion through a point of O⁴: its constants, its angles, its signs.
 
-A given state is exact for us, but hardly ever on O⁴ exactly. The constants are those of the printed
-formulas at the state, to many more digits than any float has; the variables, and the signs that fit,
-give two angles, which are then those that fit best. A state to which the closed form does not
-return has no motion here.
+A given state is exact for us, but hardly ever on O⁴ exactly. The constants are those of the
+printed formulas at the state, to many more digits than any float has; the angles are those of the
+variables there, moved to where the phase point fits best. A state to which the closed form does
+not return has no motion here.
 """
 
 from __future__ import annotations
@@ -15,21 +15,24 @@ from itertools import product
 
 import numpy as np
 from flint import acb, arb
+from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
-from kowalevski_cas.motion.critical import TOLERANCE
+from kowalevski_cas.motion.critical import TOLERANCE, residuals
 from kowalevski_cas.motion.formulas import exactly
 from kowalevski_cas.motion.frame import BITS, turn_of, turned
 from kowalevski_cas.motion.methods.closed import states
-from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.motion import MotionO4
+from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.point import PhasePoint
 from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root, usable
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.point import distance
 
-SIGNS = np.array(list(product((1, -1), repeat=5))).T
+Array = NDArray[np.float64]
+
+SIGNS = np.array(list(product((1.0, -1.0), repeat=5))).T
 """All signs that a phase point can have, a column each."""
 
 STEP, STEPS = 1e-7, 4
@@ -45,17 +48,23 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
     given = [usable(value) for value in state]
     if len(given) != 9:
         raise ValueError(f"a state has nine numbers, ω, α, β; {len(given)} are given")
+    residual = float(residuals(np.array([given], dtype=float))["O4"][0])
+    if not residual <= TOLERANCE:
+        raise Inadmissible(
+            f"the state is not on O⁴: its equations leave {residual:.3g} of what they can be there"
+        )
     with precision(BITS):
         _, _, a_square, b_square, c, *_ = exactly(formulas.integrals(), given)
         turn = turn_of(a_square, b_square, c)
         straight = turned(given, *turn)
         constants, pairs = _separated(straight)
         motion = MotionO4(constants, turn=turn, point=tuple(map(float, given)))
+        # Where |u1 + τ| = r² = |u2 + τ|, either may be the first.
         angles = [
-            float(Variable(constants, arc, lambda x: x).angle(pair))
-            for arc, pair in zip(motion.arcs, pairs, strict=True)
+            [float(Variable(constants, arc, lambda x: x).angle(pair)) for pair in order]
+            for arc, order in zip(motion.arcs, (pairs, pairs[::-1]), strict=True)
         ]
-        motion = _fitted(motion, angles, np.array(straight, dtype=float))
+        motion = _fitted(motion, np.array(angles), np.array(straight, dtype=float))
     off = distance(states(motion, np.zeros(1))[0], given)
     if not off <= TOLERANCE:
         raise Inadmissible(
@@ -71,46 +80,42 @@ def _separated(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb
         raise Inadmissible("ω1 = ω2 = 0 at the state: it does not tell the constant s of O⁴")
     known = formulas.complex_variables()(*(acb(ball(x)) for x in state), acb(0, 1))
     found = [acb(value).real for value in formulas.hyperelliptic("constants")(*known)]
-    s, tau, X, both = map(as_fraction, found)
+    s, tau, X, total = map(as_fraction, found)
     _, _, a_square, b_square, *_ = exactly(formulas.integrals(), state)
     constants = ParametersO4(root(a_square), root(b_square), s, tau)
-    xi = both - tau
-    square, *_ = _variables(X, xi, constants, 0)
+    xi = total - tau
+    given = [X, xi, tau, constants.sigma]
+    variables = formulas.hyperelliptic("variables")
+    square, *_ = exactly(variables, [*given, Fraction(0)])
     q = root(max(square, Fraction(0)))
-    _, *numerators, v, product = _variables(X, xi, constants, q)
-    n1, n2 = sorted(numerators, key=lambda n: abs(n + tau * v))  # |u1 + τ| ≤ r² ≤ |u2 + τ|
-    first = (n1, v) if v else (product, n2)
-    pairs = [(ball(n), ball(v)) for n, v in (first, (n2, v))]
-    return constants, pairs
+    _, *ends, v, both = exactly(variables, [*given, q])
+    n1, n2 = sorted(ends, key=lambda n: abs(n + tau * v))  # |u1 + τ| ≤ r² ≤ |u2 + τ|
+    first = (n1, v) if v else (both, n2)
+    return constants, [(ball(n), ball(d)) for n, d in (first, (n2, v))]
 
 
-def _variables(
-    X: Fraction, xi: Fraction, constants: ParametersO4, q: Fraction
-) -> list[Fraction]:
-    """The discriminant, the numerators of u1 and u2, their denominator and that of u1u2."""
-    return exactly(
-        formulas.hyperelliptic("variables"), [X, xi, constants.tau, constants.sigma, Fraction(q)]
-    )
-
-
-def _fitted(motion: MotionO4, angles: list[float], state: np.ndarray) -> MotionO4:
-    """The motion with the signs, and angles near these, that fit the state best."""
+def _fitted(motion: MotionO4, angles: Array, state: Array) -> MotionO4:
+    """The motion with the signs, and angles near a column of these, that fit the state best."""
     weights = np.repeat([max(abs(state[:3])) ** 2 + max(abs(state[3:]))], 9)
     weights[:3] **= 0.5
 
-    def missing(signs: np.ndarray, angles: np.ndarray) -> np.ndarray:
-        point = PhasePoint(motion.parameters, motion.regime, signs, float, np.sqrt)
-        halves = [(np.cos(angle / 2), np.sin(angle / 2)) for angle in angles]
-        with np.errstate(invalid="ignore"):
-            found = np.array(np.broadcast_arrays(*point(*halves)))
-        return (state[:, None] - found) / weights[:, None]
+    def missing(signs: Array, angles: Array) -> Array:
+        point = PhasePoint(motion.parameters, motion.regime, list(signs), float, np.sqrt)
+        one, two = ((np.cos(angle / 2), np.sin(angle / 2)) for angle in angles)
+        with np.errstate(invalid="ignore"):  # E² is negative for half of the signs where σ is
+            found = np.array(np.broadcast_arrays(*point(one, two)))
+        wanted: Array = (state[:, None] - found) / weights[:, None]
+        return wanted
 
-    found = np.array(angles)
-    errors = np.linalg.norm(missing(SIGNS, found[:, None]), axis=0)
-    signs = SIGNS[:, np.nanargmin(errors)]
+    signs, starts = np.tile(SIGNS, angles.shape[1]), np.repeat(angles, SIGNS.shape[1], axis=1)
+    errors = np.linalg.norm(missing(signs, starts), axis=0)
+    if np.isnan(errors).all():
+        raise Inadmissible("the state is not on O⁴: no phase point has its constants")
+    best = np.nanargmin(errors)
+    signs, found = signs[:, best], starts[:, best]
     for _ in range(STEPS):
         columns = missing(signs, found[:, None] + STEP * np.array([[0, 1, 0], [0, 0, 1]]))
         slopes = (columns[:, :1] - columns[:, 1:]) / STEP
         found = found + np.linalg.lstsq(slopes, columns[:, 0], rcond=None)[0]
     first, second = map(Fraction, found.tolist())
-    return replace(motion, angles=(first, second), signs=tuple(signs.tolist()))
+    return replace(motion, angles=(first, second), signs=tuple(map(int, signs)))
