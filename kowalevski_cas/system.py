@@ -15,7 +15,8 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from argparse import Namespace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
@@ -23,6 +24,7 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
+from kowalevski_cas.library import READ
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
@@ -40,23 +42,31 @@ from kowalevski_cas.notation import (
     to_sympy,
 )
 from kowalevski_cas.paper.claims import (
+    Casimir,
     Claim,
     DarbouxPolynomial,
     FirstIntegral,
     Identity,
     Implication,
     InvariantRelations,
+    Involution,
+    Jacobi,
+    LiouvilleIntegrable,
 )
 from kowalevski_cas.paper.derivation import Derivation, Section
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene, vocabulary
-from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.prune import mentions
+from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Counterexample, Outcome, Verdict, in_latex
 from kowalevski_cas.verify.run import verify
 
 LONGEST = 24
 """The signs of a formula by which a claim is called."""
 
+
+Search = Callable[[Elaborations, Scene, Namespace], Iterable[Finding]]
 
 Tex = Any
 """A formula: LaTeX, what was defined, or an expression of SymPy."""
@@ -167,14 +177,9 @@ class System:
         components = vectors or {}
         variables = tuple(part for one in moving for part in components.get(one, (one,)))
         constants = tuple(part for one in others for part in components.get(one, (one,)))
-        self.scene = Scene(
-            name or "the system",
-            "",
-            vectors=components,
-            variables=variables,
-            constants=constants,
-            field=(*display,),
-        )
+        words = "the equations of motion"
+        scene = Scene(name or "the system", words, components, variables, constants, (*display,))
+        self._stand_on(scene)
         self.section.title = _echo(variables, constants, "${}$".format)
 
     def __repr__(self) -> str:
@@ -186,8 +191,16 @@ class System:
 
     # -- scenes ------------------------------------------------------------------
 
+    def _stand_on(self, scene: Scene) -> None:
+        """Take this scene for what is said from here on."""
+        self.scene = self.section.scenes[scene.name] = scene
+
     def define(self, formula: Tex) -> Function:
-        """A name for what is printed, as in ``F=x^2-z``; what is derived from here knows it too.
+        r"""A name for what is printed, as in ``F=x^2-z``; what is derived from here knows it too.
+
+        A matrix has a bold capital, ``{\bf L}=\begin{pmatrix}…\end{pmatrix}``; the Poisson bracket
+        is defined by those of the variables that do not vanish, ``\{x,y\}=z``. Of several names in
+        a display the first is returned.
 
         Raises:
             NotationError: it cannot be read.
@@ -195,7 +208,7 @@ class System:
         """
         tex = self._tex(formula)
         display = self.section.display(self._id("", tex), tex)
-        self.scene = self.scene.defining(display)
+        self._stand_on(self.scene.defining(display))
         self._formulas(display)
         return Function(self, display[1], display[1].heads.names[0])
 
@@ -206,12 +219,12 @@ class System:
             NotationError: a relation cannot be read.
             ValueError: a relation gives no constant.
         """
-        special = copy(self)
-        for place in self._places("where", *relations):
-            special.scene = _restricted(special.scene, place)
-            special._formulas(place.display)
-        said = ", ".join(map(self._tex, relations))
-        special.scene = special.scene.described(f"{self.scene.name} where {said}", f"${said}$")
+        special, said = copy(self), ", ".join(map(self._tex, relations))
+        scene = self.scene.described(f"{self.scene.name} where {said}", f"${said}$")
+        for place in self._places(self._id("where", said), *relations):
+            scene = _restricted(scene, place)
+            read_display(place.display.tex, vocabulary((scene,)))
+        special._stand_on(scene)
         return special
 
     # -- claims ------------------------------------------------------------------
@@ -219,21 +232,17 @@ class System:
     def identity(self, equation: Tex, expect: str = "") -> Stated:
         """Both sides are equal; derivatives are along the motion."""
         says = "both sides are the same function"
-        return self.states(Identity, "identity", says, expect, printed=equation)
+        return self.states(Identity, "identity", says, expect, equation)
 
     def implication(self, equation: Tex, given: Sequence[Tex], expect: str = "") -> Stated:
         """An equation holds wherever the given ones do."""
         says = "this holds wherever what is given does"
-        return self.states(
-            Implication, "implication", says, expect, printed=equation, given=tuple(given)
-        )
+        return self.states(Implication, "implication", says, expect, equation, given=tuple(given))
 
     def integral(self, formula: Tex, given: Sequence[Tex] = (), expect: str = "") -> Stated:
         """A function is constant along every motion, perhaps on an invariant set only."""
         says = "this is constant along every motion"
-        return self.states(
-            FirstIntegral, "integral", says, expect, printed=formula, given=tuple(given)
-        )
+        return self.states(FirstIntegral, "integral", says, expect, formula, given=tuple(given))
 
     def invariant(self, *relations: Tex, expect: str = "") -> Stated:
         """No motion leaves the set on which these hold; a function stands for its zeros."""
@@ -244,9 +253,35 @@ class System:
     def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> Stated:
         """A polynomial F with F' = KF, where K is the cofactor."""
         says = "its derivative is this multiple of it"
+        return self.states(DarbouxPolynomial, "darboux", says, expect, formula, cofactor=cofactor)
+
+    def lax(self, first: Function, second: Function, expect: str = "") -> Stated:
+        """A Lax pair of matrices: L' = LM - ML."""
+        L, M = first.name, second.name
+        says = "the equations of motion give this Lax equation"
+        return self.states(Identity, "lax", says, expect, rf"\frac{{d}}{{dt}}{L}={L}{M}-{M}{L}")
+
+    def jacobi(self, expect: str = "") -> Stated:
+        """The Poisson bracket that was defined satisfies Jacobi's identity."""
+        return self.states(Jacobi, "jacobi", "the bracket satisfies Jacobi's identity", expect)
+
+    def casimir(self, formula: Tex, expect: str = "") -> Stated:
+        """A function whose bracket with every function vanishes."""
+        says = "its bracket with every function vanishes"
+        return self.states(Casimir, "casimir", says, expect, formula)
+
+    def involution(self, *functions: Tex, expect: str = "") -> Stated:
+        """Functions whose brackets with each other vanish."""
+        says = "their brackets with each other vanish"
+        return self.states(Involution, "involution", says, expect, functions=functions)
+
+    def integrable(self, *integrals: Tex, casimirs: Sequence[Tex] = (), expect: str = "") -> Stated:
+        """Integrability in the sense of Liouville; the first integral is the Hamiltonian."""
+        says = "the motion is integrable in the sense of Liouville"
         return self.states(
-            DarbouxPolynomial, "darboux", says, expect, printed=formula, cofactor=cofactor
-        )
+            LiouvilleIntegrable, "integrable", says, expect,
+            integrals=integrals, casimirs=tuple(casimirs),
+        )  # fmt: skip
 
     def states(
         self,
@@ -259,7 +294,8 @@ class System:
     ) -> Stated:
         """A claim of any kind, called after the name and its first formula.
 
-        Formulas, and tuples of them, are taken for what the kind expects at these attributes.
+        Formulas, and tuples of them, are taken for what the kind expects at these attributes;
+        numbers stay what they are.
 
         Raises:
             NotationError: a formula is broken TeX.
@@ -267,12 +303,14 @@ class System:
         """
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
-        first = next(one for one in (printed, *attributes.values()) if one is not None)
-        id = self._id(name, self._tex(first[0] if isinstance(first, tuple) else first))
+        values = (printed, *attributes.values())
+        formulas = (one for value in values for one in (value if type(value) is tuple else [value]))
+        first = next((one for one in formulas if one is not None and type(one) is not int), "")
+        id = self._id(name, self._tex(first))
         made: dict[str, Any] = {}
         for key, value in {"printed": printed, **attributes}.items():
-            if value is None:
-                made[key] = None
+            if value is None or isinstance(value, int):
+                made[key] = value
             elif isinstance(value, tuple):
                 made[key] = (*self._places(f"{id}-{key}", *value),)
             else:
@@ -283,6 +321,31 @@ class System:
         if expect:
             self.section.expected[id] = expect
         return Stated(self, claim)
+
+    # -- questions ---------------------------------------------------------------
+
+    def find_integrals(self, degree: int) -> list[Stated]:
+        """The polynomial first integrals up to a degree, and that there are no others."""
+        from kowalevski_cas.cli.questions import integrals
+
+        return self._found("integral", integrals.search, degree=degree)
+
+    def find_closure(self, seed: Tex, order: int = 4) -> list[Stated]:
+        """Invariant sets from a function and its derivatives, up to an order."""
+        from kowalevski_cas.cli.questions import closure
+
+        return self._found("closure", closure.search, seed=self._tex(seed), order=order)
+
+    def _found(self, name: str, search: Search, **arguments: Any) -> list[Stated]:
+        """What a search finds, as claims like any other."""
+        on = Elaborations(Texts(vocabulary((self.scene,))))
+        found = []
+        for one in search(on, self.scene, Namespace(**arguments)):
+            attributes: dict[str, Any] = {**one.attributes}
+            found.append(
+                self.states(one.kind, name, one.says, printed=one.tex or None, **attributes)
+            )
+        return found
 
     # -- formulas ----------------------------------------------------------------
 
@@ -402,6 +465,7 @@ def display(source: str, label: str) -> str:
 
     here = sys._getframe(1).f_globals.get("__file__", "")
     path = Path(here).parent / source
+    READ.add(path)
     found = [one for one in typed_formulas(read_source(path))[1] if label in one.labels]
     if len(found) != 1:
         raise ValueError(f"{path} has {len(found) or 'no'} displays with the label {label}")

@@ -15,7 +15,7 @@ import numpy as np
 
 from kowalevski_cas.motion import Motion, load
 from kowalevski_cas.motion.methods.integrators import initial_state
-from kowalevski_cas.motion.transverse import distance, exponent
+from kowalevski_cas.motion.transverse import distance, exponent, kind
 from kowalevski_cas.pictures import INK, new_figure
 from study.charts import curve, legend_below
 from study.motions import INTEGRATORS, MOTIONS, parameters, tolerances
@@ -34,10 +34,12 @@ SPAN, WINDOWS, POINTS = 80.0, 16, 60
 SMALL, LARGE = 30.0, 1e-3
 """A distance counts as growing from so many times the first one up to this."""
 
+LEFT, RIGHT = (kind(motion.parameters) for motion in MOTIONS.values())
+
 CAPTION = (
     "The distance from $N^4$ of a motion that starts on it: the median in each of "
-    f"{WINDOWS} windows of time up to $t={SPAN:g}$. On the left an elliptic torus, "
-    f"{parameters('m > 0')}; on the right a hyperbolic one, {parameters('m < 0')}, which "
+    f"{WINDOWS} windows of time up to $t={SPAN:g}$. On the left an {LEFT} torus, "
+    f"{parameters('m > 0')}; on the right a {RIGHT} one, {parameters('m < 0')}, which "
     r"integrators leave like $e^{\lambda t}$, with the $\lambda$ that follows from the cofactors "
     f"of (15). Tolerances: {tolerances(TOLERANCES)}."
 )
@@ -85,8 +87,8 @@ def draw(rows: Sequence[Row]) -> Figure:
             axes.plot(times, 2e-14 * np.exp(slope * (times - times[0])), color=INK, lw=2.2)
             axes.text(55, 6e-14, rf"$e^{{\lambda t}}$, $\lambda={slope:.3f}$")
         axes.set(yscale="log", xlabel="$t$")
-        kind = "hyperbolic" if MOTIONS[name].parameters.m < 0 else "elliptic"
-        axes.set_title(f"{kind} torus: {parameters(name)}", size=7.5)
+        words = f"{kind(MOTIONS[name].parameters)} torus: {parameters(name)}"
+        axes.set_title(words, size=7.5)
     panels[0].set_ylabel("distance from $N^4$")
     legend_below(figure, panels[0], 5)
     return figure

@@ -30,7 +30,7 @@ def equivalence(session: AuditSession, printed: Printed, old: Formula, new: Form
 
 def _on(setting: Elaboration, old: Formula, new: Formula) -> str:
     first, second = _members(old, setting), _members(new, setting)
-    if len(first) != len(second):
+    if len(first) != len(second) or not all(map(_is_equality, (old, new))):
         return ""
     pairs = list(zip(first, second, strict=True))
     if all((a - b).is_zero for one, other in pairs for a, b in zip(one, other, strict=True)):
@@ -40,6 +40,11 @@ def _on(setting: Elaboration, old: Formula, new: Formula) -> str:
     (left, left_new), (right, right_new) = pairs
     ratio = _ratio(left_new[0] - right_new[0], left[0] - right[0])
     return f"it is the same equation times {ratio}" if ratio else ""
+
+
+def _is_equality(formula: Formula) -> bool:
+    """Whether a formula relates its members by equality, if it relates any."""
+    return not isinstance(formula, Relation) or formula.is_equality
 
 
 def _members(formula: Formula, setting: Elaboration) -> list[tuple[Element, ...]]:

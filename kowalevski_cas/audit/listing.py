@@ -11,12 +11,8 @@ from kowalevski_cas.audit.source import Source
 from kowalevski_cas.audit.tokens import scanned
 from kowalevski_cas.notation import NotationError, Vocabulary, read_display
 from kowalevski_cas.notation.lexer import Token
-from kowalevski_cas.notation.macros import GREEK
+from kowalevski_cas.notation.macros import FUNCTIONS, GREEK
 
-FUNCTIONS = frozenset(
-    "\\" + name
-    for name in "sin cos tan cot exp ln log sinh cosh tanh arcsin arccos arctan max min det".split()
-)
 _BOLD = (r"\mathbf{", r"\boldsymbol{", r"\vec{")
 
 
@@ -72,6 +68,7 @@ def guessed(formulas: Iterable[Typed]) -> Vocabulary:
         matrices=frozenset(matrices),
         functions=frozenset(functions),
         times=frozenset({"t", r"\tau"} | (names & {"s", "x"})),
+        moving=frozenset(names - functions),
     )
 
 

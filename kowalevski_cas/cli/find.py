@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -28,6 +29,7 @@ from kowalevski_cas.verify.run import verify
 QUESTIONS = {
     "integrals": "polynomial first integrals, up to a degree",
     "closure": "an invariant set, from a function and its derivatives",
+    "parameters": "values of constants for which a polynomial divides its derivative",
 }
 
 
@@ -49,44 +51,62 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     ((_, derivation),) = session.derivations([arguments.derivation])
     scene = _scene(derivation, arguments.scene)
+    _forecast(scene, getattr(arguments, "degree", 0))
     (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments), [None])
     if arguments.format == "json":
         print(json.dumps([_data(outcome) for outcome in answer.outcomes], indent=1))
     else:
         for outcome in answer.outcomes:
-            print(f"{outcome.verdict}  {', '.join(map(to_plain, outcome.formulas))}")
+            shown = ", ".join(map(to_plain, outcome.formulas))
+            print(f"{outcome.verdict}  {outcome.words}{':  ' if shown else ''}{shown}")
         print(f"{len(answer.outcomes)} found")
-    if answer.late:
-        late = f"the search was not over within {arguments.timeout:g} s: give it a longer --timeout"
-        raise CommandError(late, UNDECIDED)
+    if answer.unfinished:
+        raise CommandError(answer.unfinished, UNDECIDED)
     return AS_RECORDED if all(one.verdict.green for one in answer.outcomes) else UNDECIDED
 
 
 @dataclass(frozen=True)
 class _Answer:
-    """What was found, and whether there was not time enough to look further."""
+    """What was found, and why nobody looked further, if something is left."""
 
     outcomes: tuple[Outcome, ...]
-    late: bool
+    unfinished: str
 
 
 def _answer(derivation: Derivation, scene: Scene, arguments: argparse.Namespace) -> _Answer:
-    """The answer to a question; what was found before the time was over is kept."""
+    """The answer to a question; what was found before it had to stop is kept."""
     on = Elaborations(derivation.texts(derivation.corrected()))
     findings: list[Finding] = []
     end = monotonic() + arguments.timeout
+    from kowalevski_cas.algebra.kernels import TooLarge
+
     try:
         search: Iterator[Finding] = arguments.search(on, scene, arguments)
         while True:
             with time_limit(end - monotonic()):
                 findings.append(next(search))
             tell(f"{len(findings)} found", 0, 1)
-    except (StopIteration, TimeoutError) as ended:
-        claims = with_findings(derivation, findings)
-        outcomes = verify(claims, ["flint"], timeout=arguments.timeout).outcomes
-        return _Answer(outcomes, isinstance(ended, TimeoutError))
+    except StopIteration:
+        unfinished = ""
+    except TimeoutError:
+        unfinished = f"it took more than {arguments.timeout:g} s: give it a longer --timeout"
+    except TooLarge as error:
+        unfinished = f"it would take too much memory: {error}"
     except (Meaningless, NotationError) as error:
         raise CommandError(f"scene “{scene.name}”: {error}") from None
+    claims = with_findings(derivation, findings)
+    return _Answer(verify(claims, ["flint"], timeout=arguments.timeout).outcomes, unfinished)
+
+
+def _forecast(scene: Scene, degree: int) -> None:
+    """Say beforehand that a question is too large to be answered."""
+    from kowalevski_cas.problem.kernel import LARGEST
+    from kowalevski_cas.problem.polynomial_fields import number_of_monomials
+
+    width = len(scene.variables)
+    if (size := number_of_monomials((1,) * width, degree)) > LARGEST:
+        large = f"{width} variables have {size} monomials up to degree {degree}"
+        print(f"{large}: the search ends before, with what it has found", file=sys.stderr)
 
 
 def _scene(derivation: Derivation, name: str | None) -> Scene:

@@ -111,7 +111,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
 
     from kowalevski_cas.motion.general import General
     from kowalevski_cas.motion.methods import MethodError, load
-    from kowalevski_cas.motion.methods.ball import Unresolved
+    from kowalevski_cas.motion.methods.ball import Unresolved, enclosed
     from kowalevski_cas.motion.o4.motion import MotionO4
     from kowalevski_cas.motion.parameters import exact
     from kowalevski_cas.motion.result import Result
@@ -136,9 +136,11 @@ def _followed(arguments: argparse.Namespace) -> Result:
     if sys.stderr.isatty():
         print(f"{method} is to come to {limit} ...", file=sys.stderr)
 
-    def states(motion: AnyMotion) -> NDArray[np.float64]:
+    def states(motion: AnyMotion) -> tuple[NDArray[np.float64], ...]:
         with time_limit(arguments.timeout):
-            return load(method)(motion, times)
+            if method == "ball" and not isinstance(motion, General):
+                return enclosed(motion, times)
+            return (load(method)(motion, times),)
 
     try:
         (found,) = each(states, [motion])
@@ -152,7 +154,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
         raise CommandError(str(error), UNDECIDED) from None
     except ValueError as error:
         raise CommandError(str(error)) from None
-    return Result(motion, times, found)
+    return Result(motion, times, *found)
 
 
 def motion_of(arguments: argparse.Namespace) -> AnyMotion:

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.critical import LEAST_THETA, TOLERANCE, bounds
+from kowalevski_cas.motion.fit import nearest
 from kowalevski_cas.motion.formulas import exactly
 from kowalevski_cas.motion.frame import BITS, turn_of, turned
 from kowalevski_cas.motion.methods.closed import states
@@ -37,6 +38,9 @@ from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.regimes import NOISE, regime_of, without_rounding
 from kowalevski_cas.motion.start import Values, arc_of, start
 from kowalevski_cas.motion.variables import at_infinity, variables
+
+ROUNDING = 1e-15
+"""How far from a state, of its size, a motion may begin that is not improved."""
 
 
 def on_N4(state: Sequence[Real]) -> Motion:
@@ -64,7 +68,12 @@ def on_N4(state: Sequence[Real]) -> Motion:
             found = [_started(motion, at_infinity(straight, parameters, s)) for s in (1, -1)]
         else:
             found = [_started(motion, variables(straight, parameters, theta))]
-    best = min((_returning(motion, given) for motion in found), key=lambda motion: motion.off)
+        best = min((_returning(motion, given) for motion in found), key=lambda motion: motion.off)
+        if best.off > ROUNDING:
+            fields, size = _sizes(given)
+            weights = np.repeat([float(size) ** -0.5, float(1 / fields)], (3, 6))
+            fitted = _returning(nearest(best, given, weights), given)
+            best = min(best, fitted, key=lambda motion: motion.off)
     if not best.off <= TOLERANCE:
         raise Inadmissible(
             f"the closed form with the constants of the state is {best.off:.3g} of its size away "

@@ -20,6 +20,7 @@ A < −a, and are the same in pairs, two being left, elsewhere.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -141,6 +142,20 @@ def coincidences(parameters: Parameters) -> list[str]:
         if compare(parameters, root, end) == 0
     ]
     return found + ["ℓ = 0"] * (parameters.ell_sign == 0)
+
+
+def ells(parameters: Parameters, regime: Regime) -> tuple[float, float]:
+    """Between which two values ℓ ≥ 0 is in a regime, whatever that of the constants; or none."""
+    low, high = 0.0, math.inf
+    for left, right in pairwise(regime.order):
+        slope, constant = gap(parameters, right, left)
+        if slope > 0:
+            low = max(low, float(-constant / slope))
+        elif slope < 0:
+            high = min(high, float(-constant / slope))
+        elif constant <= 0:
+            return low, low
+    return low, max(low, high)
 
 
 def without_rounding(rounded: Parameters) -> Parameters:

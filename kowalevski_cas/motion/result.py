@@ -15,6 +15,7 @@ from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.regimes import coincidences, tori
+from kowalevski_cas.motion.transverse import exponent, kind
 
 INTEGRALS = {"H": "H", "K": "K", "G": "G", "a^2": "a2", "b^2": "b2", "c": "c"}
 """The integrals whose drift is told, and their names there."""
@@ -31,6 +32,12 @@ class Result:
     times: NDArray[np.float64]
     states: NDArray[np.float64]
     radii: NDArray[np.float64] | None = None
+
+    @property
+    def rows(self) -> list[list[float]]:
+        """Each state as nine numbers; there is no −0."""
+        rows: list[list[float]] = (self.states + 0.0).tolist()
+        return rows
 
     @property
     def invariants(self) -> dict[str, object]:
@@ -67,7 +74,7 @@ class Result:
 
     @property
     def regime(self) -> dict[str, object]:
-        """The regime: the order of the roots, the arcs of s1 and s2, the tori, the moduli k²."""
+        """The regime: the roots in order, the arcs of s1 and s2, the tori, the moduli k², |λ|."""
         motion = self.motion
         if isinstance(motion, General):
             return {"none": motion.why}
@@ -88,6 +95,8 @@ class Result:
             "tori": tori(motion.parameters),
             "k1_squared": squares[0],
             "k2_squared": squares[1],
+            "lambda": abs(exponent(motion.parameters)),
+            "transversely": kind(motion.parameters),
             "separating": coincidences(motion.parameters),
         }
 

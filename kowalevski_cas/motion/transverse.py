@@ -19,13 +19,16 @@ passes :math:`x_1x_2=0`, where the root changes its sign; so the sign of
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
+from flint import acb, arb
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.oscillation import Oscillation
-from kowalevski_cas.motion.parameters import Parameters
-from kowalevski_cas.motion.regimes import regime_of
+from kowalevski_cas.motion.parameters import Parameters, Real, ball, precision
+from kowalevski_cas.motion.regimes import Regime, all_regimes, ells, regime_of
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -60,31 +63,69 @@ def exponent(parameters: Parameters) -> complex:
 
     Real for m < 0, where the motion is unstable unless it is zero, and imaginary for m > 0.
     """
+    return complex(np.sqrt(complex(-parameters.m))) * abs(difference(parameters))
+
+
+def difference(parameters: Parameters) -> float:
+    r""":math:`\langle s_1\rangle-\langle s_2\rangle`; zero where it is less than 1e-30 a."""
     regime = regime_of(parameters)
-    means = [
-        mean(Oscillation(parameters, arc, first))
-        for arc, first in ((regime.s1, True), (regime.s2, False))
-    ]
-    return complex(np.sqrt(complex(-parameters.m))) * abs(means[0] - means[1])
+    for bits in (192, 768, 3072, 12288):  # so many where roots are as close
+        with precision(bits):
+            first, second = (
+                mean(Oscillation(parameters, arc, first))
+                for arc, first in ((regime.s1, True), (regime.s2, False))
+            )
+            gap = first - second
+            if gap.is_finite():
+                break
+    return 0.0 if abs(gap) < ball(parameters.a) * 1e-30 else float(gap)
 
 
-def mean(oscillation: Oscillation) -> float:
+def degenerate(a: Real, b: Real, m: Real) -> Iterator[tuple[Regime, float]]:
+    r"""The ℓ > 0 for which :math:`\lambda=0` inside a regime.
+
+    It is looked for where the means are in one order near the one end of the regime, and in
+    the other order near the other.
+    """
+    from scipy.optimize import brentq
+
+    def signed(ell: float) -> float:
+        return difference(Parameters.of(a, b, m, ell))
+
+    for regime in all_regimes():
+        low, high = ells(Parameters.of(a, b, m, 0), regime)
+        margin = 1e-6 * (high - low)
+        if 0 < margin < np.inf:
+            ends = low + margin, high - margin
+            if signed(ends[0]) * signed(ends[1]) < 0:
+                yield regime, brentq(signed, *ends, xtol=margin)
+
+
+def kind(parameters: Parameters) -> str:
+    """Whether a torus is elliptic, hyperbolic, or degenerate: λ = 0."""
+    if difference(parameters) == 0:
+        return "degenerate"
+    return "elliptic" if parameters.m > 0 else "hyperbolic"
+
+
+def mean(oscillation: Oscillation) -> arb:
     r"""The mean of s over a period; a principal value where s passes infinity.
 
     With the substitution :math:`x=\mp(s-p)/(s-q)` both the time and its product with s
-    are complete integrals in the form of Carlson, whose principal value SciPy gives.
+    are complete integrals in the form of Carlson; for the principal value of R_J see DLMF
+    19.20.14.
     """
-    from scipy.special import elliprf, elliprj
-
     p, q, u, v = oscillation.roots
-    end = float(oscillation.root(q))
+    end = oscillation.root(q)
     if oscillation.kind == "exponential":  # from one double root to the other
-        return (float(oscillation.root(p)) + end) / 2
+        return (oscillation.root(p) + end) / 2
     if oscillation.kind != "elliptic":  # at a root, or almost all the time near a double one
         return end
-    side = -1.0 if oscillation.arc.infinite else 1.0
-    ratios = [
-        side * float(oscillation.gap(p, root)) / float(oscillation.gap(q, root)) for root in (u, v)
-    ]
-    share = elliprj(0.0, *ratios, side) / (3 * elliprf(0.0, *ratios))
-    return end + float(oscillation.gap(p, q)) * side * float(share)
+    side = -1 if oscillation.arc.infinite else 1
+    y, z = (side * oscillation.gap(p, root) / oscillation.gap(q, root) for root in (u, v))
+    RF = acb.elliptic_rf(acb(0), acb(y), acb(z)).real
+    last = z * (1 + y) / (1 + z) if side < 0 else arb(1)
+    RJ = acb.elliptic_rj(acb(0), acb(y), acb(z), acb(last)).real
+    if side < 0:
+        RJ = ((last - z) * RJ - 3 * RF) / (1 + z)
+    return end + oscillation.gap(p, q) * side * RJ / (3 * RF)

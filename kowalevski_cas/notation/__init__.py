@@ -10,6 +10,7 @@ from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
     EQUALITIES,
     Application,
+    Commutator,
     Conjugate,
     Constant,
     CrossProduct,
@@ -17,6 +18,7 @@ from kowalevski_cas.notation.formula import (
     Diagonal,
     Formula,
     ImaginaryPart,
+    Modulus,
     Name,
     Negative,
     Number,
@@ -30,6 +32,7 @@ from kowalevski_cas.notation.formula import (
     Root,
     ScalarProduct,
     Sum,
+    Summation,
     Unwritten,
     Vector,
 )
@@ -49,6 +52,7 @@ from kowalevski_cas.notation.vocabulary import Vocabulary
 __all__ = [
     "EQUALITIES",
     "Application",
+    "Commutator",
     "Conjugate",
     "Constant",
     "CrossProduct",
@@ -58,6 +62,7 @@ __all__ = [
     "Formula",
     "Heads",
     "ImaginaryPart",
+    "Modulus",
     "Name",
     "Negative",
     "NotationError",
@@ -75,6 +80,7 @@ __all__ = [
     "ScalarProduct",
     "Statement",
     "Sum",
+    "Summation",
     "Unwritten",
     "Vector",
     "Vocabulary",

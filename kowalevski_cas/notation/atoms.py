@@ -2,25 +2,33 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.notation.cursor import END, STARTS, Piece
+from fractions import Fraction
+
+from kowalevski_cas.notation.cursor import END, Piece
 from kowalevski_cas.notation.formula import (
+    Application,
+    Commutator,
     Constant,
     Diagonal,
     ImaginaryPart,
+    Modulus,
     Number,
     PoissonBracket,
+    Quotient,
     RealPart,
     Root,
     ScalarProduct,
+    Summation,
     Unwritten,
     Vector,
 )
 from kowalevski_cas.notation.macros import PARTNERS
 from kowalevski_cas.notation.symbols import Symbols
 from kowalevski_cas.notation.values import rank
-from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
 _LONGEST_NUMBER = 1000
+_DETERMINANT = r"\det"
 _SIGNS = frozenset({"sign", "relation"})
 _BEFORE_DOTS = _SIGNS | {"comma", "cell", "row", "open", "{", "begin", END}
 _BEHIND_DOTS = _SIGNS | {"comma", "cell", "row", "close", "}", "end", END}
@@ -35,7 +43,7 @@ class Atoms(Symbols):
         kind = self.tokens[self.at].kind
         if kind == "letter":
             piece = self.symbol()
-        elif kind in STARTS:
+        elif self.starts():
             piece = getattr(self, "read_" + kind)()
         else:
             raise self.unexpected()
@@ -43,15 +51,61 @@ class Atoms(Symbols):
         return piece
 
     def read_number(self) -> Piece:
-        """A non-negative integer."""
+        """A non-negative number; a decimal is a fraction."""
         token = self.take()
+        start, end = token.start, token.end
         if len(token.text) > _LONGEST_NUMBER:
             raise self.error(f"a number of more than {_LONGEST_NUMBER} digits", token)
-        return self.scripts((Number(int(token.text)), token.start, token.end, ()))
+        value = Fraction(token.text)
+        parts = [Number(value.numerator), Number(value.denominator)]
+        if value.denominator == 1:
+            return self.scripts((parts[0], start, end, ()))
+        below = tuple((part, start, end, ()) for part in parts)
+        return self.scripts((Quotient(*parts), start, end, below))
 
     def read_open(self) -> Piece:
         """Brackets, with what stands on them."""
         return self.scripts(self.bracket())
+
+    def read_bar(self) -> Piece:
+        """A number between bars."""
+        start = self.take().start
+        self.barred = True
+        inner = self.sum()
+        self.barred = False
+        self.close("bar")
+        return self.scripts(self.modulus(inner, start))
+
+    def modulus(self, inner: Piece, start: int) -> Piece:
+        """An absolute value, a length, or the determinant of a matrix."""
+        matrix = rank(inner[0], self.vocabulary) == MATRIX
+        node = Application(_DETERMINANT, (inner[0],)) if matrix else Modulus(inner[0])
+        return (node, start, self.tokens[self.at - 1].end, (inner,))
+
+    def read_sum(self) -> Piece:
+        """A sum over an index, between limits that are printed."""
+        sign, limits = self.take(), dict[str, Piece]()
+        index, outer = "", self.bound
+        while (kind := self.tokens[self.at].kind) in ("_", "^") and kind not in limits:
+            self.at += 1
+            if kind == "_":
+                opening, letter, equal = self.tokens[self.at : self.at + 3]
+                if [opening.kind, letter.kind, equal.text] != ["{", "letter", "="]:
+                    break
+                index = letter.text
+                self.at += 3
+                limits[kind] = self.sum()
+                self.close("}")
+            else:
+                limits[kind] = self.argument()
+        if len(limits) < 2:
+            raise self.error(r"print where the sum begins and ends, as in \sum_{i=1}^{3}", sign)
+        self.bound = (*outer, index)
+        body = self.term()
+        self.bound = outer
+        below = (limits["_"], limits["^"], body)
+        node = Summation(index, *(piece[0] for piece in below))
+        return (node, sign.start, body[2], below)
 
     def read_const(self) -> Piece:
         """The word const, to which a chain of equalities comes in the end."""
@@ -93,9 +147,14 @@ class Atoms(Symbols):
             raise self.unexpected()
         if PARTNERS[opening.text] != closing.text:
             raise self.error(f"{opening.text} is closed by {closing.text}")
-        braced = opening.text == r"\{" and not (pair and len(items) == 2)
-        if len(items) > 1 and (opening.text == "[" or braced):
-            raise self.error("a list in these brackets cannot be read; use round ones", opening)
+        paired = pair and len(items) == 2
+        if opening.text == "[":
+            paired &= all(rank(item[0], self.vocabulary) == MATRIX for item in items)
+        if len(items) > 1 and opening.text in ("[", r"\{") and not paired:
+            message = "a list in these brackets cannot be read; use round ones"
+            if opening.text == "[":
+                message += ", or declare the matrices of a commutator"
+            raise self.error(message, opening)
         self.at += 1
         return tuple(items)
 
@@ -107,16 +166,22 @@ class Atoms(Symbols):
         if len(items) == 1:
             if opening.text == r"\langle":
                 raise self.error("what does a mean value mean here?", opening)
+            if opening.text == r"\lvert":
+                return self.modulus(items[0], start)
             return (items[0][0], start, end, items[0][3])
         nodes = tuple(item[0] for item in items)
         if opening.text == r"\{":
             return (PoissonBracket(nodes[0], nodes[1]), start, end, items)
+        if opening.text == "[":
+            return (Commutator(nodes[0], nodes[1]), start, end, items)
         if len(nodes) == 2:
             ranks = [rank(node, self.vocabulary) for node in nodes]
             if ranks == [VECTOR, VECTOR]:
                 return (ScalarProduct(nodes[0], nodes[1]), start, end, items)
             if ranks[0] != ranks[1]:
                 raise self.error("a pair of a vector and something else", opening)
+        if opening.text not in ("(", r"\lgroup"):
+            raise self.error("declare the vectors of this product, or use round brackets", opening)
         return (Vector(nodes), start, end, items)
 
     def read_operator(self) -> Piece:
@@ -137,7 +202,8 @@ class Atoms(Symbols):
 
     def read_begin(self) -> Piece:
         """A matrix by its rows; a single row or column is a vector."""
-        start = self.take().start
+        environment = self.take()
+        start = environment.start
         rows: list[list[Piece]] = [[]]
         while self.tokens[self.at].kind != "end":
             kind = self.tokens[self.at].kind
@@ -161,4 +227,5 @@ class Atoms(Symbols):
             (Vector(tuple(cell[0] for cell in row)), row[0][1], row[-1][2], tuple(row))
             for row in rows
         ]
-        return self.scripts((Vector(tuple(p[0] for p in pieces)), start, end, tuple(pieces)))
+        piece = (Vector(tuple(p[0] for p in pieces)), start, end, tuple(pieces))
+        return self.scripts(self.modulus(piece, start) if environment.text == "vmatrix" else piece)

@@ -13,12 +13,10 @@ Piece = tuple[Formula, int, int, tuple["Piece", ...]]
 
 END = "end of formula"
 # The kinds of tokens with which a factor can begin.
-STARTS = frozenset(
-    {"letter", "number", "open", "frac", "sqrt", "accent", "operator", "const", "dots", "begin"}
-)
+STARTS = frozenset("""letter number open frac sqrt accent operator const dots begin sum""".split())
 _BOLD = ("\\mathbf{", "\\boldsymbol{", "\\vec{")
 _UNFINISHED = frozenset({"sign", "relation", "times", "slash", "open", "{", "comma"})
-_INDEX = frozenset({"letter", "number", "sign", "comma"})
+_INDEX = frozenset({"letter", "number", "sign", "comma", "star"})
 
 
 class Cursor:
@@ -32,12 +30,19 @@ class Cursor:
         self.level = 0
         self.vocabulary = vocabulary
         self.names = vocabulary.names
+        self.bound: tuple[str, ...] = ()  # indices of sums that are being read
+        self.barred = False  # whether a bar that stands here would close what a bar has opened
 
     def take(self) -> Token:
         """The token here; the place moves behind it."""
         token = self.tokens[self.at]
         self.at += 1
         return token
+
+    def starts(self) -> bool:
+        """Whether a factor begins here."""
+        kind = self.tokens[self.at].kind
+        return kind in STARTS or (kind == "bar" and not self.barred)
 
     def deeper(self) -> None:
         """Count one level of nesting."""
@@ -55,11 +60,14 @@ class Cursor:
         if token.kind == END:
             return self.error("the formula breaks off here")
         if token.kind == "stop" and self.tokens[self.at + 1].kind == "number":
-            return self.error("only integers can be read; write the decimal as a fraction")
+            return self.error("write a zero before the decimal point")
         if token.kind == "relation":
             if self.at == 0 or self.tokens[self.at - 1].kind in _UNFINISHED:
                 return self.error(f"something is missing before {token.text}")
             return self.error(f"the relation {token.text} stands inside brackets or an argument")
+        if token.kind == "plusminus":
+            message = f"the sign {token.text} is that of two statements; read_display reads both"
+            return self.error(message)
         return self.error(f"{token.text or token.kind} is not expected here")
 
     def digit(self) -> Token:
@@ -67,6 +75,8 @@ class Cursor:
         token = self.tokens[self.at]
         if len(token.text) == 1:
             return self.take()
+        if token.text[1] == ".":
+            raise self.error("does the decimal stand here as a whole? set braces", token)
         middle = token.start + 1
         self.tokens[self.at] = Token("number", token.text[1:], middle, token.end)
         return Token("number", token.text[0], token.start, middle)
@@ -77,7 +87,7 @@ class Cursor:
         kind = self.tokens[self.at].kind
         if kind == "number":
             return "_" + self.digit().text
-        if kind == "letter":
+        if kind == "letter" or kind == "star":
             text = self.take().text
         elif kind == "{":
             self.at += 1
@@ -110,7 +120,7 @@ class Cursor:
     def declared(self, letter: str, index: str, token: Token) -> Name:
         """The node of a name; one bold type is as good as another."""
         name = letter + index
-        found = self.names.get(name)
+        found = Name(name) if name in self.bound else self.names.get(name)
         if found is None and letter.startswith(_BOLD):
             inner = letter[letter.index("{") :]
             for font in _BOLD:
@@ -118,6 +128,8 @@ class Cursor:
         if found is not None:
             return found
         vocabulary = self.vocabulary
+        if letter in vocabulary.families and any(bound in index for bound in self.bound):
+            return Name(name)
         if name in vocabulary.functions:
             raise self.error(f"the argument of the function {name} is missing", token)
         known = letter in GREEK or letter.isalpha() or "{" in letter

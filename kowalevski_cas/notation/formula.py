@@ -199,6 +199,31 @@ class PoissonBracket(Formula):
 
 
 @dataclass(frozen=True)
+class Commutator(Formula):
+    r"""The commutator :math:`[L,M]=LM-ML` of two matrices."""
+
+    left: Formula
+    right: Formula
+
+
+@dataclass(frozen=True)
+class Modulus(Formula):
+    r"""The absolute value of a number, or the length of a vector: :math:`|x|`."""
+
+    argument: Formula
+
+
+@dataclass(frozen=True)
+class Summation(Formula):
+    r"""A sum over an index, as :math:`\sum_{i=1}^{3}p_i^2`; it reaches as far as a term does."""
+
+    index: str
+    first: Formula
+    last: Formula
+    body: Formula
+
+
+@dataclass(frozen=True)
 class Unwritten(Formula):
     """An ellipsis: terms that the author does not print."""
 
@@ -219,3 +244,14 @@ class Relation(Formula):
     def is_equality(self) -> bool:
         """Whether all members are said to be equal."""
         return EQUALITIES.issuperset(self.signs)
+
+
+@dataclass(frozen=True)
+class Changed(Formula):
+    """A part that another formula has not: ``wrong`` if it should not stand, else as it should.
+
+    No reader gives it; it is for a printer, which marks the part.
+    """
+
+    argument: Formula
+    wrong: bool = False

@@ -17,7 +17,7 @@ from kowalevski_cas.notation.lexer import Token, scan
 _BREAKS = {"gap": 1, "cell": 2, "row": 3, "block": 4, "comma": 5}
 _OPENING = frozenset({"open", "{", "begin"})
 _CLOSING = frozenset({"close", "}", "end"})
-_BINARY = frozenset({"sign", "relation", "times", "slash"})
+_BINARY = frozenset({"sign", "plusminus", "relation", "times", "slash"})
 _UNCLEAR = "does this belong to what stands before the break? set a comma, or a sign"
 
 
@@ -44,9 +44,26 @@ def split_display(tex: str) -> tuple[tuple[int, int], ...]:
 
 
 def statements(tokens: list[Token], tex: str) -> list[list[Token]]:
-    """The tokens of each statement of a display."""
+    """The tokens of each statement of a display; with a ± in it, it is two statements."""
+    return [one for statement in printed(tokens, tex) for one in _signs_of(statement)]
+
+
+def printed(tokens: list[Token], tex: str) -> list[list[Token]]:
+    """The tokens of each statement as it is printed, with ± where that stands."""
     rows = _joined(_runs(tokens, tex), ("gap", "cell"), tex)
     return [run.tokens for run in _joined(rows, ("row", "block"), tex)]
+
+
+def _signs_of(tokens: list[Token]) -> Iterator[list[Token]]:
+    """A statement with the upper signs of all ±, and with the lower ones; itself without any."""
+    if all(token.kind != "plusminus" for token in tokens):
+        yield tokens
+        return
+    for signs in ({r"\pm": "+", r"\mp": "-"}, {r"\pm": "-", r"\mp": "+"}):
+        yield [
+            Token("sign", signs[t.text], t.start, t.end) if t.kind == "plusminus" else t
+            for t in tokens
+        ]
 
 
 def _joined(runs: list[_Run], breaks: tuple[str, str], tex: str) -> list[_Run]:

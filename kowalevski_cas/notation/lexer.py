@@ -19,6 +19,7 @@ from kowalevski_cas.notation.macros import (
     MARKS,
     MATRICES,
     SPELLING,
+    TYPED,
     WORDS,
 )
 
@@ -28,7 +29,7 @@ DEEPEST = 100
 _TOKEN = re.compile(
     r"""(?P<blank>[\s~]+|%[^\n]*|\\[,;:!\ ])
       | (?P<letter>[A-Za-z])
-      | (?P<number>[0-9]+)
+      | (?P<number>[0-9]+(?:\.[0-9]+)?)
       | (?P<row>\\\\\s*\*?(?:\s*\[\s*[-+]?[\d.]+\s*[a-z]{2}\s*\])?)
       | (?P<macro>\\(?:(?:operatorname|hspace|vspace|tag)\*|[A-Za-z]+|.|$))
       | (?P<dots>\.\.\.)
@@ -46,8 +47,9 @@ _GAP = re.compile(r"[\s~]|\\(?:[ ,;:!]|q?quad(?![A-Za-z]))")
 _ENVIRONMENT = re.compile(r"\s*\{\s*([A-Za-z]+)\*?\s*\}(?:\s*\[[a-z]\])?")
 _CLOSING = re.compile(r"(?:\s|\\right(?![A-Za-z]))*(?:\\\}|\.)")
 SHIFTS = ("$", r"\(", r"\)", r"\[", r"\]", ".", ",", ";")
-_SIZES = (r"\left", r"\right", r"\middle", r"\big", r"\Big")
 _NULL = re.compile(r"\s*\.")
+_BAR = re.compile(r"\s*(?:\||\\\||\\[vV]ert(?![A-Za-z]))")
+_OPENS = re.compile(r"\\left|\\[bB]igg?l")
 
 
 class Token:
@@ -87,6 +89,7 @@ class _Scanner:
         # Open braces: is it an argument, the font outside, what is owed after, where it
         # begins, and how many tokens stand before it.
         self.groups: list[tuple[bool, str, int, int, int]] = []
+        self.halved: list[int] = []  # the open groups, by their number, that have an \over
         # Open environments: the name, is it a matrix, was a printed brace dropped before it.
         self.environments: list[tuple[str, bool, bool]] = []
 
@@ -141,9 +144,14 @@ class _Scanner:
                 self.add(WORDS[text], text, start)
                 return
             font = font if len(text) > 1 else ""
-        self.add("letter", f"{font}{{{text}}}" if font else text, start)
+        text = f"{font}{{{text}}}" if font else text
+        self.add("letter", SPELLING.get(text, text), start)
 
     def mark(self, text: str, start: int) -> None:
+        text = TYPED.get(text, text)
+        if text[0] == "\\":
+            self.macro(text, start)
+            return
         kind = MARKS.get(text, "noise")
         if kind == "{":
             self.open_group(start)
@@ -179,6 +187,9 @@ class _Scanner:
     def close_group(self, start: int) -> None:
         if not self.groups:
             raise NotationError("this brace closes nothing", self.tex, start)
+        if self.halved and self.halved[-1] == len(self.groups):
+            self.halved.pop()
+            self.add("}", "}", start)
         argument, self.font, owed, begin, before = self.groups.pop()
         self.once = ""
         if argument:
@@ -193,8 +204,7 @@ class _Scanner:
         if action == "letter":
             self.letter(text, start)
         elif action == "blank":
-            if text.startswith(_SIZES) and (null := _NULL.match(self.tex, self.at)):
-                self.at = null.end()
+            return
         elif action == "font":
             self.once_at = self.once_at if self.once else start
             self.once = SPELLING.get(text, text) or self.once
@@ -204,7 +214,7 @@ class _Scanner:
             self.argument()
             self.owed += ARGUMENTS[action]
             self.add(action, SPELLING.get(text, text), start)
-        elif action in ("skip", "text", "glue", "begin", "end", "number", "shift"):
+        elif action in ("skip", "text", "glue", "begin", "end", "number", "shift", "over", "size"):
             getattr(self, "do_" + action)(start)
         else:
             if action == "open" or action == "close":
@@ -213,6 +223,31 @@ class _Scanner:
                 self.argument()
             name = text[1:] if action in ("operator", "const") else SPELLING.get(text, text)
             self.add(action, name, start)
+
+    def do_size(self, start: int) -> None:
+        """The size of a bracket, which prints nothing; but it tells which side a bar closes."""
+        text = self.tex[start : self.at]
+        if null := _NULL.match(self.tex, self.at):
+            self.at = null.end()
+        elif text[-1] in "tlr" and (bar := _BAR.match(self.tex, self.at)):
+            self.at = bar.end()
+            kind, name = ("open", r"\lvert") if _OPENS.match(text) else ("close", r"\rvert")
+            self.bracket(kind)
+            self.add(kind, name, start)
+
+    def do_over(self, start: int) -> None:
+        """All that stands before it in its group is divided by all that follows there."""
+        if not self.groups or self.halved[-1:] == [len(self.groups)]:
+            raise NotationError(r"write \frac for this \over, or set braces", self.tex, start)
+        argument, _, _, begin, before = self.groups[-1]
+        place = before + argument
+        self.tokens[place:place] = [
+            Token("frac", r"\frac", begin, begin),
+            Token("{", "{", begin, begin),
+        ]
+        self.halved.append(len(self.groups))
+        self.add("}", "}", start)
+        self.add("{", "{", start)
 
     def do_skip(self, start: int) -> None:
         self.at = self.after_group(self.at)
@@ -261,7 +296,8 @@ class _Scanner:
         if braced:
             self.tokens.pop()
             self.depth -= 1
-        matrix = name in MATRICES or (name == "array" and self.depth > 0)
+        barred = bool(self.tokens) and self.tokens[-1].kind == "bar"
+        matrix = name in MATRICES or (name == "array" and (self.depth > 0 or barred))
         self.environments.append((name, matrix, braced))
         self.add("begin" if matrix else "block" if name in BLOCKS else "row", name, start)
 

@@ -18,8 +18,9 @@ GREEK: dict[str, str] = {
         """alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa
         varkappa lambda mu nu xi pi varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi
         omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega ell hbar imath jmath wp
+        varGamma varDelta varTheta varLambda varXi varPi varSigma varUpsilon varPhi varPsi varOmega
         """.split(),
-        "αβγδϵεζηθϑικϰλμνξπϖρϱσςτυϕφχψωΓΔΘΛΞΠΣΥΦΨΩℓℏıȷ℘",
+        "αβγδϵεζηθϑικϰλμνξπϖρϱσςτυϕφχψωΓΔΘΛΞΠΣΥΦΨΩℓℏıȷ℘𝛤𝛥𝛩𝛬𝛯𝛱𝛴𝛶𝛷𝛹𝛺",
         strict=True,
     )
 }
@@ -27,16 +28,21 @@ GREEK: dict[str, str] = {
 # What the scanner does when it meets the macro.
 ACTIONS: dict[str, str] = _table(
     blank="""displaystyle textstyle scriptstyle scriptscriptstyle mathstrut strut nonumber notag
-    limits nolimits left right middle mathop mathord mathrel mathbin mathopen mathclose hfill
+    limits nolimits mathop mathord mathrel mathbin mathopen mathclose hfill
     hfil hline noindent relax allowbreak nobreak protect thinspace medspace thickspace negthinspace
-    big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr bigm Bigm biggm Biggm
-    normalsize small footnotesize large it normalfont""",
+    normalsize small footnotesize large it normalfont displaylimits allowdisplaybreaks""",
+    size="""left right middle big Big bigg Bigg bigl Bigl biggl Biggl bigr Bigr biggr Biggr bigm
+    Bigm biggm Biggm""",
     skip="phantom hphantom vphantom label tag tag* hspace hspace* vspace vspace* mspace",
     glue="hskip vskip kern mkern mskip raise lower",
     text="text mbox hbox textrm textit textbf textup intertext shortintertext",
     font="""mathbf boldsymbol bm bs pmb mathrm operatorname operatorname* mathcal mathbb mathfrak
-    mathsf mathit hat widehat tilde widetilde vec check""",
+    mathsf mathit mathnormal mathscr hat widehat tilde widetilde vec overrightarrow check""",
     switch="bf rm cal boldmath sf",
+    over="over",
+    sum="sum",
+    plusminus="pm mp",
+    bar="vert Vert",
     accent="dot ddot dddot bar overline",
     gap="quad qquad",
     row="cr newline tabularnewline",
@@ -45,11 +51,11 @@ ACTIONS: dict[str, str] = _table(
     times="cdot times",
     dots="ldots dots cdots dotsb dotsc dotsm",
     prime="prime",
-    relation="""equiv ne neq leq le leqslant geq ge geqslant ll gg approx simeq sim cong propto in
-    notin subset to rightarrow longrightarrow mapsto Rightarrow Longrightarrow Leftrightarrow
-    Longleftrightarrow iff implies""",
-    open="lbrace lbrack langle lgroup",
-    close="rbrace rbrack rangle rgroup",
+    relation="""equiv ne neq leq le leqslant leqq lt geq ge geqslant geqq gt ll gg approx simeq sim
+    cong propto in notin subset to perp parallel rightarrow longrightarrow mapsto Rightarrow
+    Longrightarrow Leftrightarrow Longleftrightarrow iff implies""",
+    open="lbrace lbrack langle lgroup lvert lVert",
+    close="rbrace rbrack rangle rgroup rvert rVert",
     operator="Re Im diag",
     const="const",
     begin="begin",
@@ -59,6 +65,7 @@ ACTIONS: dict[str, str] = _table(
     "\\" + sign: action
     for action, signs in {
         "blank": ",;:!> /\n\t",
+        "bar": "|",
         "shift": "()[]",
         "open": "{",
         "close": "}",
@@ -89,11 +96,32 @@ MARKS: dict[str, str] = {
     ".": "stop",
     "$": "shift",
     "~": "blank",
+    "|": "bar",
+    "*": "star",
 }
+
+# Signs of Unicode, as TeX writes them.
+TYPED: dict[str, str] = {letter: macro for macro, letter in GREEK.items()} | {
+    "−": "-", "′": "'", "·": r"\cdot", "⋅": r"\cdot", "×": r"\times", "±": r"\pm", "∓": r"\mp",
+    "≠": r"\ne", "≡": r"\equiv", "≤": r"\le", "⩽": r"\le", "≥": r"\ge", "⩾": r"\ge",
+    "≈": r"\approx", "≪": r"\ll", "≫": r"\gg", "∼": r"\sim", "≃": r"\simeq", "∝": r"\propto",
+    "∈": r"\in", "→": r"\to", "∂": r"\partial", "…": r"\ldots", "⋯": r"\cdots", "∑": r"\sum",
+    "⟨": r"\langle", "⟩": r"\rangle", "‖": r"\|",
+}  # fmt: skip
 
 # The canonical spelling of a sign, a font or a bracket that has several.
 SPELLING: dict[str, str] = {
     r"\neq": r"\ne",
+    r"\leq": r"\le",
+    r"\leqslant": r"\le",
+    r"\leqq": r"\le",
+    r"\lt": "<",
+    r"\geq": r"\ge",
+    r"\geqslant": r"\ge",
+    r"\geqq": r"\ge",
+    r"\gt": ">",
+    r"\rightarrow": r"\to",
+    r"\longrightarrow": r"\to",
     r"\bs": r"\boldsymbol",
     r"\bm": r"\boldsymbol",
     r"\pmb": r"\boldsymbol",
@@ -103,6 +131,8 @@ SPELLING: dict[str, str] = {
     r"\sf": r"\mathsf",
     r"\cal": r"\mathcal",
     r"\mathit": "",
+    r"\mathnormal": "",
+    r"\overrightarrow": r"\vec",
     r"\operatorname": r"\mathrm",
     r"\operatorname*": r"\mathrm",
     r"\widehat": r"\hat",
@@ -111,8 +141,26 @@ SPELLING: dict[str, str] = {
     r"\rbrace": r"\}",
     r"\lbrack": "[",
     r"\rbrack": "]",
+    r"\lVert": r"\lvert",
+    r"\rVert": r"\rvert",
     r"\bar": r"\overline",
 }
+
+# What cannot be read, and what to write instead.
+INSTEAD: dict[str, str] = {
+    r"\int": "an integral cannot be read: write the derivative that it has",
+    r"\oint": "an integral cannot be read: write the derivative that it has",
+    r"\lim": "a limit cannot be read: write the value, or an equation for it",
+    r"\prod": "a product over an index cannot be read: write it out",
+    r"\nabla": r"write the derivatives out, as in \frac{\partial U}{\partial x}",
+    r"\infty": "infinity is no number: write what happens to the inverse",
+}
+
+# Functions that need no declaration: they are upright, and take one factor without brackets.
+_NAMED = "sin cos tan cot exp ln log sinh cosh tanh arcsin arccos arctan max min det".split()
+FUNCTIONS = frozenset(["\\" + name for name in _NAMED] + [r"\mathrm{tr}"])
+SPELLING |= {rf"\mathrm{{{name}}}": "\\" + name for name in _NAMED}
+SPELLING[r"\mathrm{Tr}"] = r"\mathrm{tr}"
 
 # Words in upright letters, which the paper's author writes as ``{\rm Re}`` or ``\text{const}``.
 WORDS: dict[str, str] = {
@@ -130,16 +178,17 @@ PARTNERS: dict[str, str] = {
     "[": "]",
     r"\{": r"\}",
     r"\langle": r"\rangle",
+    r"\lvert": r"\rvert",
     r"\lgroup": r"\rgroup",
 }
 
 # How many arguments follow a macro in braces.
 ARGUMENTS: dict[str, int] = {"frac": 2, "sqrt": 1, "accent": 1}
 
-MATRICES = frozenset({"matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix"})
+MATRICES = frozenset({"matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", "vmatrix"})
 
 # Environments of which the rows are a block: no formula runs on into them, or out of them.
-BLOCKS = frozenset({"array", "cases"})
+BLOCKS = frozenset({"array", "cases", "dcases"})
 
 # Environments whose rows are statements, with the number of groups after their name.
 LAYOUTS: dict[str, int] = {
@@ -158,6 +207,7 @@ LAYOUTS: dict[str, int] = {
     "multlined": 0,
     "split": 0,
     "cases": 0,
+    "dcases": 0,
     "array": 1,
     "subequations": 0,
 }

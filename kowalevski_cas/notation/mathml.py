@@ -6,11 +6,19 @@ import re
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Number, Quotient, Root
+from kowalevski_cas.notation.formula import (
+    Changed,
+    Conjugate,
+    Formula,
+    Name,
+    Number,
+    Quotient,
+    Root,
+)
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import SIGNS, styled, symbol
 
-_ACCENTS = {r"\hat": "^", r"\tilde": "~", r"\check": "ˇ", r"\vec": "→"}
+_ACCENTS = {r"\hat": "^", r"\tilde": "~", r"\check": "ˇ", r"\vec": "→", r"\dot": "˙", r"\ddot": "¨"}
 _DOTS = {1: "˙", 2: "¨", 3: "⃛", 4: "⃜"}
 _ATOM = re.compile(r"<(m[ion])>[^<]*</\1>")
 
@@ -27,8 +35,8 @@ class MathML(Printer):
         "<mi>const</mi>",
     )
     comma = "<mo>,</mo>"
-    round, square, braces = (
-        (f"<mo>{opening}</mo>", f"<mo>{closing}</mo>") for opening, closing in ("()", "[]", "{}")
+    round, square, braces, bars = (
+        (f"<mo>{left}</mo>", f"<mo>{right}</mo>") for left, right in ("()", "[]", "{}", "||")
     )
 
     def begins_with_number(self, text: str) -> bool:
@@ -94,6 +102,14 @@ class MathML(Printer):
         if isinstance(argument, Name):
             return self._name(argument, order)
         return _over(self.bracketed(self(argument)), _DOTS[min(order, 4)])
+
+    def changed(self, formula: Changed) -> str:
+        kind = "slip" if formula.wrong else "meant"
+        return f'<mrow class="{kind}">{self(formula.argument)}</mrow>'
+
+    def over(self, index: str, first: str, last: str) -> str:
+        below = f"<mrow>{index}<mo>=</mo>{first}</mrow>"
+        return f"<munderover><mo>∑</mo>{below}{_one(last)}</munderover>"
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         cells = "".join(f"<mtr><mtd>{'</mtd><mtd>'.join(row)}</mtd></mtr>" for row in rows)

@@ -5,10 +5,8 @@ Where print can be read in two ways, the parser says so and does not choose.
 
 from __future__ import annotations
 
-from collections.abc import Collection
-
 from kowalevski_cas.notation.atoms import Atoms
-from kowalevski_cas.notation.cursor import END, STARTS, Piece
+from kowalevski_cas.notation.cursor import END, Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
     Constant,
@@ -26,25 +24,23 @@ from kowalevski_cas.notation.formula import (
     Sum,
     Unwritten,
 )
+from kowalevski_cas.notation.unicode import SIGNS
 from kowalevski_cas.notation.values import applies, rank
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
-SIGNS = ("=", r"\equiv", r"\ne")
 TALLEST = 150
 _DIFFERENTIALS = ("d", r"\partial")
 
 
 class Parser(Atoms):
-    """Reads the tokens of one statement, which relates its members by ``signs``."""
-
-    signs: Collection[str] = SIGNS
+    """Reads the tokens of one statement."""
 
     def statement(self) -> Piece:
         """A chain of relations, or an expression."""
         members = [self.sum()]
         signs: list[str] = []
         while (token := self.tokens[self.at]).kind == "relation":
-            if token.text not in self.signs:
+            if token.text not in SIGNS:
                 raise self.error(f"the relation {token.text} cannot be read")
             self.at += 1
             signs.append(token.text)
@@ -134,8 +130,8 @@ class Parser(Atoms):
         """Factors side by side; what stands before a slash is all divided by what follows."""
         factors = [self.factor()]
         divided = False
-        while (kind := self.tokens[self.at].kind) in STARTS or kind == "slash":
-            if kind == "slash":
+        while (slash := self.tokens[self.at].kind == "slash") or self.starts():
+            if slash:
                 self.at += 1
                 left, right = _product(factors), self.number(self.factor())
                 node = Quotient(left[0], right[0])
@@ -149,7 +145,7 @@ class Parser(Atoms):
         if len(vectors) > 1:
             message = "two vectors side by side: which product is meant? set a dot or a cross"
             raise NotationError(message, self.tex, vectors[1][1])
-        if divided and (kind in STARTS or kind == "times"):
+        if divided and (self.starts() or self.tokens[self.at].kind == "times"):
             raise self.error("does this stand under the slash? set brackets, or use \\frac")
         return factors
 
@@ -201,18 +197,18 @@ class Parser(Atoms):
         if d not in _DIFFERENTIALS:
             return None
         below = self.behind_group(above)
-        time = self.denominator(below, d)
-        if time is None:
+        by = self.denominator(below, d)
+        if not by:
             self.at = fraction
             return None
-        behind, order = self.at, time[1]
+        behind = self.at
         self.at = above + braced + 1
-        if self.order() != order:
+        if self.order() != len(by):
             raise self.error("the orders above and below differ", self.tokens[fraction])
         applied = self.at == below - braced
         if applied:
             self.at = behind
-            piece = self.operand(f"the derivative by {time[0]}")
+            piece = self.operand(f"the derivative by {by[-1]}")
             if self.tokens[self.at].kind in ("^", "prime"):
                 piece = self.scripts(piece)
             end = self.tokens[self.at - 1].end
@@ -222,10 +218,26 @@ class Parser(Atoms):
                 raise self.unexpected()
             self.at = behind
             end = self.tokens[behind - 1].end
-        node = Derivative if d == "d" else Partial
-        for _ in range(order):
-            piece = (node(piece[0], time[0]), start, end, (piece,))
+        piece = _derived(piece, d, by, start, end)
         return piece if applied else self.scripts(piece)
+
+    def factor(self) -> Piece:
+        """An atom with its powers and primes, or a derivative with a slash, as dx/dt."""
+        token = self.tokens[self.at]
+        if token.text not in _DIFFERENTIALS or token.text in self.names:
+            return super().factor()
+        self.at += 1
+        order = self.order()
+        piece = super().factor()
+        if self.tokens[self.at].kind != "slash" or self.tokens[self.at + 1].text != token.text:
+            raise self.error(
+                f"a derivative is expected here, as {token.text}x/{token.text}t", token
+            )
+        self.at += 2
+        by = self.differential(token.text)
+        if len(by) != order:
+            raise self.error("the orders above and below differ", token)
+        return _derived(piece, token.text, by, token.start, self.tokens[self.at - 1].end)
 
     def behind_group(self, at: int) -> int:
         """The index behind the argument that begins at the given token."""
@@ -237,26 +249,43 @@ class Parser(Atoms):
                 break
         return at
 
-    def denominator(self, at: int, d: str) -> tuple[str, int] | None:
-        """The variable in the denominator that begins at the token, and the order.
-
-        Behind a d it is an independent variable, behind a ∂ any scalar.
-        """
-        if [token.text for token in self.tokens[at : at + 2]] != ["{", d]:
-            return None
-        self.at = at + 2
-        if self.tokens[self.at].kind != "letter":
-            return None
-        name = self.take().text
-        if self.tokens[self.at].kind == "_":
-            name += self.index()
-        order = self.order()
-        vocabulary = self.vocabulary
-        known = vocabulary.times if d == "d" else vocabulary.scalars | vocabulary.times
-        if name not in known or self.tokens[self.at].kind != "}":
-            return None
+    def denominator(self, at: int, d: str) -> list[str]:
+        """The variables in the denominator that begins at the token; none if it is no such one."""
+        self.at, by = at + 1, list[str]()
+        if self.tokens[at].kind != "{":
+            return []
+        while self.tokens[self.at].text == d:
+            self.at += 1
+            found = self.differential(d)
+            if not found:
+                return []
+            by += found
+        if self.tokens[self.at].kind != "}":
+            return []
         self.at += 1
-        return name, order
+        return by
+
+    def differential(self, d: str) -> list[str]:
+        """The variable behind a d or a ∂, as often as its order says; none if it is none.
+
+        Behind a d it is an independent variable; behind a ∂ it is any scalar or vector, or, under
+        dots, a velocity.
+        """
+        dots = self.take().text if self.tokens[self.at].kind == "accent" else ""
+        braced = bool(dots) and self.tokens[self.at].kind == "{"
+        self.at += braced
+        if self.tokens[self.at].kind != "letter" or (d == "d" and dots):
+            return []
+        letter, index = self.take().text, ""
+        if self.tokens[self.at].kind == "_":
+            index = self.index()
+        if braced:
+            self.close("}")
+            index = index or (self.index() if self.tokens[self.at].kind == "_" else "")
+        name = letter + index
+        if name not in (self.vocabulary.times if d == "d" else self.vocabulary.ranks):
+            return []
+        return [f"{dots}{{{letter}}}{index}" if dots else name] * self.order()
 
     def order(self) -> int:
         """The order of a derivative, printed as a power: 1 without one, 0 if it is no number."""
@@ -270,6 +299,14 @@ class Parser(Atoms):
         digit = self.take() if braced else self.digit()
         self.at += braced
         return int(digit.text) if len(digit.text) < 3 else 0
+
+
+def _derived(piece: Piece, d: str, by: list[str], start: int, end: int) -> Piece:
+    """The derivative by the variables, the last one first."""
+    node = Derivative if d == "d" else Partial
+    for name in reversed(by):
+        piece = (node(piece[0], name), start, end, (piece,))
+    return piece
 
 
 def _product(factors: list[Piece]) -> Piece:

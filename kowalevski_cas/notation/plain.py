@@ -21,7 +21,10 @@ from kowalevski_cas.notation.unicode import SIGNS, styled, symbol
 
 _LOW = str.maketrans("0123456789+-aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄₅₆₇₈₉₊₋ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ")
 _HIGH = str.maketrans("0123456789+−in", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿ")
-_MARKS = {r"\hat": "\u0302", r"\tilde": "\u0303", r"\check": "\u030c", r"\vec": "\u20d7"}
+_MARKS = {
+    r"\hat": "\u0302", r"\tilde": "\u0303", r"\check": "\u030c", r"\vec": "\u20d7",
+    r"\dot": "\u0307", r"\ddot": "\u0308",
+}  # fmt: skip
 _DOT, _BAR = "\u0307", "\u0304"
 
 
@@ -91,6 +94,9 @@ class Plain(Printer):
         if isinstance(argument, Name):
             return self._name(argument, _DOT * order)
         return self.bracketed(self(argument)) + "˙" * order
+
+    def over(self, index: str, first: str, last: str) -> str:
+        return f"∑_({index}={first})^({last}) "
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         return f"({', '.join(f'({text})' for text in map(', '.join, rows))})"

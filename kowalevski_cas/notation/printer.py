@@ -8,6 +8,8 @@ from collections.abc import Iterable, Sequence
 
 from kowalevski_cas.notation.formula import (
     Application,
+    Changed,
+    Commutator,
     Conjugate,
     Constant,
     CrossProduct,
@@ -15,6 +17,7 @@ from kowalevski_cas.notation.formula import (
     Diagonal,
     Formula,
     ImaginaryPart,
+    Modulus,
     Name,
     Negative,
     Number,
@@ -28,6 +31,7 @@ from kowalevski_cas.notation.formula import (
     Root,
     ScalarProduct,
     Sum,
+    Summation,
     Unwritten,
     Vector,
 )
@@ -35,9 +39,11 @@ from kowalevski_cas.notation.values import applies
 
 # What stands in brackets behind a sign, and beside other factors.
 SIGNED = (Sum, Negative, Relation)
-COMPOUND = (*SIGNED, Product, CrossProduct)
+COMPOUND = (*SIGNED, Product, CrossProduct, Summation)
 # What carries a power without them.
-_BASES = (Name, Number, Application, Vector, ScalarProduct, PoissonBracket, Conjugate)
+_BASES = (
+    Name, Number, Application, Vector, ScalarProduct, PoissonBracket, Conjugate, Modulus, Commutator
+)  # fmt: skip
 _METHODS = {
     node: re.sub(r"(?<!^)(?=[A-Z])", "_", node.__name__).lower()
     for node in Formula.__subclasses__()
@@ -57,7 +63,7 @@ class Printer(ABC):
     dots: str
     const: str
     comma = ", "
-    round, square = ("(", ")"), ("[", "]")
+    round, square, bars = ("(", ")"), ("[", "]"), ("|", "|")
     braces: tuple[str, str]
 
     def __call__(self, formula: Formula) -> str:
@@ -108,6 +114,10 @@ class Printer(ABC):
         """Dots over the letter of a name, or over a formula in brackets."""
 
     @abstractmethod
+    def over(self, index: str, first: str, last: str) -> str:
+        """The sign of a sum with its limits."""
+
+    @abstractmethod
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         """A matrix."""
 
@@ -116,6 +126,10 @@ class Printer(ABC):
         text = self(argument)
         text = text if isinstance(argument, Name) else self.bracketed(text)
         return text + self.prime * order
+
+    def changed(self, formula: Changed) -> str:
+        """A part with a mark, where the format has one."""
+        return self(formula.argument)
 
     def between(self, opening: str, text: str, closing: str) -> str:
         """A text in these brackets."""
@@ -237,7 +251,7 @@ class Printer(ABC):
         sides = []
         for side in (formula.left, formula.right):
             text = self(side)
-            inner = isinstance(side, Sum | Negative | CrossProduct)
+            inner = isinstance(side, Sum | Negative | CrossProduct | Summation)
             # A dot between the factors of the right side would end that side.
             dot = side is formula.right and isinstance(side, Product) and self.times in text
             sides.append(self.bracketed(text) if inner or dot else text)
@@ -246,6 +260,19 @@ class Printer(ABC):
     def poisson_bracket(self, formula: PoissonBracket) -> str:
         opening, closing = self.braces
         return f"{opening}{self(formula.left)}{self.comma}{self(formula.right)}{closing}"
+
+    def commutator(self, formula: Commutator) -> str:
+        opening, closing = self.square
+        inner = self.comma.join((self(formula.left), self(formula.right)))
+        return self.between(opening, inner, closing)
+
+    def modulus(self, formula: Modulus) -> str:
+        opening, closing = self.bars
+        return self.between(opening, self(formula.argument), closing)
+
+    def summation(self, formula: Summation) -> str:
+        index, first, last = self(Name(formula.index)), self(formula.first), self(formula.last)
+        return self.joined([self.over(index, first, last), self.term(formula.body)])
 
     def unwritten(self, formula: Unwritten) -> str:
         return self.dots
@@ -273,5 +300,7 @@ def _is_applied(left: Formula, right: Formula) -> bool:
 
 def is_base(formula: Formula) -> bool:
     """Whether a formula carries a power without brackets."""
+    if isinstance(formula, Changed):
+        return is_base(formula.argument)
     dotted = isinstance(formula, Derivative) and formula.mark == "dot"
     return dotted or isinstance(formula, _BASES)

@@ -9,12 +9,12 @@ from dataclasses import replace
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
-from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.lexer import Token, scan
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.reader import read
-from kowalevski_cas.notation.unicode import SIGNS
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
+_SHOWN = {"plusminus": "letter"}
 _INDEX = re.compile(r"_(?:\w|\{[^{}]{2,}\})")
 
 Prose = tuple[str | Formula, ...]
@@ -23,7 +23,10 @@ Prose = tuple[str | Formula, ...]
 class _InWords(Parser):
     """Reads what is only shown, and claims nothing."""
 
-    signs = SIGNS
+    def __init__(self, tex: str, tokens: list[Token], vocabulary: Vocabulary) -> None:
+        """Both signs are one that is shown."""
+        shown = [Token(_SHOWN.get(t.kind, t.kind), t.text, t.start, t.end) for t in tokens]
+        super().__init__(tex, shown, vocabulary)
 
     def alike(self, pieces: list[Piece], message: str) -> None:
         """Words write vectors as they like."""
@@ -57,7 +60,7 @@ def _loosened(tex: str, vocabulary: Vocabulary) -> Vocabulary:
     """The vocabulary in which all letters are names: words speak of what no formula declares."""
     names = set()
     for token in scan(tex):
-        if token.kind == "letter":
+        if token.kind in ("letter", "plusminus"):
             index = _INDEX.match(tex, token.end)
             names |= {token.text, token.text + index[0]} if index else {token.text}
     scalars = vocabulary.scalars | (names - vocabulary.ranks.keys())

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
-from kowalevski_cas.notation.layout import statements
+from kowalevski_cas.notation.layout import printed, statements
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.vocabulary import Vocabulary
@@ -47,7 +47,7 @@ def read(tex: str, vocabulary: Vocabulary, parser: type[Parser] = Parser) -> For
     >>> read(r"\frac12 x", Vocabulary(frozenset({"x"}))).factors[1]
     Name(name='x')
     """
-    found = statements(scan(tex), tex)
+    found = printed(scan(tex), tex)
     if not found:
         raise NotationError("there is no formula here", tex, 0)
     if len(found) > 1:

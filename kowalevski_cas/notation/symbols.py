@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from dataclasses import dataclass
 
-from kowalevski_cas.notation.cursor import STARTS, Cursor, Piece
+from kowalevski_cas.notation.cursor import Cursor, Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
     Application,
@@ -14,13 +15,26 @@ from kowalevski_cas.notation.formula import (
     Negative,
     Number,
     Power,
+    Product,
 )
-from kowalevski_cas.notation.lexer import DEEPEST
-from kowalevski_cas.notation.macros import GREEK
+from kowalevski_cas.notation.lexer import DEEPEST, Token
+from kowalevski_cas.notation.macros import GREEK, INSTEAD
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import VECTOR
 
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
+
+
+@dataclass
+class _Scripts:
+    """What stands on a letter: its index, primes and power, and where they end."""
+
+    name_end: int
+    index: str = ""
+    primes: int = 0
+    primes_end: int = 0
+    power: Piece | None = None
+    timed: bool = False
 
 
 class Symbols(Cursor, ABC):
@@ -29,6 +43,10 @@ class Symbols(Cursor, ABC):
     @abstractmethod
     def sum(self) -> Piece:
         """A sum, which the parser reads."""
+
+    @abstractmethod
+    def term(self) -> Piece:
+        """A term, which the parser reads."""
 
     @abstractmethod
     def factor(self) -> Piece:
@@ -47,43 +65,76 @@ class Symbols(Cursor, ABC):
     def symbol(self, accents: tuple[str, ...] = (), start: int = -1, braces: int = 0) -> Piece:
         """A letter with its index, accents, primes and power; or a function and its argument."""
         token = self.take()
+        if token.text in INSTEAD and token.text not in self.names:
+            raise self.error(INSTEAD[token.text], token)
         self.at += braces
-        name_end, accents_end, primes_end = token.end, self.tokens[self.at - 1].end, 0
-        index, primes, power = "", 0, None
-        while (kind := self.tokens[self.at].kind) in ("_", "^", "prime"):
-            if kind == "_":
-                if index:
+        accents_end = self.tokens[self.at - 1].end
+        on = self.scripted(token)
+        name = token.text + on.index
+        if name == "e" and on.power is not None and "e" not in self.names:
+            return self.exponential(token, on, accents)
+        if self.applied(name):
+            if on.primes or accents:
+                raise self.error(f"the derivative of the function {name} is ambiguous", token)
+            return self.application(name, token.start, on.power)
+        piece: Piece = (self.declared(token.text, on.index, token), token.start, on.name_end, ())
+        if accents:
+            piece = _accented(piece, accents, start, max(on.name_end, accents_end))
+        piece = _primed(piece, on.primes, on.primes_end)
+        return piece if on.power is None else self.powered(piece, on.power)
+
+    def scripted(self, token: Token) -> _Scripts:
+        """All that stands on a letter and behind it."""
+        on = _Scripts(token.end)
+        while (kind := self.tokens[self.at].kind) in ("_", "^", "prime") or (
+            not on.timed and self.at_time(token.text + on.index)
+        ):
+            if kind == "open":
+                self.at += 3
+                on.timed, on.name_end = True, self.tokens[self.at - 1].end
+            elif kind == "_":
+                if on.index:
                     raise self.error("a second index")
-                index = self.index()
-                name_end = self.tokens[self.at - 1].end
-            elif power is not None:
+                on.index = self.index()
+                on.name_end = self.tokens[self.at - 1].end
+            elif on.power is not None:
                 raise self.error("two powers in a row; set brackets")
             elif kind == "prime":
                 self.at += 1
-                primes += 1
-                primes_end = self.tokens[self.at - 1].end
+                on.primes, on.primes_end = on.primes + 1, self.tokens[self.at - 1].end
             elif more := self.primes():
-                primes += more
-                primes_end = self.tokens[self.at - 1].end
+                on.primes, on.primes_end = on.primes + more, self.tokens[self.at - 1].end
             else:
-                power = self.exponent()
-        name = token.text + index
-        if self.applied(name):
-            if primes or accents:
-                raise self.error(f"the derivative of the function {name} is ambiguous", token)
-            return self.application(name, token.start, power)
-        piece: Piece = (self.declared(token.text, index, token), token.start, name_end, ())
-        if accents:
-            piece = _accented(piece, accents, start, max(name_end, accents_end))
-        piece = _primed(piece, primes, primes_end)
-        return piece if power is None else self.powered(piece, power)
+                on.power = self.exponent()
+        return on
+
+    def exponential(self, token: Token, on: _Scripts, accents: tuple[str, ...]) -> Piece:
+        """The function exp, printed as a power."""
+        if accents or on.primes:
+            raise self.error("what is derived here? set brackets around the power of e", token)
+        assert on.power is not None
+        end = self.tokens[self.at - 1].end
+        return (Application(r"\exp", (on.power[0],)), token.start, end, (on.power,))
+
+    def at_time(self, name: str) -> bool:
+        """Whether the time stands here in brackets, as the argument of a name that moves."""
+        tokens = self.tokens[self.at : self.at + 3]
+        return (
+            name in self.vocabulary.moving
+            and [token.text for token in tokens[::2]] == ["(", ")"]
+            and tokens[1].text in self.vocabulary.times
+        )
 
     def applied(self, name: str) -> bool:
         """Whether a name is a function here, with an argument to follow."""
         if name not in self.vocabulary.functions:
             return False
-        upright = name not in self.names and name[0] == "\\" and name not in GREEK
-        return upright or self.tokens[self.at].kind == "open"
+        return self.upright(name) or self.tokens[self.at].kind == "open"
+
+    def upright(self, name: str) -> bool:
+        """Whether a name is a function that needs no brackets."""
+        known = name in self.vocabulary.functions and name not in self.names
+        return known and name[0] == "\\" and name not in GREEK
 
     def application(self, name: str, start: int, power: Piece | None) -> Piece:
         """A function's argument, which is a bracket or, after an upright name, one factor."""
@@ -144,7 +195,8 @@ class Symbols(Cursor, ABC):
 
     def powered(self, piece: Piece, power: Piece) -> Piece:
         """A power; it ends here, and behind the piece."""
-        self.number(piece)
+        if power[0] != Number(2):  # the square of a vector is that of its length
+            self.number(piece)
         end = max(piece[2], self.tokens[self.at - 1].end)
         return (Power(piece[0], power[0]), piece[1], end, (piece, power))
 
@@ -186,8 +238,14 @@ class Symbols(Cursor, ABC):
         if self.tokens[self.at].kind == "open":
             return self.bracket()
         piece = self.factor()
-        following = self.tokens[self.at].kind
-        if following == "slash" or (following in STARTS and following != "operator"):
+        token = self.tokens[self.at]
+        function = token.kind == "operator" or self.upright(token.text)
+        if isinstance(piece[0], Number) and token.kind == "letter" and not function:
+            other = self.factor()  # as in \sin 2x
+            piece = (Product((piece[0], other[0])), piece[1], other[2], (piece, other))
+            token = self.tokens[self.at]
+            function = token.kind == "operator" or self.upright(token.text)
+        if token.kind == "slash" or (self.starts() and not function):
             raise self.error(f"how far does {operator} reach? set brackets")
         return piece
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Quotient, Root
+from kowalevski_cas.notation.formula import Changed, Conjugate, Formula, Name, Quotient, Root
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import SIGNS, symbol
 
@@ -12,6 +12,7 @@ _FONTS = {
     r"\mathbf": "upright(bold({}))", r"\boldsymbol": "bold({})", r"\vec": "arrow({})",
     r"\mathcal": "cal({})", r"\mathbb": "bb({})", r"\mathfrak": "frak({})", r"\mathsf": "sans({})",
     r"\hat": "hat({})", r"\tilde": "tilde({})", r"\check": "caron({})", r"\mathrm": "upright({})",
+    r"\mathscr": "scr({})", r"\dot": "dot({})", r"\ddot": "dot.double({})",
 }  # fmt: skip
 # Brackets that group and are not printed; they become round ones when all is printed, so that
 # until then a round bracket is one that stands on the paper.
@@ -24,6 +25,7 @@ class Typst(Printer):
 
     minus, times, cross, prime, partial_d = "-", "⋅ ", "×", "'", "∂"
     dots, const, braces = "…", 'upright("const")', ("{", "}")
+    bars = ("abs⟮", "⟯")
 
     def finished(self, text: str) -> str:
         return text.translate(_PRINTED)
@@ -57,6 +59,9 @@ class Typst(Printer):
     def raised(self, base: str, exponent: str) -> str:
         return f"{base}^⟮{exponent}⟯"
 
+    def changed(self, formula: Changed) -> str:
+        return f"{'slip' if formula.wrong else 'meant'}⟮{self(formula.argument)}⟯"
+
     def root(self, formula: Root) -> str:
         return f"sqrt⟮{self(formula.argument)}⟯"
 
@@ -77,6 +82,9 @@ class Typst(Printer):
         if isinstance(argument, Name):
             return self._name(argument, accent)
         return accent.translate(_GROUPING).format(self.bracketed(self(argument)))
+
+    def over(self, index: str, first: str, last: str) -> str:
+        return f"sum_⟮{index} = {first}⟯^⟮{last}⟯"
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         return f"mat⟮{'; '.join(map(', '.join, rows))}⟯"

@@ -12,15 +12,16 @@ from kowalevski_cas.notation.macros import GREEK
 
 SIGNS = {
     "=": "=", r"\equiv": "≡", r"\ne": "≠", "<": "<", ">": ">", r"\le": "≤", r"\ge": "≥",
-    r"\to": "→", r"\in": "∈",
+    r"\to": "→", r"\in": "∈", r"\approx": "≈", r"\ll": "≪", r"\gg": "≫", r"\sim": "∼",
+    r"\simeq": "≃", r"\propto": "∝", r"\perp": "⟂", r"\parallel": "∥",
 }  # fmt: skip
 """The signs of relations, also of those that only words state."""
 
 _LETTERS = GREEK | {r"\pm": "±", r"\infty": "∞"}
 
 _STYLES = {
-    r"\mathbf": "BOLD", r"\boldsymbol": "BOLD", r"\mathcal": "SCRIPT", r"\mathfrak": "FRAKTUR",
-    r"\mathbb": "DOUBLE-STRUCK", r"\mathsf": "SANS-SERIF",
+    r"\mathbf": "BOLD", r"\boldsymbol": "BOLD", r"\mathcal": "SCRIPT", r"\mathscr": "SCRIPT",
+    r"\mathfrak": "FRAKTUR", r"\mathbb": "DOUBLE-STRUCK", r"\mathsf": "SANS-SERIF",
 }  # fmt: skip
 
 _PIECE = re.compile(r"\\[A-Za-z]+(?:\{([^{}]*)\})?|.")

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from kowalevski_cas.notation.formula import (
     Application,
+    Commutator,
     Conjugate,
     CrossProduct,
     Derivative,
     Diagonal,
     Formula,
+    Modulus,
     Name,
     Negative,
     Number,
+    Partial,
     PoissonBracket,
     Power,
     Product,
@@ -19,9 +22,16 @@ from kowalevski_cas.notation.formula import (
     Root,
     ScalarProduct,
     Sum,
+    Summation,
     Vector,
 )
 from kowalevski_cas.notation.vocabulary import MATRIX, SCALAR, VECTOR, Vocabulary
+
+_RANKS = dict.fromkeys((Number, ScalarProduct, Application, Modulus), SCALAR) | {
+    CrossProduct: VECTOR,
+    Diagonal: MATRIX,
+    Commutator: MATRIX,
+}
 
 
 def rank(formula: Formula, vocabulary: Vocabulary) -> int:
@@ -29,26 +39,25 @@ def rank(formula: Formula, vocabulary: Vocabulary) -> int:
 
     A matrix times a vector is a vector; a matrix by its rows is a vector of vectors.
     """
+    if type(formula) in _RANKS:
+        return _RANKS[type(formula)]
     match formula:
         case Name(name):
-            return vocabulary.ranks.get(name, SCALAR)
-        case Number() | ScalarProduct() | Application():
-            return SCALAR
+            return vocabulary.rank(name)
         case Product(factors):
             ranks = {rank(factor, vocabulary) for factor in factors}
             return VECTOR if VECTOR in ranks else max(ranks)
-        case Sum(terms):
-            return max(rank(term, vocabulary) for term in terms)
-        case Quotient(inner, _) | Power(inner, _):
+        case Sum() | PoissonBracket():
+            return max(rank(part, vocabulary) for part in formula.children())
+        case Power(inner, _):  # of a vector there is only the scalar square
+            found = rank(inner, vocabulary)
+            return SCALAR if found == VECTOR else found
+        case Partial(inner, by):
+            return max(rank(inner, vocabulary), rank(Name(by), vocabulary))
+        case Summation(_, _, _, inner) | Quotient(inner, _):
             return rank(inner, vocabulary)
-        case PoissonBracket(left, right):
-            return max(rank(left, vocabulary), rank(right, vocabulary))
-        case CrossProduct():
-            return VECTOR
         case Vector(components):
             return min(MATRIX, VECTOR + rank(components[0], vocabulary))
-        case Diagonal():
-            return MATRIX
     # A sign, a root, a bar or a derivative changes nothing; a word is a scalar.
     return next((rank(inner, vocabulary) for inner in formula.children()), SCALAR)
 
@@ -66,4 +75,4 @@ def applies(left: Formula, right: Formula, raised: bool = False) -> bool:
     return isinstance(left, Name) and not isinstance(right, needed)
 
 
-_SUMS = (Sum, Negative, CrossProduct, ScalarProduct, PoissonBracket)
+_SUMS = (Sum, Summation, Negative, CrossProduct, ScalarProduct, PoissonBracket, Modulus, Commutator)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from functools import cached_property
 
 from kowalevski_cas.notation.formula import Name
 
 SCALAR, VECTOR, MATRIX = 0, 1, 2
+_DIGIT = re.compile(r"\d")
 
 
 @dataclass(frozen=True)
@@ -17,7 +19,8 @@ class Vocabulary:
     A name is a letter with its index: ``\omega_1``, ``U_{12}``, ``\ell``,
     ``\boldsymbol{\alpha}``, ``\mathbf{e}_1``, ``\mathrm{sn}``. An index of more than one
     character stands in braces. Independent variables are scalars that a written-out
-    derivative may have in its denominator.
+    derivative may have in its denominator; what is ``moving`` may be printed as a function of one,
+    as :math:`x(t)`, and is the same name.
 
     >>> words = Vocabulary(scalars={"x_1", "i"}, times={r"\tau"})
     >>> r"\tau" in words, "x_2" in words
@@ -29,10 +32,11 @@ class Vocabulary:
     matrices: frozenset[str] = frozenset()
     functions: frozenset[str] = frozenset()
     times: frozenset[str] = frozenset()
+    moving: frozenset[str] = frozenset()
 
     def __post_init__(self) -> None:
         """Accept any iterable of names."""
-        for field in ("scalars", "vectors", "matrices", "functions", "times"):
+        for field in ("scalars", "vectors", "matrices", "functions", "times", "moving"):
             object.__setattr__(self, field, frozenset(getattr(self, field)))
 
     @cached_property
@@ -43,6 +47,17 @@ class Vocabulary:
             | dict.fromkeys(self.vectors, VECTOR)
             | dict.fromkeys(self.scalars | self.times, SCALAR)
         )
+
+    @cached_property
+    def families(self) -> dict[str, int]:
+        """The rank of every letter of which there are names with numbers as indices."""
+        found = ((*name.partition("_"), rank) for name, rank in self.ranks.items())
+        return {letter: rank for letter, _, index, rank in found if _DIGIT.search(index)}
+
+    def rank(self, name: str) -> int:
+        """The rank of a name; that of its letter, if the index is that of a sum."""
+        found = self.ranks.get(name)
+        return self.families.get(name.partition("_")[0], SCALAR) if found is None else found
 
     @cached_property
     def names(self) -> dict[str, Name]:

@@ -1,7 +1,8 @@
 r"""Poisson brackets of functions, by printed brackets of coordinates.
 
-They are printed with indices: in :math:`\{M_i,\alpha_j\}=-\varepsilon_{ijk}\alpha_k` the
-indices i, j are free and k is summed over. Brackets that no place prints vanish.
+They are printed for two variables, as :math:`\{q,p\}=1`, or with indices: in
+:math:`\{M_i,\alpha_j\}=-\varepsilon_{ijk}\alpha_k` the indices i, j are free and k is summed over.
+Brackets that no place prints vanish.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from kowalevski_cas.notation import (
     substitute,
 )
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.scene import BRACKET, EPSILON, head
+from kowalevski_cas.paper.scene import BRACKET, EPSILON, head, is_indexed
 from kowalevski_cas.problem.space import Meaningless
 
 DIGITS = "123"
@@ -70,12 +71,15 @@ class Brackets:
             first = Product((Partial(f, x), Partial(g, y)))
             second = Product((Partial(f, y), Partial(g, x)))
             terms.append(Product((value, Sum((first, Negative(second))))))
-        return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
+        return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else Number(0)
 
     def _instances(self, name: str) -> Iterator[tuple[tuple[str, str], Formula]]:
         """A printed bracket with all values of its indices, as brackets of variables."""
         setting = self.setting
         formula, arguments = setting.definition(name), head(name)[1]
+        if not any(map(is_indexed, arguments)):
+            yield (arguments[0], arguments[1]), setting.plain(formula)
+            return
         stems = sorted({argument[:-1] for argument in arguments})
         for i, j in product(DIGITS, DIGITS):
             terms = [self._indexed(formula, stems, i + j + k) for k in DIGITS]

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from dataclasses import field as default
 
 from kowalevski_cas.notation import Vocabulary
+from kowalevski_cas.notation.macros import FUNCTIONS
 from kowalevski_cas.paper.texts import Display, Printed, check_attributes, statements
 
 
@@ -67,7 +68,7 @@ class Scene:
     ``definitions``
         names that stand for an expression, with the place that prints it; a function
         comes with its arguments, as ``\varphi(s)``, and the Poisson bracket with a pair of
-        coordinates and their indices, as ``\{M_i,\alpha_j\}``, summed over k.
+        variables, or of coordinates and their indices, as ``\{M_i,\alpha_j\}``, summed over k.
     ``roots``
         square roots, as generators: either printed as a root of an expression,
         ``\sqrt{x_1x_2}``, or a name with the place that prints its square. A printed
@@ -299,8 +300,9 @@ class Scene:
         for name in self.definitions:
             function, arguments = head(name)
             if function == BRACKET:
-                yield EPSILON
-                yield from (f"{argument[:-1]}{k}" for argument in arguments for k in "ijk")
+                indexed = [argument for argument in arguments if is_indexed(argument)]
+                yield from [EPSILON] if indexed else []
+                yield from (f"{argument[:-1]}{k}" for argument in indexed for k in "ijk")
             elif is_bold(name):
                 yield from self.vectors.get(name, ())
             else:
@@ -342,7 +344,13 @@ def is_bold(name: str) -> bool:
 BRACKET, EPSILON = r"\{", r"\varepsilon_{ijk}"
 """The Poisson bracket as a function, and the sign of a permutation."""
 
-DETERMINANT = r"\mathrm{det}"
+
+def is_indexed(name: str) -> bool:
+    """Whether a coordinate in a printed bracket has an index that stands for each of 1, 2, 3."""
+    return name.endswith(("_i", "_j"))
+
+
+DETERMINANT = r"\det"
 """The determinant as a function of matrices."""
 
 
@@ -371,6 +379,8 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
         matrices=matrices,
         functions=frozenset(
             head(n)[0] for s in scenes for n in s.definitions if head(n)[1] and n[:2] != BRACKET
-        ).union([DETERMINANT] if matrices else []),
+        ).union(FUNCTIONS),
         times=times,
+        moving=frozenset(n for s in scenes for n in (*s.variables, *s.definitions, *s.vectors))
+        - {n for s in scenes for n in (*s.constants, *s.undefined)},
     )

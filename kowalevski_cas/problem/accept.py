@@ -25,6 +25,7 @@ from kowalevski_cas.problem.evidence import (
     At,
     Evidence,
     Found,
+    Further,
     Minors,
     Point,
     Proof,
@@ -41,10 +42,12 @@ from kowalevski_cas.problem.goals import (
     Fails,
     Follows,
     Goal,
+    Kernel,
     Positive,
     Rank,
     Simple,
 )
+from kowalevski_cas.problem.kernel import check_complete, check_further, check_no_solution
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Adjoined, Equation, Meaningless, Setting, generators
 
@@ -297,6 +300,18 @@ class Judge:
     def _solutions(self, goal: Count, evidence: Solutions, at: Evaluation, sign: bool) -> None:
         self.accepted.places += check_solutions(goal, evidence, at)
 
+    # -- kernels ---------------------------------------------------------------------
+
+    def _kernel(self, goal: Kernel, evidence: At | Further, at: Evaluation, sign: bool) -> None:
+        self.accepted.divides([*at.rates.values(), at.scalar(goal.factor)])
+        place = self._point(at, evidence.point, ())
+        if isinstance(evidence, Further):
+            check_further(goal, evidence.formula, at, place)
+        elif sign:
+            check_complete(goal, at, place)
+        else:
+            check_no_solution(goal, at, place)
+
     # -- what exists ---------------------------------------------------------------
 
     def _exists(self, goal: Exists, evidence: Found) -> None:
@@ -378,6 +393,9 @@ _RULES: dict[tuple[type, type, bool], Rule] = {
     (Count, Roots, True): Judge._count,
     (Count, Roots, False): Judge._count,
     (Count, Solutions, False): Judge._solutions,
+    (Kernel, At, True): Judge._kernel,
+    (Kernel, At, False): Judge._kernel,
+    (Kernel, Further, False): Judge._kernel,
 }
 """What checks a kind of evidence for a kind of goal, or against it."""
 

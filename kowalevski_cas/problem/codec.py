@@ -13,6 +13,7 @@ from kowalevski_cas.problem.goals import (
     Fails,
     Follows,
     Goal,
+    Kernel,
     Positive,
     Problem,
     Rank,
@@ -133,6 +134,15 @@ def _goal_data(goal: Goal, place: Callable[[Space], int]) -> Data:
                 "names": list(goal.names),
                 "number": goal.number,
             }
+        case Kernel():
+            kind = "kernel"
+            content = {
+                "factor": encode(goal.factor),
+                "solutions": list(map(encode, goal.solutions)),
+                "integrals": list(map(encode, goal.integrals)),
+                "weights": list(goal.weights),
+                "degree": goal.degree,
+            }
     assert isinstance(goal.space, Space)
     return {"goal": kind, "space": place(goal.space), **content}
 
@@ -205,6 +215,10 @@ def _read_goal(data: Data, spaces: Sequence[Space]) -> Goal:
     if kind == "count":
         equations = tuple(map(_equation, data["equations"]))
         return Count(space, equations, tuple(data["names"]), data["number"])
+    if kind == "kernel":
+        solutions, integrals = map(decode, data["solutions"]), map(decode, data["integrals"])
+        factor, weights = decode(data["factor"]), tuple(data["weights"])
+        return Kernel(space, factor, tuple(solutions), tuple(integrals), weights, data["degree"])
     raise FormatError(f"“{kind}” is no goal")
 
 

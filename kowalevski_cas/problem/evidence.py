@@ -133,7 +133,15 @@ class Solutions:
     points: tuple[Point, ...]
 
 
-Evidence = Shown | At | Minors | Found | Regardless | Squares | Roots | Solutions
+@dataclass(frozen=True)
+class Further:
+    """A polynomial that is missing in a kernel; at the point it is independent of what is known."""
+
+    formula: Formula
+    point: Point
+
+
+Evidence = Shown | At | Minors | Found | Regardless | Squares | Roots | Solutions | Further
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from kowalevski_cas.problem.evidence import (
     Evidence,
     Factor,
     Found,
+    Further,
     Minors,
     Point,
     Proof,
@@ -27,6 +28,7 @@ from kowalevski_cas.problem.goals import (
     Fails,
     Follows,
     Goal,
+    Kernel,
     Positive,
     Rank,
 )
@@ -53,6 +55,8 @@ def evidence_data(evidence: Evidence) -> Data:
             return data if zero is None else {**data, "zero": _proof_data(zero)}
         case Roots():
             return _roots_data(evidence)
+        case Further(formula, point):
+            return {"further": encode(formula), **_point_data(point)}
         case Solutions(points):
             return {"points": [_point_data(point)["point"] for point in points]}
 
@@ -85,6 +89,8 @@ def _read_evidence(data: Data, goal: Goal, holds: bool) -> Evidence:
             squares, (row,) = _read_squares(data["squares"]), _read_rows(data["cofactors"])
             zero = _read_proof(data["zero"]) if "zero" in data else None
             return Squares(squares, row, _read_point(data["point"]), zero)
+        case Kernel() if "further" in data:
+            return Further(decode(data["further"]), _read_point(data["point"]))
         case Count() if "eliminant" in data:
             return _read_roots(data)
         case Count():

@@ -89,7 +89,30 @@ class Count:
             yield from sides
 
 
-Simple = Follows | Rank | Positive | Count
+@dataclass(frozen=True, eq=False)
+class Kernel:
+    """The polynomials f in the variables with D f = ``factor`` f, up to a degree, are known.
+
+    For almost all values of the constants they are the linear combinations of products of one of
+    the ``solutions`` and of some of the ``integrals``. The degree counts each variable with its
+    positive weight, in the order of the variables.
+    """
+
+    space: Setting
+    factor: Formula
+    solutions: tuple[Formula, ...]
+    integrals: tuple[Formula, ...]
+    weights: tuple[int, ...]
+    degree: int
+
+    def formulas(self) -> Iterator[Formula]:
+        """Every formula of the statement."""
+        yield self.factor
+        yield from self.solutions
+        yield from self.integrals
+
+
+Simple = Follows | Rank | Positive | Count | Kernel
 
 
 @dataclass(frozen=True, eq=False)

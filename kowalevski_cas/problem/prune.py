@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from kowalevski_cas.notation import Derivative, Formula, Name, Number, Root
-from kowalevski_cas.problem.goals import Count, Exists, Goal, Problem, Rank, Simple, simple
+from kowalevski_cas.problem.goals import Count, Exists, Goal, Kernel, Problem, Rank, Simple, simple
 from kowalevski_cas.problem.space import (
     Adjoined,
     Change,
@@ -169,12 +169,14 @@ def _reach_of(setting: Setting, reaches: dict[Setting, Reach]) -> Reach:
 
 
 def _reach_goal(goal: Simple, bound: Iterable[str], reach: Reach) -> None:
-    """Reach what a goal uses; a rank is about all variables."""
+    """Reach what a goal uses; a rank is about all variables, a kernel about the motion."""
     reach.bound |= {*bound}
     for formula in goal.formulas():
         reach.formula(formula)
     if isinstance(goal, Rank):
         reach.whole()
+    if isinstance(goal, Kernel):
+        reach.move()
     for name in goal.names if isinstance(goal, Count) else ():
         reach.name(name)
 

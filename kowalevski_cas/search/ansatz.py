@@ -16,7 +16,7 @@ from itertools import combinations_with_replacement
 from flint import fmpq, fmpq_mpoly, nmod_mat
 
 from kowalevski_cas.algebra.polynomials import Terms
-from kowalevski_cas.search.weights import gradings
+from kowalevski_cas.algebra.weights import gradings
 
 Monomial = tuple[int, ...]
 Column = tuple[int, Monomial]

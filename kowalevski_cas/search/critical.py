@@ -23,6 +23,7 @@ from kowalevski_cas.algebra.derivation import gradient
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.algebra.weights import weights
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Point, Proof, Shown
@@ -34,7 +35,6 @@ from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.place import Candidate
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.search.splits import Prover, Row, System, Unsplit
-from kowalevski_cas.search.weights import weights
 
 PYTHAGOREAN = Fraction(3, 5)
 TRIES = 12

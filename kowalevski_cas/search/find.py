@@ -10,12 +10,14 @@ from kowalevski_cas.problem.goals import (
     Fails,
     Follows,
     Goal,
+    Kernel,
     Positive,
     Rank,
 )
 from kowalevski_cas.search.bound import found, never
 from kowalevski_cas.search.count import others, roots
 from kowalevski_cas.search.follows import FollowsFinder
+from kowalevski_cas.search.kernels import complete, further
 from kowalevski_cas.search.positive import positive
 from kowalevski_cas.search.ranks import RankFinder
 
@@ -38,6 +40,8 @@ class Finder(FollowsFinder, RankFinder):
                 return positive(goal, self)
             case Count():
                 return roots(goal, self)
+            case Kernel():
+                return complete(goal, self)
 
     def refutation(self, goal: Goal) -> Evidence | None:
         """Evidence that a goal is false."""
@@ -55,3 +59,5 @@ class Finder(FollowsFinder, RankFinder):
                 return None
             case Count():
                 return others(goal, self)
+            case Kernel():
+                return further(goal, self)

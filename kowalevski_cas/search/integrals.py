@@ -3,41 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
-from functools import cached_property
+from random import Random
 
+from kowalevski_cas.algebra.kernels import PRIME, TooLarge, kernel, rank
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.search.kernels import kernel
-from kowalevski_cas.search.polynomial_fields import (
+from kowalevski_cas.problem.kernel import LARGEST, Residues, product_of, residues
+from kowalevski_cas.problem.polynomial_fields import (
     Exponents,
     PolynomialField,
     Terms,
     monomials,
+    number_of_monomials,
     primitive,
-    product_of,
     weight_of,
 )
 
+CONSTANTS = 6
+"""The largest degree of coefficients in the constants."""
 
-def first_integrals(
-    at: Evaluation, weight: int, weights: Sequence[int] = (), constants: int = 0
-) -> Iterator[Element]:
+
+def first_integrals(at: Evaluation, weight: int, weights: Sequence[int] = ()) -> Iterator[Element]:
     """Polynomials in the variables that do not move, the lightest first.
 
-    Those that are polynomials in the ones before them, and in the constants, are left out.
+    Those that are polynomials in the ones before them, with coefficients that depend on the
+    constants, are left out.
 
     Args:
         at: the evaluation of a space, with FLINT.
         weight: the largest weight of a polynomial.
         weights: the positive weights of the variables; all are 1, and the weight is the degree,
             if none are given.
-        constants: the largest degree of the coefficients in the constants.
 
     Raises:
         Meaningless: if a root stands in the equations of motion.
+        TooLarge: if what comes next takes too much memory.
     """
-    search = _Search(PolynomialField(at), weights or (1,) * len(at.setting.variables), constants)
+    search = _Search(PolynomialField(at), weights or (1,) * len(at.setting.variables))
     for size in range(1, weight + 1):
         for terms in search.of_weight(size):
             yield search.field.element(terms)
@@ -46,89 +48,88 @@ def first_integrals(
 class _Search:
     """Integrals found so far, in a field."""
 
-    def __init__(self, field: PolynomialField, weights: Sequence[int], constants: int) -> None:
-        self.field, self.weights, self.constants = field, weights, constants
+    def __init__(self, field: PolynomialField, weights: Sequence[int]) -> None:
+        self.field, self.weights = field, weights
         self.known: list[Terms] = []
+        self.monomials: list[Exponents] = []
+        self.columns: list[Residues] = []
+        self.others = len(field.names) - field.size
+        random = Random(1)
+        self.values = [random.randrange(PRIME) for _ in range(self.others)]
 
-    @cached_property
-    def factors(self) -> list[Exponents]:
-        """The monomials in the constants that a coefficient has."""
-        field = self.field
-        others = len(field.names) - field.size
-        return [
-            (0,) * field.size + powers
-            for degree in range(self.constants + 1)
-            for powers in monomials((1,) * others, degree)
-        ]
-
-    def of_weight(self, weight: int) -> list[Terms]:
+    def of_weight(self, weight: int) -> Iterator[Terms]:
         """Integrals with terms up to a weight that are no polynomials in the known ones."""
+        if (size := number_of_monomials(self.weights, weight)) > LARGEST:
+            raise TooLarge(f"{size} monomials have the weight {weight} or less")
+        for own in monomials(self.weights, weight):
+            exponents = (*own, *(0,) * self.others)
+            self.monomials.append(exponents)
+            self.columns.append(residues(self.field.derivative(exponents), self.values))
+        dimension = len(self.columns) - rank(self.columns)
+        span = self._span(weight)
+        for degree in range(CONSTANTS + 1 if self.others else 1):
+            if len(span) == dimension or len(self.monomials) * (degree + 1) > LARGEST:
+                return
+            for terms in sorted(self._kernel(degree), key=_size):
+                if len(span) < dimension and span.extended(residues(terms, self.values)):
+                    self.known.append(primitive(terms))
+                    yield self.known[-1]
+                    span = self._span(weight)
+
+    def _kernel(self, degree: int) -> Iterator[Terms]:
+        """A basis of the integrals with coefficients of some degree in the constants."""
         groups: dict[Exponents, list[Exponents]] = {}
-        for own in range(1, weight + 1):
-            for exponents in monomials(self.weights, own):
-                for factor in self.factors:
-                    powers = (*exponents, *factor[self.field.size :])
-                    groups.setdefault(self.field.grade(powers), []).append(powers)
-        made: dict[Exponents, list[Terms]] = {}
-        for terms in self._products({(0,) * len(self.field.names): Fraction(1)}, 0, weight):
-            made.setdefault(self.field.grade(next(iter(terms))), []).append(terms)
-        found = []
-        for grade, group in groups.items():
-            span = Span(made.get(grade, ()))
+        for own in self.monomials:
+            for powers in _up_to(self.others, degree):
+                exponents = (*own[: self.field.size], *powers)
+                groups.setdefault(self.field.grade(exponents), []).append(exponents)
+        for group in groups.values():
             for vector in kernel([self.field.derivative(exponents) for exponents in group]):
-                terms = {e: v for e, v in zip(group, vector, strict=True) if v}
-                if span.extended(terms):
-                    found.append(primitive(terms))
-        return self._independent(
-            sorted(found, key=lambda terms: (max(map(sum, terms)), len(terms)))
-        )
+                yield {e: v for e, v in zip(group, vector, strict=True) if v}
 
-    def _independent(self, found: list[Terms]) -> list[Terms]:
-        """Those that are no multiples, by polynomials in the constants, of the ones before."""
-        span = Span(())
-        kept = []
-        for terms in found:
-            if span.extended(terms):
-                kept.append(terms)
-                for factor in self.factors:
-                    span.extended(_shifted(terms, factor))
-        self.known += kept
-        return kept
-
-    def _products(self, left: Terms, start: int, weight: int) -> Iterator[Terms]:
-        """Products of known integrals and constants, up to a weight."""
-        for factor in self.factors:
-            yield _shifted(left, factor)
-        for k in range(start, len(self.known)):
-            own = weight_of(self.known[k], self.weights)
-            if own <= weight:
-                yield from self._products(product_of(left, self.known[k]), k, weight - own)
+    def _span(self, weight: int) -> Span:
+        """The polynomials in known integrals, up to a weight and but for constants."""
+        found, waiting = Span(), [(residues(f, self.values), k) for k, f in enumerate(self.known)]
+        own = [left for left, _ in waiting]
+        while waiting:
+            left, first = waiting.pop()
+            if weight_of(left, self.weights) <= weight:
+                found.extended(left)
+                waiting += [(product_of(left, own[k]), k) for k in range(first, len(own))]
+        return found
 
 
-def _shifted(terms: Terms, by: Exponents) -> Terms:
-    return {tuple(a + b for a, b in zip(e, by, strict=True)): v for e, v in terms.items()}
+def _size(terms: Terms) -> tuple[int, int]:
+    return max(map(sum, terms)), len(terms)
+
+
+def _up_to(width: int, degree: int) -> Iterator[Exponents]:
+    """The exponents of so many names up to a degree."""
+    for own in range(degree + 1):
+        yield from monomials((1,) * width, own)
 
 
 class Span:
-    """A space of polynomials, by a basis whose leading terms differ."""
+    """A space of polynomials modulo a prime, by a basis whose leading terms differ."""
 
-    def __init__(self, spanned: Sequence[Terms]) -> None:
-        self._basis: dict[Exponents, Terms] = {}
-        for terms in spanned:
-            self.extended(terms)
+    def __init__(self) -> None:
+        self._basis: dict[Exponents, Residues] = {}
 
-    def extended(self, terms: Terms) -> bool:
+    def __len__(self) -> int:
+        return len(self._basis)
+
+    def extended(self, terms: Residues) -> bool:
         """Add a polynomial; whether it was not in the space before."""
         rest = dict(terms)
         while rest:
             lead = max(rest)
             if lead not in self._basis:
-                self._basis[lead] = rest
+                over = pow(rest[lead], -1, PRIME)
+                self._basis[lead] = {e: v * over % PRIME for e, v in rest.items()}
                 return True
-            own = self._basis[lead]
-            factor = rest[lead] / own[lead]
-            for exponents, value in own.items():
-                new = rest.get(exponents, Fraction(0)) - factor * value
+            factor = rest[lead]
+            for exponents, value in self._basis[lead].items():
+                new = (rest.get(exponents, 0) - factor * value) % PRIME
                 if new:
                     rest[exponents] = new
                 else:

@@ -1,76 +1,93 @@
-"""Kernels of large sparse matrices over the rationals, by one modulo a large prime."""
+"""Whether all polynomials are known that a field multiplies by a factor, or which one is not."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from fractions import Fraction
-from math import isqrt
-from typing import Any
+from collections.abc import Iterator
 
-from flint import nmod_mat
+from kowalevski_cas.algebra.kernels import kernel
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence import At, Further
+from kowalevski_cas.problem.goals import Kernel
+from kowalevski_cas.problem.kernel import LARGEST, check_complete, check_further
+from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.polynomial_fields import (
+    PolynomialField,
+    monomials,
+    number_of_monomials,
+)
+from kowalevski_cas.search.place import Candidate, PointFinder
 
-PRIME = 2**61 - 1
+POINTS = 3
+"""At how many points of the constants it is tried that nothing is missing."""
 
-Column = Mapping[Any, Fraction]
-
-
-def kernel(columns: Sequence[Column]) -> list[list[Fraction]]:
-    """A basis of the combinations of columns that vanish, as far as it can be lifted.
-
-    The rank is that modulo a prime of 61 bits, which is at most the true one; what is lifted is
-    checked over the rationals, so that every vector is right and at most as many are missing
-    as the prime has made too many.
-    """
-    if not columns:
-        return []
-    places: dict[Any, int] = {}
-    for column in columns:
-        for key in column:
-            places.setdefault(key, len(places))
-    width = len(columns)
-    entries = [0] * (max(len(places), 1) * width)
-    for k, column in enumerate(columns):
-        for key, value in column.items():
-            residue = value.numerator * pow(value.denominator, -1, PRIME) % PRIME
-            entries[places[key] * width + k] = residue
-    reduced, rank = nmod_mat(max(len(places), 1), width, entries, PRIME).rref()
-    pivots = _pivots(reduced, int(rank))
-    found = []
-    for free in (k for k in range(width) if k not in pivots):
-        vector = [Fraction(0)] * width
-        vector[free] = Fraction(1)
-        lifted = [_lifted(-int(reduced[row, free]) % PRIME) for row in range(len(pivots))]
-        for pivot, value in zip(pivots, lifted, strict=True):
-            vector[pivot] = value
-        if _vanishes(vector, columns):
-            found.append(vector)
-    return found
+CONSTANTS = 2
+"""The largest degree in the constants of a missing polynomial that is looked for."""
 
 
-def _pivots(reduced: nmod_mat, rank: int) -> list[int]:
-    pivots: list[int] = []
-    column = 0
-    for row in range(rank):
-        while int(reduced[row, column]) == 0:
-            column += 1
-        pivots.append(column)
-    return pivots
+def complete(goal: Kernel, finder: PointFinder) -> At | None:
+    """A point of the constants at which nothing is missing."""
+    at, names = finder.of(goal.space), finder.names(goal.space)
+    found: list[At] = []
+    tried = 0
+
+    def good(candidate: Candidate) -> bool:
+        nonlocal tried
+        tried += 1
+        point = candidate.point(names)
+        try:
+            check_complete(goal, at, Place(at, point))
+        except Misplaced:
+            return not at.setting.constants or tried == POINTS
+        found.append(At(point))
+        return True
+
+    finder.point(at, [], _divided(goal, at), good, most=0)
+    return next(iter(found), None)
 
 
-def _lifted(residue: int) -> Fraction:
-    """The rational number with small numerator and denominator that has this residue."""
-    bound = isqrt(PRIME // 2)
-    a, b, u, v = PRIME, residue, 0, 1
-    while b > bound:
-        quotient = a // b
-        a, b, u, v = b, a - quotient * b, v, u - quotient * v
-    return Fraction(b, v)
+def further(goal: Kernel, finder: PointFinder) -> At | Further | None:
+    """A point where what is listed is no solution, or a polynomial that is missing."""
+    at, divided = finder.of(goal.space), _divided(goal, finder.of(goal.space))
+    rest = next((one for one in _rests(goal, at) if not one.is_zero), None)
+    if rest is not None:
+        there = finder.point(at, [], [*divided, rest], lambda c: not c(rest).is_zero)
+        return None if there is None else At(there)
+    point = finder.point(at, [], divided, most=0)
+    if point is None:
+        return None
+    for element in _solutions(goal, at):
+        try:
+            check_further(goal, formula_in(element), at, Place(at, point))
+        except Misplaced:
+            continue
+        return Further(formula_in(element), point)
+    return None
 
 
-def _vanishes(vector: Sequence[Fraction], columns: Sequence[Column]) -> bool:
-    total: dict[Any, Fraction] = {}
-    for factor, column in zip(vector, columns, strict=True):
-        if factor:
-            for key, value in column.items():
-                total[key] = total.get(key, Fraction(0)) + factor * value
-    return not any(total.values())
+def _divided(goal: Kernel, at: Evaluation) -> list[Element]:
+    return [*at.rates.values(), at.scalar(goal.factor)]
+
+
+def _rests(goal: Kernel, at: Evaluation) -> Iterator[Element]:
+    """What vanishes if all that is listed are solutions."""
+    for formula in goal.integrals:
+        yield at.derivative(at.scalar(formula))
+    for formula in goal.solutions:
+        element = at.scalar(formula)
+        yield at.derivative(element) - at.scalar(goal.factor) * element
+
+
+def _solutions(goal: Kernel, at: Evaluation) -> Iterator[Element]:
+    """The solutions with coefficients that are polynomials in the constants."""
+    field = PolynomialField(at, at.scalar(goal.factor))
+    others = (1,) * (len(field.names) - field.size)
+    own = [e for w in range(goal.degree + 1) for e in monomials(goal.weights, w)]
+    for degree in range(CONSTANTS + 1 if others else 1):
+        if number_of_monomials(goal.weights, goal.degree) > LARGEST:
+            return
+        factors = [e for w in range(degree + 1) for e in monomials(others, w)]
+        group = [(*a, *b) for a in own for b in factors]
+        for vector in kernel([field.derivative(exponents) for exponents in group]):
+            yield field.element({e: v for e, v in zip(group, vector, strict=True) if v})

@@ -14,7 +14,17 @@ from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
-from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Positive, Rank, Simple
+from kowalevski_cas.problem.goals import (
+    Count,
+    Exists,
+    Fails,
+    Follows,
+    Goal,
+    Kernel,
+    Positive,
+    Rank,
+    Simple,
+)  # fmt: skip
 from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.verify.outcome import Counterexample, Point, Screened, Value, Verdict
@@ -118,6 +128,8 @@ def _asked(goal: Goal, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
             chosen = [at.scalar(f) for f in goal.functions] + at.differences(goal.given)
             rows = [[at.partial(f, name) for name in goal.space.variables] for f in chosen]
             yield _ask(at, goal, rows=rows, rank=goal.rank)
+        case Kernel():
+            unseen.append("that there are no more polynomials cannot be seen at points")
         case Positive() | Count():
             unseen.append("how many solutions are real cannot be seen at points")
 

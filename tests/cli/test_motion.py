@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.motion import METHODS
+from kowalevski_cas.motion import METHODS, Motion
+from kowalevski_cas.motion.methods.ball import enclosures
 
 FIELDS = ["--a", "1", "--b", "0.4"]
 USUAL = [*FIELDS, "--m", "0.8", "--l", "0.9", "--until", "2", "--samples", "5"]
@@ -95,6 +96,33 @@ def test_csv_and_npz_hold_the_same_states(cli, tmp_path):
     with np.load(tmp_path / "new" / "motion.npz") as saved:
         assert np.array_equal(np.hstack([saved[n] for n in ("omega", "alpha", "beta")]), expected)
         assert json.loads(str(saved["regime"]))["tori"] == 1
+
+
+@pytest.mark.parametrize("constants", [["0.8", "0.9"], ["-0.5", "0"], ["5/7", "3/7"]])
+def test_balls_have_radii_in_every_format(cli, constants, tmp_path):
+    m, ell = constants
+    given = [*FIELDS, "--m", m, "--l", ell, "--samples", 5, "--method", "ball"]
+    out = cli(*given)[1]
+    radii = [state["radius"] for state in json.loads(out)["states"]]
+    assert len(radii) == 5 and all(0 <= radius < 1e-15 for radius in radii)
+    exact = enclosures(Motion.of(1, "0.4", m, ell=ell), np.linspace(0, 10, 5).tolist(), 200)
+    for row, radius, balls in zip(states(out).tolist(), radii, exact, strict=True):
+        assert all(abs(x - number) <= radius for x, number in zip(balls, row, strict=True))
+    header, *rows = csv.reader(io.StringIO(cli(*given, "--format", "csv")[1]))
+    assert header[-1] == "radius" and [float(row[-1]) for row in rows] == radii
+    cli(*given, "--format", "npz", "--output", tmp_path)
+    with np.load(tmp_path / "motion.npz") as saved:
+        assert saved["radius"].tolist() == radii
+
+
+@pytest.mark.parametrize("method", ["closed", "ball", "dop853"])
+@pytest.mark.parametrize("nine", ["000100040", "300100040", "010100040"])
+def test_a_zero_has_no_sign_and_what_may_be_zero_is_zero(cli, method, nine):
+    given = ["--point", *nine, "--samples", 4, "--method", method]
+    code, out, _ = cli(*given)
+    assert code == 0
+    assert "-0.0," not in cli(*given, "--format", "csv")[1] + out and "-0.0]" not in out
+    assert np.all((states(out) == 0) | (np.abs(states(out)) > 1e-17))
 
 
 def test_a_point_is_returned_to_at_once(cli):

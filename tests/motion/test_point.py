@@ -2,15 +2,18 @@
 
 import re
 from fractions import Fraction
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from scipy.optimize import brentq
 
-from kowalevski_cas.motion import Inadmissible, load
+from kowalevski_cas.motion import Inadmissible, Motion, load
 from kowalevski_cas.motion.formulas import integrals
 from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.methods.closed import Closed
 from kowalevski_cas.motion.point import on_N4
 from tests.motion.regions import motion
 from tests.motion.test_closed import ALL, ORIGINS, motions, relative
@@ -128,3 +131,30 @@ def test_states_without_a_motion_are_refused_in_words(state, words):
     with pytest.raises(ValueError, match=re.escape(words)):
         on_N4(state)
     assert issubclass(Inadmissible, ValueError)
+
+
+@given(
+    st.floats(-2, -0.05),
+    st.sampled_from([0.0, *(10.0**-power for power in (2, 4, 8, 12))]),
+    st.sampled_from([0.0, *(10.0**-power for power in range(3, 10))]),
+    st.sampled_from([-1, 1]),
+)
+def test_a_state_near_infinity_and_near_ell_zero_keeps_its_digits(m, ell, aside, side):
+    # There x1x2 and ℓ vanish, by which the printed formulas divide; the state is as regular as
+    # elsewhere.
+    first = Motion.of(1, "0.4", m, ell=ell)
+    oscillation = first.oscillations()[0]
+    assume(oscillation.kind == "elliptic" and oscillation.complement_square > 1e-3)
+    assume(first.oscillations()[1].complement_square > 1e-3)
+    times = np.linspace(0, float(2 * oscillation.quarter / oscillation.rate), 50)
+
+    def weight(t):
+        at = np.array([t])
+        return float(Closed(first, 100.0).variables(at, at)[0].weight[0])
+
+    low, high = next(pair for pair in pairwise(times) if weight(pair[0]) * weight(pair[1]) <= 0)
+    now = brentq(weight, low, high, xtol=1e-16) + side * aside
+    state = closed(first, np.array([now]))
+    second = on_N4(state[0].tolist())
+    assert second.off < 1e-14
+    assert relative(closed(second, LATER), closed(first, LATER + now)) < 1e-12

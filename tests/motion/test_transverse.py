@@ -20,8 +20,8 @@ from kowalevski_cas.motion import (
 )
 from kowalevski_cas.motion.methods.closed import Closed
 from kowalevski_cas.motion.methods.integrators import initial_state, integrate
-from kowalevski_cas.motion.transverse import distance, exponent, mean, transverse
-from tests.motion.regions import EVERY_REGIME, motion
+from kowalevski_cas.motion.transverse import degenerate, distance, exponent, kind, mean, transverse
+from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
 
 closed = load("closed")
 TIMES = np.linspace(0.1, 7.0, 40)
@@ -82,7 +82,7 @@ def test_the_mean_of_a_variable_is_its_mean_over_a_period(region):
             residue = -sign / np.sqrt(-float(here.parameters.m)) * np.pi / period
             for place, size in ((pole, residue), (-pole, -residue)):
                 values = values - size / np.tan(np.pi * (t - place) / period)
-        assert np.mean(values) == pytest.approx(mean(oscillation), abs=2e-6)
+        assert np.mean(values) == pytest.approx(float(mean(oscillation)), abs=2e-6)
 
 
 @pytest.mark.parametrize(("m", "ell"), [("-0.8", "0.5"), ("-0.5", "0.8"), ("-0.3", "0.5")])
@@ -114,7 +114,29 @@ def test_tori_on_which_ell_vanishes_are_not_hyperbolic(m, b):
     # The mirror s1, s2 → −s1, −s2 leads back to the same level: both means are zero.
     parameters = Parameters.of(1, b, m, 0)
     assume(coincidences(parameters) == ["ℓ = 0"])
-    assert abs(exponent(parameters)) < 1e-12
+    assert exponent(parameters) == 0 and kind(parameters) == "degenerate"
+
+
+@given(st.fractions(-3, Fraction(-1, 10), max_denominator=30), st.fractions(0, Fraction(9, 10)))
+def test_the_exponent_vanishes_on_the_curve_that_is_drawn(m, b):
+    for regime, ell in degenerate(1, b, m):
+        at, aside = Parameters.of(1, b, m, ell), Parameters.of(1, b, m, ell * 0.99)
+        assert regime_of(at) == regime
+        assert abs(exponent(at)) < 1e-3 * abs(exponent(aside))
+
+
+@pytest.mark.parametrize("words", SEPARATING)
+@pytest.mark.parametrize("digits", [3, 15, 30, 300])
+def test_the_exponent_is_finite_however_close_a_separating_curve(words, digits):
+    m, ell = map(Fraction, SEPARATING[words])
+    for near in (ell - Fraction(1, 10**digits), ell, ell + Fraction(1, 10**digits)):
+        try:
+            parameters = Parameters.of(1, "0.4", m, near)
+            regime_of(parameters)
+        except Inadmissible:
+            continue
+        assert np.isfinite(exponent(parameters))
+        assert (kind(parameters) == "elliptic") == (m > 0)
 
 
 def test_inside_two_regimes_the_exponent_vanishes_on_a_curve_and_in_no_others():

@@ -152,6 +152,15 @@ def dot(left, right):
     return left[0] * right[0] + left[1] * right[1] + left[2] * right[2]
 
 
+def length(value):
+    """The length of a vector, or of a number."""
+    return (value * value if rank(value) == 0 else dot(value, value)).root()
+
+
+def commutator(left, right):
+    return plus(times(left, right), each(Value.__neg__, times(right, left)))
+
+
 def cross(left, right):
     def minor(i, j):
         return left[i] * right[j] + -(left[j] * right[i])
@@ -205,6 +214,9 @@ def to(base, exponent):
     """A power of a number, or of a matrix, for which any function will do."""
     if rank(base) == 0:
         return base.to(exponent)
+    if rank(base) == 1:
+        assert exponent.terms == {(): 2}, "of a vector there is only the square"
+        return dot(base, base)
     return each(lambda part: part * exponent, times(base, base))
 
 

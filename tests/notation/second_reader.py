@@ -12,10 +12,12 @@ from dataclasses import dataclass
 
 from tests.notation import numbers as n
 
-TOKEN = re.compile(r"%[^\n]*|\.\.\.|\\(?:\\(?:\s*\[[^\]]*\])?|[A-Za-z]+\*?|.)|[0-9]|\S", re.DOTALL)
+TOKEN = re.compile(
+    r"%[^\n]*|\.\.\.|\\(?:\\(?:\s*\[[^\]]*\])?|[A-Za-z]+\*?|.)|[0-9]+\.[0-9]+|[0-9]|\S", re.DOTALL
+)
 NOTHING = set(
     r"""\displaystyle \left \right \mathop \nolimits \, \! \; \: \> ~ $ \nonumber \noindent
-    \big \Big \bigl \bigr \Bigl \Bigr .""".split()
+    \big \Big \bigl \bigr \Bigl \Bigr \limits .""".split()
 ) | {"\\ "}
 LOST = (r"\phantom", r"\label", r"\tag", r"\hspace")
 SWITCHES = {r"\bf": "B", r"\rm": "R"}
@@ -25,12 +27,20 @@ FONTS = dict.fromkeys((r"\bs", r"\mathbf", r"\boldsymbol", r"\bm", r"\vec"), "B"
 BOXES = {r"\frac": 2, r"\tfrac": 2, r"\dfrac": 2, r"\sqrt": 1, "^": 1, "_": 1} | dict.fromkeys(
     (r"\dot", r"\ddot", r"\dddot", r"\overline", r"\bar"), 1
 )
-RELATIONS = {"=": "=", r"\equiv": r"\equiv", r"\ne": r"\ne", r"\neq": r"\ne"}
+RELATIONS = {"=": "=", r"\equiv": r"\equiv", r"\ne": r"\ne", r"\neq": r"\ne"} | {
+    "<": "<", ">": ">", r"\le": r"\le", r"\leq": r"\le", r"\leqslant": r"\le",
+    r"\ge": r"\ge", r"\geq": r"\ge", r"\geqslant": r"\ge",
+    r"\approx": r"\approx", r"\to": r"\to",
+}  # fmt: skip
 BREAKS = {"&": "cell", r"\quad": "gap", r"\qquad": "gap", r"\cr": "row", ",": "comma"}
-PAIRS = {"(": ")", "[": "]", r"\{": r"\}"}
+PAIRS = {"(": ")", "[": "]", r"\{": r"\}", r"\langle": r"\rangle", r"\lvert": r"\rvert"}
 WORDS = {*RELATIONS, r"\cdot", r"\times", r"\ldots", r"\Re", r"\Im", r"\partial", r"\prime"}
-MATRICES = ("pmatrix", "matrix", "bmatrix")
-BINARY = {*RELATIONS, "+", "-", r"\cdot", r"\times", "/"}
+WORDS |= {*PAIRS, *PAIRS.values(), r"\sum", r"\pm", r"\mp", r"\over", r"\vert"}
+BARS = ("|", r"\|", r"\vert")
+MATRICES = ("pmatrix", "matrix", "bmatrix", "vmatrix")
+NAMED = ("sin", "cos", "exp", "ln", "det")
+UNICODE = {"−": "-", "ω": r"\omega ", "≤": r"\le ", "∂": r"\partial ", "·": r"\cdot "}
+BINARY = {*RELATIONS, "+", "-", r"\pm", r"\mp", r"\cdot", r"\times", "/"}
 
 
 class Letter(str):
@@ -52,12 +62,14 @@ class Words:
     ranks: dict
     functions: set
     times: set
+    moving: set
 
     @classmethod
     def of(cls, vocabulary):
         """The words of a vocabulary, which is asked for nothing but its names."""
         ranks = {key(name): rank for name, rank in vocabulary.ranks.items()}
-        return cls(ranks, {*map(key, vocabulary.functions)}, {*map(key, vocabulary.times)})
+        names = (vocabulary.functions, vocabulary.times, vocabulary.moving)
+        return cls(ranks, *({*map(key, some)} for some in names))
 
 
 def key(name):
@@ -72,16 +84,21 @@ def key(name):
 
 def boxes(tex):
     """The row of signs and boxes in a source."""
+    for sign, macro in UNICODE.items():
+        tex = tex.replace(sign, macro)
     return group([t for t in TOKEN.findall(tex) if t[0] != "%"][::-1], "", None)
 
 
 def group(tokens, font, closing):
     """What stands up to the closing token."""
-    row = []
+    row, above = [], None
     while tokens:
         token = tokens.pop()
         if token == closing:
-            return row
+            return row if above is None else [Box(r"\frac", [above, row])]
+        if token == r"\over":
+            above, row = row, []
+            continue
         if token in SWITCHES:
             font = SWITCHES[token]
         else:
@@ -127,7 +144,7 @@ def letter(token, tokens, font):
         token += tokens.pop()
     if token in ("Re", "Im", "diag", "const"):
         return "\\" + token
-    return Letter(token if len(token) == 1 else "R" + token)
+    return Letter(token if len(token) == 1 or token in NAMED else "R" + token)
 
 
 def environment(tokens, font):
@@ -140,7 +157,10 @@ def environment(tokens, font):
         row += one(tokens.pop(), tokens, font)
     tokens.pop()
     argument(tokens, "")
-    return [Box("matrix", [row])] if name in MATRICES else ["row", *row, "row"]
+    if name not in MATRICES:
+        return ["row", *row, "row"]
+    box = Box("matrix", [row])
+    return [r"\lvert", box, r"\rvert"] if name == "vmatrix" else [box]
 
 
 # -- statements ----------------------------------------------------------------------------------
@@ -163,7 +183,19 @@ def split(row):
         else:
             empty_cell |= item == "cell" and strongest == "row"
             strongest = "row" if "row" in (item, strongest) else item
-    return [statement for statement in found if statement]
+    return [one for statement in found if statement for one in signs(statement)]
+
+
+def signs(row):
+    """A row with the upper signs, and one with the lower; itself if there are none."""
+    upper = {r"\pm": "+", r"\mp": "-"}
+    lower = {r"\pm": "-", r"\mp": "+"}
+    if not any(item in upper for item in row if isinstance(item, str)):
+        return [row]
+    return [
+        [of.get(i, i) if isinstance(i, str) and not isinstance(i, Letter) else i for i in row]
+        for of in (upper, lower)
+    ]
 
 
 def joins(before, rest, strongest, empty_cell):
@@ -186,8 +218,10 @@ def joins(before, rest, strongest, empty_cell):
 class Reader:
     """Reads a row from left to right, and computes."""
 
-    def __init__(self, row, words, point):
+    def __init__(self, row, words, point, indices=()):
         self.row, self.words, self.point, self.at = row, words, point, 0
+        self.indices = dict(indices)  # of sums, with their values
+        self.bars = 0
 
     @property
     def here(self):
@@ -199,7 +233,7 @@ class Reader:
 
     def within(self, row):
         """The value of a whole row."""
-        inner = Reader(row, self.words, self.point)
+        inner = Reader(row, self.words, self.point, self.indices)
         value = inner.sum()
         assert inner.at == len(row), f"{row[inner.at :]} is left"
         return value
@@ -250,20 +284,35 @@ class Reader:
         return (
             isinstance(item, Box | Letter)
             or item in PAIRS
-            or item.isdigit()
-            or item in (r"\Re", r"\Im", r"\diag", r"\ldots", "...")
+            or item[0].isdigit()
+            or (item in BARS and not self.bars)
+            or item in (r"\Re", r"\Im", r"\diag", r"\ldots", "...", r"\sum", r"\partial")
         )
 
     def factor(self):
         item = self.take()
+        if item in ("d", r"\partial") and item not in self.words.ranks:
+            return self.rate(item)
         if isinstance(item, Letter):
             return self.name(item, [])
         if isinstance(item, Box):
             return self.box(item)
-        if item.isdigit():
+        if item[0].isdigit():
             while isinstance(self.here, str) and self.here.isdigit():
                 item += self.take()
-            return self.scripts(n.number(int(item)))
+            return self.scripts(n.number(float(item)))
+        return self.marked(item)
+
+    def marked(self, item):
+        """What a sign begins."""
+        if item in BARS:
+            self.bars += 1
+            value = self.sum()
+            self.bars -= 1
+            assert self.take() == item
+            return self.scripts(self.modulus(value))
+        if item == r"\sum":
+            return self.summed()
         if item in PAIRS:
             self.at -= 1
             return self.scripts(self.bracket())
@@ -276,6 +325,44 @@ class Reader:
         assert item in (r"\Re", r"\Im"), f"{item} is no factor"
         return n.part(self.operand(), item == r"\Re")
 
+    def modulus(self, value):
+        """What bars around a value mean, by its rank."""
+        if n.rank(value) == 2:
+            return self.point.applied("det", [value])
+        return n.length(value)
+
+    def rate(self, d):
+        """A derivative with a slash."""
+        order = int("".join(self.take().arguments[0])) if isinstance(self.here, Box) else 1
+        value = self.factor()
+        assert (self.take(), self.take()) == ("/", d)
+        by, end = [], self.at
+        while end < len(self.row) and isinstance(self.row[end], Letter | Box):
+            if by and isinstance(self.row[end], Letter):
+                break
+            by.append(self.row[end])
+            end += 1
+        self.at = end
+        times = self.differential(d, by)
+        assert len(times) == order
+        return derived(value, times)
+
+    def summed(self):
+        """A sum over an index: the same signs are read for each of its values."""
+        limits = {}
+        while isinstance(self.here, Box) and self.here.macro in "_^":
+            box = self.take()
+            limits[box.macro] = box.arguments[0]
+        index, equal, *first = limits["_"]
+        assert equal == "="
+        total, at = None, self.at
+        for k in range(int("".join(first)), int("".join(limits["^"])) + 1):
+            self.at, self.indices[index] = at, k
+            term = self.term()
+            total = term if total is None else n.plus(total, term)
+        del self.indices[index]
+        return total
+
     def operand(self):
         return (
             self.bracket() if isinstance(self.here, str) and self.here in PAIRS else self.factor()
@@ -284,8 +371,12 @@ class Reader:
     def bracket(self):
         opening = self.here
         values = self.listed()
+        if opening == r"\lvert":
+            return self.modulus(values[0])
         if len(values) == 1:
             return values[0]
+        if opening == "[":
+            return n.commutator(*values)
         if opening == r"\{":
             return n.bracket(*values)
         if len(values) == 2 and [n.rank(value) for value in values] == [1, 1]:
@@ -306,7 +397,10 @@ class Reader:
         called, primes, power = str(item), 0, None
         while True:
             if isinstance(self.here, Box) and self.here.macro == "_":
-                called += "_" + "".join(map(str, self.take().arguments[0]))
+                index = self.take().arguments[0]
+                called += "_" + "".join(str(self.indices.get(item, item)) for item in index)
+            elif self.at_time(called):
+                self.at += 3
             elif count := self.primes():
                 primes += count
             elif isinstance(self.here, Box) and self.here.macro == "^" and power is None:
@@ -315,15 +409,37 @@ class Reader:
                 break
         function = called in self.words.functions
         if function and (self.here in PAIRS or called not in self.words.ranks):
-            arguments = self.listed() if self.here in PAIRS else [self.factor()]
+            arguments = self.listed() if self.here in PAIRS else [self.single()]
             value = self.point.applied(called, arguments)
             return self.scripts(value if power is None else n.to(value, power))
+        if called == "e" and called not in self.words.ranks:
+            return self.point.applied("exp", [power])
+        if called in self.indices:
+            value = n.number(self.indices[called])
+            return value if power is None else n.to(value, power)
         of = (self.point.scalar, self.point.vector, self.point.matrix)[self.words.ranks[called]]
         value = of(called)
         for accent in accents:
             value = accented(value, accent)
-        value = derived(value, "prime", primes)
+        value = derived(value, ["prime"] * primes)
         return value if power is None else n.to(value, power)
+
+    def single(self):
+        """The argument of a function without brackets, as in sin 2x."""
+        number = isinstance(self.here, str) and self.here.isdigit()
+        value = self.factor()
+        more = number and isinstance(self.here, Letter) and str(self.here) not in NAMED
+        return n.times(value, self.factor()) if more else value
+
+    def at_time(self, called):
+        """Whether the time stands here in brackets, behind a name that moves."""
+        three = self.row[self.at : self.at + 3]
+        return (
+            called in self.words.moving
+            and len(three) == 3
+            and three[::2] == ["(", ")"]
+            and three[1] in self.words.times
+        )
 
     def primes(self):
         """How many primes stand here, if that is what stands here."""
@@ -340,7 +456,7 @@ class Reader:
     def scripts(self, value):
         while (isinstance(self.here, Box) and self.here.macro == "^") or self.here == "'":
             if count := self.primes():
-                value = derived(value, "prime", count)
+                value = derived(value, ["prime"] * count)
             else:
                 value = n.to(value, self.within(self.take().arguments[0]))
         return value
@@ -361,31 +477,37 @@ class Reader:
 
     def fraction(self, above, below):
         d = below[0]
-        if above[0] == d and d in ("d", r"\partial") and (by := self.differential(d, below[1:])):
-            time, order = by
+        if above[0] == d and d in ("d", r"\partial") and (times := self.differential(d, below[1:])):
             rest = above[1:]
             if rest and isinstance(rest[0], Box) and rest[0].macro == "^":
                 rest = rest[1:]
-            mark = time if d == "d" else "∂" + time
             if rest:
-                return self.scripts(derived(self.within(rest), mark, order))
-            return derived(self.scripts(self.operand()), mark, order)
+                return self.scripts(derived(self.within(rest), times))
+            return derived(self.scripts(self.operand()), times)
         return self.scripts(n.over(self.within(above), self.within(below)))
 
     def differential(self, d, row):
-        """The variable below, and the order of the derivative."""
+        """The times of a derivative, by the variables below; none if these are no such."""
+        if d in row:
+            first, second = row[: row.index(d)], row[row.index(d) + 1 :]
+            return self.differential(d, first) + self.differential(d, second)
         called, order = "", 1
         for item in row:
             if isinstance(item, Letter) and not called:
                 called = str(item)
+            elif isinstance(item, Box) and item.macro == r"\dot" and not called:
+                (letter,) = item.arguments[0]
+                called = f"dot{letter}"
             elif isinstance(item, Box) and item.macro == "_" and called:
                 called += "_" + "".join(map(str, item.arguments[0]))
             elif isinstance(item, Box) and item.macro == "^" and called:
                 order = int("".join(item.arguments[0]))
             else:
-                return None
+                return []
         known = self.words.times if d == "d" else self.words.ranks
-        return (called, order) if called in known else None
+        if called.removeprefix("dot") not in known:
+            return []
+        return [called if d == "d" else "∂" + called] * order
 
     def matrix(self, row):
         rows = [[[]]]
@@ -407,13 +529,13 @@ ACCENTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3, r"\overline": 0, r"\bar": 0}
 
 def accented(value, accent):
     if ACCENTS[accent]:
-        return derived(value, "dot", ACCENTS[accent])
+        return derived(value, ["dot"] * ACCENTS[accent])
     return n.each(n.Value.conjugate, value)
 
 
-def derived(value, mark, order):
-    for _ in range(order):
-        value = n.each(lambda part: part.derivative(mark), value)
+def derived(value, times):
+    for time in times:
+        value = n.each(lambda part, time=time: part.derivative(time), value)
     return value
 
 

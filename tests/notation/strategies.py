@@ -4,12 +4,14 @@ from hypothesis import strategies as st
 
 from kowalevski_cas.notation import (
     Application,
+    Commutator,
     Conjugate,
     Constant,
     CrossProduct,
     Derivative,
     Diagonal,
     ImaginaryPart,
+    Modulus,
     Name,
     Negative,
     Number,
@@ -23,6 +25,7 @@ from kowalevski_cas.notation import (
     Root,
     ScalarProduct,
     Sum,
+    Summation,
     Unwritten,
     Vector,
     Vocabulary,
@@ -63,6 +66,18 @@ def _kept(values, with_root=False):
     )
 
 
+def _summed(values):
+    """A sum with two terms or three; its index stands nowhere, or as a factor."""
+    first, count = st.integers(0, 2), st.integers(1, 2)
+    body = st.one_of(values, values.map(lambda one: Product((Name("j"), one))))
+    return st.builds(
+        lambda k, more, inner: Summation("j", Number(k), Number(k + more), inner),
+        first,
+        count,
+        body,
+    )
+
+
 def _with_scalar(scalars, values):
     return st.tuples(scalars, values).map(Product)
 
@@ -86,6 +101,9 @@ def _extended(kinds):
         ),
         st.builds(ScalarProduct, vector, vector),
         st.builds(PoissonBracket, scalar, scalar),
+        st.builds(Modulus, st.one_of(scalar, vector)),
+        st.builds(Power, vector, st.just(Number(2))),
+        _summed(scalar),
     )
     vectors = st.one_of(
         vector,
@@ -96,6 +114,7 @@ def _extended(kinds):
         _with_scalar(scalar, vector),
         st.tuples(matrix, vector).map(Product),
         st.builds(Quotient, vector, scalar),
+        _summed(vector),
     )
     rows = st.integers(2, 3).flatmap(
         lambda n: _several(st.builds(Vector, st.lists(scalar, min_size=n, max_size=n).map(tuple)))
@@ -106,6 +125,7 @@ def _extended(kinds):
         st.builds(Diagonal, _several(scalar)),
         st.builds(Vector, rows),
         st.builds(Product, _several(matrix)),
+        st.builds(Commutator, matrix, matrix),
         _with_scalar(scalar, matrix),
         st.builds(Power, matrix, scalar),
     )

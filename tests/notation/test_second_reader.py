@@ -11,7 +11,7 @@ from kowalevski_cas.library import available, load
 from kowalevski_cas.notation import Relation, edits, read_display, to_latex
 from kowalevski_cas.notation import formula as f
 from tests.notation import numbers as n
-from tests.notation import paper, section4
+from tests.notation import paper, section4, textbooks
 from tests.notation.second_reader import Words, derived, key, read
 from tests.notation.strategies import WORDS, formulas
 
@@ -33,8 +33,8 @@ NODES = {
     f.Quotient: lambda of, at, node: n.over(of(node.numerator), of(node.denominator)),
     f.Power: lambda of, at, node: n.to(of(node.base), of(node.exponent)),
     f.Root: lambda of, at, node: of(node.argument).root(),
-    f.Derivative: lambda of, at, node: derived(of(node.argument), key(node.mark), 1),
-    f.Partial: lambda of, at, node: derived(of(node.argument), "∂" + key(node.by), 1),
+    f.Derivative: lambda of, at, node: derived(of(node.argument), [key(node.mark)]),
+    f.Partial: lambda of, at, node: derived(of(node.argument), ["∂" + key(node.by)]),
     f.Conjugate: lambda of, at, node: n.each(n.Value.conjugate, of(node.argument)),
     f.RealPart: lambda of, at, node: n.part(of(node.argument), True),
     f.ImaginaryPart: lambda of, at, node: n.part(of(node.argument), False),
@@ -44,9 +44,29 @@ NODES = {
     f.ScalarProduct: lambda of, at, node: n.dot(of(node.left), of(node.right)),
     f.CrossProduct: lambda of, at, node: n.cross(of(node.left), of(node.right)),
     f.PoissonBracket: lambda of, at, node: n.bracket(of(node.left), of(node.right)),
+    f.Commutator: lambda of, at, node: n.commutator(of(node.left), of(node.right)),
+    f.Modulus: lambda of, at, node: n.length(of(node.argument)),
+    f.Summation: lambda of, at, node: folded(
+        (of(indexed(node.body, node.index, k)) for k in span(of(node.first), of(node.last))), n.plus
+    ),
     f.Unwritten: lambda of, at, node: at.scalar("..."),
     f.Constant: lambda of, at, node: "const",
 }
+
+
+def span(first, last):
+    """The numbers between limits."""
+    return range(*(round(one[()].real) + k for k, one in enumerate((first, last))))
+
+
+def indexed(formula, index, k):
+    """The body of a sum for a value of the index."""
+    if isinstance(formula, f.Name):
+        letter, _, indices = formula.name.partition("_")
+        if formula.name == index:
+            return f.Number(k)
+        return f.Name(f"{letter}_{indices.replace(index, str(k))}") if indices else formula
+    return formula.mapped(lambda child: indexed(child, index, k))
 
 
 def value(formula, words, point):
@@ -92,6 +112,11 @@ def check(tex, vocabulary, seeds=(1, 2)):
 @pytest.mark.parametrize("tex", [*paper.DISPLAYS.values(), *paper.INLINE])
 def test_on_the_paper(tex):
     check(tex, paper.WORDS)
+
+
+@pytest.mark.parametrize("tex", textbooks.FORMULAS)
+def test_on_textbooks(tex):
+    check(tex, textbooks.WORDS)
 
 
 @pytest.mark.parametrize("tex", section4.FORMULAS)

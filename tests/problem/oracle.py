@@ -593,10 +593,80 @@ class Judge:
         require(len({own for own, _ in seen}) == len(points), "the same point")
         require(len({others for _, others in seen}) == 1, "other constants")
 
+    def spans(self):
+        """Ranks of values at random points: of the operator, of what is known, and with more."""
+        names, goal, variables = self.names, self.goal, self.names.data["variables"]
+        ranges = [range(goal["degree"] // w + 1) for w in goal["weights"]]
+        weighed = partial(zip, goal["weights"], strict=True)
+        monomials = [
+            ["*", 1, 1, *(["^", v, e] for v, e in zip(variables, exponents, strict=True))]
+            for exponents in product(*ranges)
+            if sum(w * e for w, e in weighed(exponents)) <= goal["degree"]
+        ]
+        more = [self.evidence["further"]] if "further" in self.evidence else []
+        fixed = names.random_values(self.generator)
+        points = []
+        while len(points) < len(monomials) + len(more) + 5:
+            own = names.random_values(self.generator)
+            points.append(own | {n: fixed[n] for n in names.data.get("constants", [])})
+
+        def applied(tree, factor, values):
+            rate = names.value(names.along(tree), values)
+            return rate - scalar(names, factor, values) * names.value(tree, values)
+
+        integrals, solutions = (
+            [names.open(t) for t in goal[key]] for key in ("integrals", "solutions")
+        )
+        for values in points[:5]:
+            for factor, trees in ((0, integrals), (goal["factor"], [*solutions, *more])):
+                require(all(applied(t, factor, values) == 0 for t in trees), "no solution")
+
+        def rank(rows):
+            entries = [int(x) for row in rows for x in row]
+            return nmod_mat(len(rows), len(rows[0]), entries, PRIME).rank() if rows else 0
+
+        def at_points(trees):
+            return [[names.value(tree, values) for values in points] for tree in trees]
+
+        within, known = at_points(monomials), []
+        require(rank(within) == len(monomials), "the points are too few")
+        waiting = [(row, 0) for row in at_points(solutions)]
+        factors = [row for row in at_points(integrals) if len({*map(int, row)}) > 1]
+        while waiting:
+            row, start = waiting.pop()
+            if any(row) and rank([*within, row]) == len(monomials):
+                known.append(row)
+                for k, other in enumerate(factors[start:], start):
+                    waiting.append(([a * b for a, b in zip(row, other, strict=True)], k))
+        further = at_points([names.open(tree) for tree in more])
+        require(rank([*within, *further]) == len(monomials), "its degree")
+        operator = [[applied(m, goal["factor"], values) for values in points] for m in monomials]
+        return len(monomials) - rank(operator), rank(known), rank([*known, *further])
+
+    def kernel(self):
+        self.at(given=False)
+        whole, known, _ = self.spans()
+        require(whole == known, "one is missing")
+
+    def no_kernel(self):
+        point = self.at(given=False)
+        if "further" in self.evidence:
+            _, known, more = self.spans()
+            return require(more > known, "none is missing")
+        both = [(t, self.goal["factor"]) for t in self.goal["solutions"]]
+        both += [(t, 0) for t in self.goal["integrals"]]
+        opened = [(self.names.open(tree), factor) for tree, factor in both]
+        rests = (
+            self.names.value(self.names.along(tree), point)
+            - scalar(self.names, factor, point) * self.names.value(tree, point)
+            for tree, factor in opened
+        )
+        require(any(rest != 0 for rest in rests), "all are solutions")
+
 
 OPPOSITE = {
     "follows": "fails", "fails": "follows", "rank": "no_rank", "positive": "not_positive",
-    "count": "no_count",
+    "count": "no_count", "kernel": "no_kernel",
 }  # fmt: skip
 
 

@@ -11,6 +11,7 @@ from kowalevski_cas.problem.evidence import (
     At,
     Factor,
     Found,
+    Further,
     Minors,
     Point,
     Proof,
@@ -20,7 +21,16 @@ from kowalevski_cas.problem.evidence import (
     Solutions,
     Squares,
 )
-from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Positive, Rank, identity
+from kowalevski_cas.problem.goals import (
+    Count,
+    Exists,
+    Fails,
+    Follows,
+    Kernel,
+    Positive,
+    Rank,
+    identity,
+)  # fmt: skip
 from kowalevski_cas.problem.space import Adjoined, Let, Motion, Raised, Space
 from kowalevski_cas.problem.trees import decode
 
@@ -589,3 +599,49 @@ class TestMotion:
         space = Space(("x",), steps=steps)
         goal = follows([["/", 1, plus("s", ["*", -2, "r"])], "x"], space=space)
         rejected(goal, IDENTICALLY, ".")
+
+
+class TestKernel:
+    MOTION = (
+        Motion(
+            ("x", "y"), decode(["vector", 1, 1]), decode(["vector", ["*", "a", "y"], minus("x")])
+        ),
+    )
+    SPACE = Space(("x", "y"), ("a",), field=MOTION)
+    ENERGY = plus(["^", "x", 2], ["*", "a", ["^", "y", 2]])
+    GOAL = Kernel(SPACE, decode(0), row(1), row(ENERGY), (1, 1), 5)
+    POINT = At(at(x=1, y=2, a=3))  # fmt: skip
+
+    def test_all_integrals_of_the_oscillator(self):
+        accepted(self.GOAL, self.POINT)
+        accepted(replace(self.GOAL, weights=(2, 3), degree=20), self.POINT)
+        accepted(replace(self.GOAL, integrals=(), degree=1), self.POINT)
+        accepted(replace(self.GOAL, factor=decode(1), solutions=(), integrals=()), self.POINT)
+
+    @pytest.mark.parametrize(
+        "change",
+        [
+            {"integrals": ()}, {"integrals": row(["^", ENERGY, 2])}, {"solutions": ()}, {"factor": decode("a")},
+            {"integrals": row("x")}, {"integrals": row(["/", 1, ENERGY])}, {"solutions": row("y")},
+            {"weights": (1, 0)}, {"weights": (1,)}, {"weights": (1, 1, 1)}, {"degree": 1000},
+        ],
+    )  # fmt: skip
+    def test_another_statement(self, change):
+        rejected(replace(self.GOAL, **change), self.POINT)
+
+    def test_special_constants_show_nothing_of_others(self):
+        rejected(self.GOAL, At(at(x=1, y=2, a=0)), "more")  # there y is an integral
+        rejected(self.GOAL, At(at(x=1, y=2, a=["sqrt", 2])), "rational")
+
+    def test_a_missing_integral_denies(self):
+        goal = replace(self.GOAL, integrals=row(["^", self.ENERGY, 2]))
+        accepted(goal, Further(decode(self.ENERGY), self.POINT.point), sign=False)
+        denial_rejected(goal, Further(decode(["^", self.ENERGY, 2]), self.POINT.point), "depend")
+        denial_rejected(goal, Further(decode(["^", self.ENERGY, 3]), self.POINT.point), "degree")
+        denial_rejected(goal, Further(decode("x"), self.POINT.point), "no solution")
+        denial_rejected(goal, self.POINT, "are solutions there")
+
+    def test_what_is_no_integral_denies(self):
+        goal = replace(self.GOAL, integrals=row(["*", "x", "y"]))
+        accepted(goal, self.POINT, sign=False)
+        denial_rejected(goal, At(at(x=0, y=0, a=1)), "are solutions there")

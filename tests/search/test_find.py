@@ -8,12 +8,12 @@ from flint import Ordering, fmpq, fmpq_mpoly_ctx
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from kowalevski_cas.algebra.weights import weights
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.search.cofactors import cofactors, pseudo_divide
 from kowalevski_cas.search.exact_solutions import value
 from kowalevski_cas.search.points import constant, points
 from kowalevski_cas.search.squares import sum_of_squares
-from kowalevski_cas.search.weights import weights
 from kowalevski_cas.verify.outcome import in_latex
 from tests.algebra.strategies import nonzero, simple, terms, tower
 from tests.paper.small import Oscillator, decide

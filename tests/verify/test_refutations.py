@@ -5,6 +5,7 @@ from itertools import islice
 
 import pytest
 
+from kowalevski_cas import System
 from kowalevski_cas.library import available, find, load
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper import claims as kinds
@@ -36,10 +37,22 @@ def printed(kind):
                 yield (find(name) / "certificates" / f"{claim.id}.json").read_text(encoding="utf-8")
 
 
+def free_body():
+    """Claims of the kinds that no paper has."""
+    body = System(r"\dot x=yz,\quad \dot y=-2zx,\quad \dot z=xy")
+    body.define(r"\{x,y\}=z,\quad \{y,z\}=x,\quad \{z,x\}=y")
+    H, K = body.define(r"H=\frac{1}{2}(x^2-z^2)"), body.define("K=x^2+y^2+z^2")
+    body.jacobi(), body.casimir(K), body.involution(K, H), body.integrable(H, casimirs=[K])
+    body.darboux("x-z", "-y")
+    body.states(kinds.LocalDimension, "dimension", "", equations=("x=0",), dimension=2)
+    body.states(kinds.AllIntegrals, "all", "", integrals=("x^2-z^2", "x^2+y^2+z^2"), degree=2)
+    return derivation(body.section)
+
+
 def changed(kind):
     """The certificates of refuted edits of claims of a kind."""
-    for name in available():
-        session = Session(load(name), ["flint"])
+    for one in (*map(load, available()), free_body()):
+        session = Session(one, ["flint"])
         for claim in session.derivation.claims:
             if type(claim).__name__ != kind or claim.id in HARD:
                 continue

@@ -1,6 +1,6 @@
 """Find the polynomial first integrals of a scene of a derivation, up to a degree.
 
-What is a polynomial in those found before is left out.
+What is a polynomial in those found before is left out. That there are no others is claimed too.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.cli.session import natural
 from kowalevski_cas.notation import to_latex
-from kowalevski_cas.paper.claims import FirstIntegral
+from kowalevski_cas.paper.claims import AllIntegrals, FirstIntegral
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.verify.found import Finding
@@ -22,24 +22,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--degree", type=natural, default=2, metavar="N", help="the highest degree (2)"
     )
-    parser.add_argument(
-        "--constants",
-        type=natural,
-        default=0,
-        metavar="N",
-        help="the highest degree of coefficients in the constants of the scene (0)",
-    )
 
 
-def search(
-    on: Elaborations, scene: Scene, arguments: argparse.Namespace
-) -> Iterator[Finding | None]:
-    """The integrals, the lowest degrees first."""
+def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+    """The integrals, the lowest degrees first, and that these are all."""
     from kowalevski_cas.search.integrals import first_integrals
 
-    words = on.texts.vocabulary
-    for element in first_integrals(
-        on(scene).finder, arguments.degree, constants=arguments.constants
-    ):
-        tex = to_latex(formula_of(element, words))
-        yield Finding(FirstIntegral, scene, "it is constant along every motion", tex)
+    found: list[str] = []
+    for element in first_integrals(on(scene).finder, arguments.degree):
+        found.append(to_latex(formula_of(element, on.texts.vocabulary)))
+        yield Finding(FirstIntegral, scene, "it is constant along every motion", found[-1])
+    known = "a polynomial in these" if found else "a constant"
+    words = f"each polynomial first integral up to degree {arguments.degree} is {known}"
+    if scene.constants:
+        words += ", for almost all values of the constants"
+    attributes = {"integrals": tuple(found), "degree": arguments.degree}
+    yield Finding(AllIntegrals, scene, words, attributes=attributes)

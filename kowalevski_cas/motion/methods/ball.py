@@ -26,13 +26,26 @@ class Unresolved(ArithmeticError):
 
 
 def states(motion: Motion | MotionO4, times: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The states at these times, an array of shape (N, 9): the middles of enclosures.
+    """The states at these times, an array of shape (N, 9), to within rounding."""
+    return enclosed(motion, times)[0]
 
-    Their radii are below 2⁻⁶⁴ of the state's size, so that rounding is what is left of the
-    error. Raises :class:`Unresolved` if an enclosure stays wide.
+
+def enclosed(
+    motion: Motion | MotionO4, times: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The states at these times (N, 9), and how far (N) a number in each can be from the exact one.
+
+    They are the middles of enclosures, or zero if that is in them, with radii below 2⁻⁶⁴ of the
+    state's size, so that rounding is most of the error. Raises :class:`Unresolved` if an
+    enclosure stays wide.
     """
-    rows = [[float(x.mid()) for x in state] for state in enclosures(motion, times.tolist(), 64)]
-    return np.array(rows).reshape(-1, 9)
+    found = enclosures(motion, times.tolist(), 64)
+    rows = [[0.0 if x.contains(0) else float(x.mid()) for x in state] for state in found]
+    radii = [
+        max(float(abs(x - number).upper()) for x, number in zip(state, row, strict=True))
+        for state, row in zip(found, rows, strict=True)
+    ]
+    return np.array(rows).reshape(-1, 9), np.array(radii) * (1 + 2.0**-50)
 
 
 def enclosures(

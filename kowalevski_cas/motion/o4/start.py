@@ -102,7 +102,7 @@ def _fitted(motion: MotionO4, angles: Array, state: Array) -> MotionO4:
     def missing(signs: Array, angles: Array) -> Array:
         point = PhasePoint(motion.parameters, motion.regime, list(signs), float, np.sqrt)
         one, two = ((np.cos(angle / 2), np.sin(angle / 2)) for angle in angles)
-        with np.errstate(invalid="ignore"):  # E² is negative for half of the signs where σ is
+        with np.errstate(invalid="ignore", divide="ignore"):  # signs for which E is not real
             found = np.array(np.broadcast_arrays(*point(one, two)))
         wanted: Array = (state[:, None] - found) / weights[:, None]
         return wanted

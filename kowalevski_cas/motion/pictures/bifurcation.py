@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Parameters
-from kowalevski_cas.motion.regimes import FIELD_1, FIELD_2, PHI, all_regimes, coordinates
+from kowalevski_cas.motion.regimes import FIELD_1, FIELD_2, PHI, Regime, all_regimes, coordinates
+from kowalevski_cas.motion.transverse import degenerate
 from kowalevski_cas.pictures import FAINT, INK, mark, new_figure
 
 if TYPE_CHECKING:
@@ -28,11 +29,16 @@ CAPTION = (
     "Bifurcation diagrams of $N^4$ in the planes of $(m,h)$ and of $(m,\\ell)$; $\\ell$ and "
     "$-\\ell$ are the same motions. Numbers count the tori of a region; there is no motion where "
     "the paper is white. A separating curve is thick where it parts two regimes, and faint where "
-    "it does not. The cross is the motion of the other pictures."
+    "it does not. Tori with $m>0$ are elliptic; those with $m<0$ are hyperbolic, except where "
+    "$\\lambda=0$: on the dotted curve, and on $\\ell=0$. "
+    "The cross is the motion of the other pictures."
 )
 
 GREYS = {1: "#efefef", 2: "#d6d6d6", 4: "#b0b0b0"}
 """The shade of a region, by its number of tori."""
+
+STEPS = 60
+"""Values of m for which λ = 0 is solved."""
 
 GRID = 501
 """Points of the grid on which regions are found, along each axis."""
@@ -56,6 +62,7 @@ def draw(motion: Motion) -> Figure:
 
     reach = 1.25 * max(abs(m), 1 / (2 * b) if b > a / 4 else 2 / a)
     top = 2 * a + (a * a - b * b) * reach
+    curves = degenerate_curves(parameters, reach)
     figure = new_figure(height=3.9)
     left, right = figure.subplots(1, 2)
     for axes, unit, bottom, height, ell_of, ordinate, here in (
@@ -67,8 +74,16 @@ def draw(motion: Motion) -> Figure:
         axes.grid(False)
         _regions(axes, parameters, ell_of, (m, here))
         _curves(axes, parameters, ordinate)
+        for place, ell_there in curves:
+            one = mark(3)
+            axes.plot(
+                place, ordinate(place, ell_there),
+                color=one.colour, ls=one.dashes, lw=1.3, zorder=2, label=r"$\lambda=0$",
+            )  # fmt: skip
         axes.plot(m, here, "x", color=INK, ms=6, mew=1.4, zorder=5)
-    figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    handles, labels = left.get_legend_handles_labels()
+    shown = dict(zip(labels, handles, strict=True))
+    figure.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=5)
     return figure
 
 
@@ -154,6 +169,16 @@ def _curves(axes: Axes, parameters: Parameters, ordinate: Map) -> None:
             )  # fmt: skip
             drawn.add(words)
     axes.axvline(0, color=INK, lw=0.9, zorder=2, label="$m=0$")
+
+
+def degenerate_curves(parameters: Parameters, reach: float) -> list[tuple[Array, Array]]:
+    """The curves (m, ℓ) on which λ = 0 inside a regime, for −reach ≤ m < 0: one in each of two."""
+    found: dict[Regime, list[tuple[float, float]]] = {}
+    for m in np.linspace(-reach, 0.0, STEPS, endpoint=False):
+        for regime, ell in degenerate(parameters.a, parameters.b, m):
+            found.setdefault(regime, []).append((m, ell))
+    curves = [np.array(points).T for points in found.values()]
+    return [(m, ell) for m, ell in curves]
 
 
 def separating(parameters: Parameters, m: Array) -> Iterator[tuple[str, int, Array]]:

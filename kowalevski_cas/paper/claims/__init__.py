@@ -1,5 +1,6 @@
 """The kinds of claims, one file each: the attributes of a statement, and its goals."""
 
+from kowalevski_cas.paper.claims.all_integrals import AllIntegrals
 from kowalevski_cas.paper.claims.change import ChangedEquation, InvertibleChange, Unit
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.coefficient import Coefficient
@@ -20,11 +21,14 @@ from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.claims.limit import Limit
 from kowalevski_cas.paper.claims.local_dimension import LocalDimension
 from kowalevski_cas.paper.claims.measure import LastMultiplier
+from kowalevski_cas.paper.claims.poisson import Casimir, Involution, Jacobi, LiouvilleIntegrable
 from kowalevski_cas.paper.claims.reality import Reality
 from kowalevski_cas.paper.claims.scaling import Scaling
 from kowalevski_cas.paper.claims.union import Union
 
 __all__ = [
+    "AllIntegrals",
+    "Casimir",
     "ChangedEquation",
     "Claim",
     "Coefficient",
@@ -43,8 +47,11 @@ __all__ = [
     "Independence",
     "InvariantRelations",
     "InvertibleChange",
+    "Involution",
+    "Jacobi",
     "LastMultiplier",
     "Limit",
+    "LiouvilleIntegrable",
     "LocalDimension",
     "Neighbour",
     "Reality",

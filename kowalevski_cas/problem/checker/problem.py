@@ -9,6 +9,7 @@ from .counts import Count
 from .evidence import locate, numbers_of
 from .formulas import rational
 from .goals import Fails, Follows, Goal, Positive, Rank, names_of
+from .kernels import Kernel
 from .polynomials import Element, Ring
 from .reading import Json, integer, items, label, labels, need, pairs, record, say, say_all
 from .spaces import Space
@@ -19,6 +20,7 @@ KINDS: dict[str, type[Goal]] = {
     "rank": Rank,
     "positive": Positive,
     "count": Count,
+    "kernel": Kernel,
 }
 
 
@@ -44,7 +46,7 @@ class Problem:
             for one in goal["goals"]:
                 self._look(one, inner=True)
             return
-        known = goal["goal"] in KINDS and not (inner and goal["goal"] == "count")
+        known = goal["goal"] in KINDS and not (inner and goal["goal"] in ("count", "kernel"))
         need(known, "the goal is unknown")
         record(goal, f"goal space {KINDS[goal['goal']].KEYS}")
         integer(goal["space"], 0, len(self.spaces) - 1)

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import gcd, lcm
 
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.algebra.weights import whole_solutions
 from kowalevski_cas.notation import Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.weights import whole_solutions
 
 Exponents = tuple[int, ...]
 Terms = dict[Exponents, Fraction]
@@ -21,34 +21,53 @@ class PolynomialField:
     """A vector field times the least factor that makes its components polynomials.
 
     What is constant along a field is so along its multiples. ``names`` are the variables, and
-    then the constants, in whose order exponents are given; ``rates`` the components of variables.
+    then the constants, in whose order exponents are given; ``rates`` the components of variables,
+    and ``factor`` an element that is multiplied likewise.
     Raises :class:`Meaningless` if roots stand in the field.
     """
 
-    def __init__(self, at: Evaluation) -> None:
+    def __init__(self, at: Evaluation, factor: Element | None = None) -> None:
         self.at = at
         variables, constants = at.setting.variables, at.setting.constants
         self.names = (*variables, *constants)
         self.size = len(variables)
         rates = [at.rates[name] if name in at.rates else at.ring.zero for name in variables]
         below: dict[int, int] = {}
-        for rate in rates:
-            if rate.parts.keys() - {0}:
-                raise Meaningless("a root stands in the equations of motion")
+        for rate in (*rates, factor or at.ring.zero):
             for index, exponent in rate.denominator.items():
                 below[index] = max(exponent, below.get(index, 0))
-        order = [at.ring.polynomials.generators.index(name) for name in self.names]
-        self.rates: list[Terms] = []
-        for rate in rates:
-            missing = {k: n - rate.denominator.get(k, 0) for k, n in below.items()}
-            product = at.ring.divisor_product(missing)
-            factor = at.ring.one if product is None else Element(at.ring, {0: product}, {})
-            terms = (Element(at.ring, rate.parts, {}) * factor).terms().get(0, {})
-            self.rates.append({tuple(e[k] for k in order): v for e, v in terms.items()})
+        self.rates = [self._times(rate, below) for rate in rates]
+        self.factor = self._times(factor or at.ring.zero, below)
+
+    def polynomial(self, element: Element) -> Terms:
+        """An element times what it divides by, which no variable stands in."""
+        degrees, ring = self.at.ring.polynomials.degrees, self.at.ring
+        moving = [ring.polynomials.generators.index(name) for name in self.names[: self.size]]
+        for index in element.denominator:
+            if any(degrees(ring.divisors[index])[k] for k in moving):
+                raise Meaningless("a variable stands below the line")
+        return self._times(element, element.denominator)
+
+    def _times(self, element: Element, below: Mapping[int, int]) -> Terms:
+        """An element times powers of divisors that make a polynomial of it."""
+        ring = self.at.ring
+        if element.parts.keys() - {0}:
+            raise Meaningless("a root stands in the equations of motion")
+        missing = {k: n - element.denominator.get(k, 0) for k, n in below.items()}
+        product = ring.divisor_product(missing)
+        factor = ring.one if product is None else Element(ring, {0: product}, {})
+        terms = (Element(ring, element.parts, {}) * factor).terms().get(0, {})
+        order = [ring.polynomials.generators.index(name) for name in self.names]
+        if any(sum(e) != sum(e[k] for k in order) for e in terms):
+            raise Meaningless("a power stands in the equations of motion")
+        return {tuple(e[k] for k in order): v for e, v in terms.items()}
 
     def derivative(self, exponents: Exponents) -> Terms:
-        """The derivative of a monomial along the field."""
-        total: Terms = {}
+        """The derivative of a monomial along the field, less the factor times the monomial."""
+        total: Terms = {
+            tuple(a + b for a, b in zip(exponents, other, strict=True)): -value
+            for other, value in self.factor.items()
+        }
         for k, rate in enumerate(self.rates):
             if not exponents[k]:
                 continue
@@ -105,14 +124,13 @@ def monomials(weights: Sequence[int], weight: int) -> Iterator[Exponents]:
             yield (first, *rest)
 
 
-def product_of(left: Terms, right: Terms) -> Terms:
-    """The product of two polynomials."""
-    total: Terms = {}
-    for a, u in left.items():
-        for b, v in right.items():
-            key = tuple(i + j for i, j in zip(a, b, strict=True))
-            total[key] = total.get(key, Fraction(0)) + u * v
-    return {key: value for key, value in total.items() if value}
+def number_of_monomials(weights: Sequence[int], weight: int) -> int:
+    """How many monomials have at most this weight."""
+    counts = [1] * (weight + 1)
+    for one in weights:
+        for k in range(one, weight + 1):
+            counts[k] += counts[k - one]
+    return counts[weight]
 
 
 def primitive(terms: Terms) -> Terms:

@@ -1,0 +1,144 @@
+"""Claims about a Poisson bracket: Jacobi's identity, Casimir functions, involution, integrability.
+
+The bracket is the one that the scene prints for its variables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+from kowalevski_cas.notation import Formula, Name, Negative, Number, PoissonBracket, Relation
+from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.forms import members, rate, times, total, vanishes
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import BRACKET, head
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.goals import Fails, Goal, Rank, identity
+from kowalevski_cas.problem.space import Equation, Meaningless
+
+
+@dataclass(frozen=True, eq=False)
+class Jacobi(Claim):
+    """The printed bracket satisfies Jacobi's identity."""
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        yield from _jacobi(on(self.scene))
+
+    def establishes(self) -> Iterator[Printed]:
+        for name, place in self.scene.definitions.items():
+            if head(name)[0] == BRACKET:
+                yield place
+
+
+@dataclass(frozen=True, eq=False)
+class Casimir(Claim):
+    """The bracket of the printed function with every function vanishes; it is not constant."""
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        (function,) = _functions(on, (self.own,))
+        yield identity(space, *_central(space, [function]))
+        yield Rank(space, (space.plain(function),), (), 1)
+
+
+@dataclass(frozen=True, eq=False)
+class Involution(Claim):
+    """The brackets of the printed functions with each other vanish."""
+
+    functions: tuple[Printed, ...]
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        yield identity(space, *_commuting(space, _functions(on, self.functions)))
+
+    def establishes(self) -> Iterator[Printed]:
+        yield from self.functions
+
+
+@dataclass(frozen=True, eq=False)
+class LiouvilleIntegrable(Claim):
+    """The motion is integrable in the sense of Liouville, by ``integrals`` and ``casimirs``.
+
+    Each variable moves by its bracket with the first of the integrals. The bracket satisfies
+    Jacobi's identity; the integrals are in involution, and all functions are independent at a real
+    point. There are as many integrals as half the rank of the bracket, which is its largest
+    possible one at a real point.
+    """
+
+    integrals: tuple[Printed, ...]
+    casimirs: tuple[Printed, ...] = ()
+
+    def goals(self, on: Elaborations) -> Iterator[Goal]:
+        space = on(self.scene)
+        integrals, casimirs = _functions(on, self.integrals), _functions(on, self.casimirs)
+        variables = [Name(name) for name in space.variables]
+        size, rank = len(variables), 2 * len(integrals)
+        if size != rank + len(casimirs):
+            raise Meaningless(
+                f"{size} variables, {len(casimirs)} Casimir functions and {len(integrals)} "
+                "integrals: the variables are to be the Casimir functions and twice the integrals"
+            )
+        moves = ((rate(x), _bracket(space, x, integrals[0])) for x in variables)
+        yield identity(space, *moves)
+        if size > 2:
+            yield from _jacobi(space)
+        if casimirs:
+            yield identity(space, *_central(space, casimirs))
+        if len(integrals) > 1:
+            yield identity(space, *_commuting(space, integrals))
+        functions = tuple(map(space.plain, (*integrals, *casimirs)))
+        yield Rank(space, functions, (), len(functions))
+        minors = (_pfaffian(space, some) for some in combinations(variables, rank))
+        yield Fails(space, (tuple(map(vanishes, minors)),))
+
+    def establishes(self) -> Iterator[Printed]:
+        yield from (*self.integrals, *self.casimirs)
+
+
+def _functions(on: Elaborations, places: Sequence[Printed]) -> list[Formula]:
+    """What stands at each place, or is defined there."""
+    formulas = (on.texts.formula(place) for place in places)
+    return [members(f)[0] if isinstance(f, Relation) else f for f in formulas]
+
+
+def _bracket(space: Elaboration, left: Formula, right: Formula) -> Formula:
+    return space.plain(PoissonBracket(left, right))
+
+
+def _jacobi(space: Elaboration) -> Iterator[Goal]:
+    """Jacobi's identity, for all variables."""
+    if len(space.variables) < 3:
+        raise Meaningless("every bracket of two variables satisfies Jacobi's identity")
+    equations = []
+    for x, y, z in combinations(map(Name, space.variables), 3):
+        turned = ((x, y, z), (y, z, x), (z, x, y))
+        terms = (_bracket(space, a, PoissonBracket(b, c)) for a, b, c in turned)
+        equations.append(vanishes(total(terms)))
+    yield identity(space, *equations)
+
+
+def _central(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equation]:
+    """That functions commute with every variable."""
+    for function in functions:
+        yield from (vanishes(_bracket(space, function, Name(x))) for x in space.variables)
+
+
+def _commuting(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equation]:
+    """That functions commute with each other."""
+    return (vanishes(_bracket(space, f, g)) for f, g in combinations(functions, 2))
+
+
+def _pfaffian(space: Elaboration, variables: Sequence[Formula]) -> Formula:
+    """The Pfaffian of the brackets of an even number of variables, by its first row."""
+    if not variables:
+        return Number(1)
+    first, *others = variables
+    terms = []
+    for k, other in enumerate(others):
+        rest = _pfaffian(space, [*others[:k], *others[k + 1 :]])
+        term = times(_bracket(space, first, other), rest)
+        terms.append(Negative(term) if k % 2 else term)
+    return total(terms)

@@ -1,0 +1,144 @@
+"""Whether all polynomials are known that a vector field multiplies by a factor.
+
+The derivatives of all monomials are columns of a matrix. Its rank at one point of the constants,
+modulo a prime, is at most the true one for almost all of them, and so is that of what is known. If
+the two add up to the number of monomials, nothing is missing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from kowalevski_cas.algebra.kernels import PRIME, rank, residue
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Formula, Name
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.fold import rational_terms
+from kowalevski_cas.problem.goals import Kernel
+from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.polynomial_fields import (
+    Exponents,
+    PolynomialField,
+    Terms,
+    monomials,
+    number_of_monomials,
+    weight_of,
+)
+
+Residues = dict[Exponents, int]
+"""A polynomial in the variables, modulo the prime, at a point of the constants."""
+
+LARGEST = 50_000
+"""The largest number of monomials that anybody looks at."""
+
+
+class Ansatz:
+    """The polynomials of a goal up to its degree, at a point of the constants, modulo a prime.
+
+    Raises :class:`Misplaced` if there are too many, or if a value has no residue.
+    """
+
+    def __init__(self, goal: Kernel, at: Evaluation, place: Place) -> None:
+        self.goal, self.at = goal, at
+        if len(goal.weights) != len(at.setting.variables) or min(goal.weights, default=0) < 1:
+            raise Misplaced("there is not a positive weight for each variable")
+        if (size := number_of_monomials(goal.weights, goal.degree)) > LARGEST:
+            raise Misplaced(f"{size} monomials are too many")
+        self.factor = at.scalar(goal.factor)
+        self.field = PolynomialField(at, self.factor)
+        self.values = [self._value(name, place) for name in at.setting.constants]
+
+    def _value(self, name: str, place: Place) -> int | None:
+        """The residue of a constant that stands in the statement, if it is rational."""
+        if name not in place.point.values:
+            return None
+        value = rational_terms(place(self.at.scalar(Name(name))))
+        return None if value is None else residue(value)
+
+    def columns(self) -> Iterator[Residues]:
+        """What the field, less the factor, makes of each monomial."""
+        others = (0,) * len(self.values)
+        for weight in range(self.goal.degree + 1):
+            for exponents in monomials(self.goal.weights, weight):
+                yield self.residues(self.field.derivative((*exponents, *others)))
+
+    def known(self) -> list[Residues]:
+        """The products that span the kernel; raises :class:`Misplaced` if one is no solution."""
+        integrals = [self.solution(f, self.at.ring.zero) for f in self.goal.integrals]
+        solutions = [self.solution(f, self.factor) for f in self.goal.solutions]
+        return [one for left in solutions for one in self._products(left, integrals)]
+
+    def solution(self, formula: Formula, factor: Element) -> Residues:
+        """A polynomial f with D f = factor f."""
+        element = self.at.scalar(formula)
+        if not (self.at.derivative(element) - factor * element).is_zero:
+            raise Misplaced("what is said to be known is no solution")
+        return self.residues(self.field.polynomial(element))
+
+    def _products(self, left: Residues, integrals: list[Residues]) -> Iterator[Residues]:
+        if not left or weight_of(left, self.goal.weights) > self.goal.degree:
+            return
+        yield left
+        for k, one in enumerate(integrals):
+            if weight_of(one, self.goal.weights) > 0:
+                yield from self._products(product_of(left, one), integrals[k:])
+
+    def residues(self, terms: Terms) -> Residues:
+        """A polynomial at the point."""
+        return residues(terms, self.values)
+
+
+def residues(terms: Terms, values: Sequence[int | None]) -> Residues:
+    """A polynomial at values of the constants, the exponents of which come last."""
+    found: Residues = {}
+    for exponents, coefficient in terms.items():
+        value, size = residue(coefficient), len(exponents) - len(values)
+        for base, exponent in zip(values, exponents[size:], strict=True):
+            if exponent:
+                if base is None:
+                    raise Misplaced("a constant is not rational at the point")
+                value = value * pow(base, exponent, PRIME) % PRIME
+        key = exponents[:size]
+        found[key] = (found.get(key, 0) + value) % PRIME
+    return {key: value for key, value in found.items() if value}
+
+
+def product_of(left: Residues, right: Residues) -> Residues:
+    """The product of two polynomials."""
+    total: Residues = {}
+    for a, u in left.items():
+        for b, v in right.items():
+            key = tuple(i + j for i, j in zip(a, b, strict=True))
+            total[key] = (total.get(key, 0) + u * v) % PRIME
+    return {key: value for key, value in total.items() if value}
+
+
+def check_complete(goal: Kernel, at: Evaluation, place: Place) -> None:
+    """Check that nothing is missing; raises :class:`Misplaced`."""
+    ansatz = Ansatz(goal, at, place)
+    known = ansatz.known()
+    columns = [*ansatz.columns()]
+    if rank(columns) + rank(known) != len(columns):
+        raise Misplaced("there may be more polynomials")
+
+
+def check_further(goal: Kernel, formula: Formula, at: Evaluation, place: Place) -> None:
+    """Check that a polynomial belongs to the kernel and is independent of what is known there."""
+    ansatz = Ansatz(goal, at, place)
+    own = ansatz.solution(formula, ansatz.factor)
+    if weight_of(own, goal.weights) > goal.degree:
+        raise Misplaced("its degree is too large")
+    vectors = [*ansatz.known(), own]
+    if rank(vectors) != len(vectors):
+        raise Misplaced("it may depend on what is known")
+
+
+def check_no_solution(goal: Kernel, at: Evaluation, place: Place) -> None:
+    """Check that something which is said to be known is no solution at the point."""
+    factor = at.scalar(goal.factor)
+    both = [(f, factor) for f in goal.solutions] + [(f, at.ring.zero) for f in goal.integrals]
+    for formula, multiple in both:
+        element = at.scalar(formula)
+        if not place(at.derivative(element) - multiple * element).is_zero:
+            return
+    raise Misplaced("all that is said to be known are solutions there")

@@ -1,0 +1,48 @@
+"""That all polynomial integrals are known, with one left out, one too many, another degree."""
+
+import pytest
+
+from kowalevski_cas.algebra import EXACT
+from kowalevski_cas.paper.claims import AllIntegrals
+from kowalevski_cas.problem import checker
+from kowalevski_cas.verify.found import Finding, with_findings
+from kowalevski_cas.verify.run import Session, verify
+from tests.laws.systems import EULER, LORENZ, SPECIAL_LORENZ, TODA, VOLTERRA
+
+
+def claimed(system, degree, *integrals, weights=()):
+    derivation = system.derivation()
+    attributes = {"integrals": integrals, "degree": degree, "weights": weights}
+    finding = Finding(AllIntegrals, derivation.scenes()[0], "these are all", "", attributes)
+    return with_findings(derivation, [finding])
+
+
+CASES = [
+    (LORENZ, 6, (), "proved"),
+    (SPECIAL_LORENZ, 4, (), "proved"),
+    (VOLTERRA, 6, ("x+y+z", "xyz"), "proved"),
+    (VOLTERRA, 6, ("x+y+z",), "refuted"),
+    (VOLTERRA, 2, ("x+y+z",), "proved"),
+    (VOLTERRA, 3, ("x+y+z", "xyz+1"), "proved"),
+    (VOLTERRA, 3, ("x+y+z", "x^2y"), "refuted"),
+    (EULER, 2, ("Ap^2+Bq^2+Cr^2", "A^2p^2+B^2q^2+C^2r^2"), "proved"),
+    (EULER, 2, ("Ap^2+Bq^2+Cr^2",), "refuted"),
+    (TODA, 3, ("b_1+b_2+b_3", "b_1^2+b_2^2+b_3^2+2a_1^2+2a_2^2"), "refuted"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("system", "degree", "integrals", "verdict"), CASES)
+def test_the_verdict_in_every_arithmetic_and_its_certificate(system, degree, integrals, verdict):
+    derivation = claimed(system, degree, *integrals)
+    (outcome,) = verify(derivation, EXACT).outcomes
+    assert {str(one) for one in outcome.verdicts.values()} == {verdict} == {str(outcome.verdict)}
+    (claim,) = derivation.claims
+    (_, text), *_ = Session(derivation, ["flint"]).certificates(claim)
+    assert checker.check(text).sign == ("holds" if verdict == "proved" else "denied")
+
+
+def test_weights_of_the_variables():
+    integrals = ("b_1+b_2+b_3", "b_1^2+b_2^2+b_3^2+2a_1^2+2a_2^2")
+    for weights, verdict in (((1, 1, 1, 1, 1), "refuted"), ((2, 2, 1, 1, 1), "proved")):
+        derivation = claimed(TODA, 3, *integrals, weights=weights)
+        assert str(verify(derivation, ["flint"]).outcomes[0].verdict) == verdict
