@@ -59,7 +59,7 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
         straight = turned(given, *turn)
         constants, pairs = _separated(straight)
         motion = MotionO4(constants, turn=turn, point=tuple(map(float, given)))
-        # Where |u1 + τ| = r² = |u2 + τ|, either may be the first.
+        # Either quotient may be u1.
         angles = [
             [float(Variable(constants, arc, lambda x: x).angle(pair)) for pair in order]
             for arc, order in zip(motion.arcs, (pairs, pairs[::-1]), strict=True)
@@ -89,9 +89,8 @@ def _separated(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb
     square, *_ = exactly(variables, [*given, Fraction(0)])
     q = root(max(square, Fraction(0)))
     _, *ends, v, both = exactly(variables, [*given, q])
-    n1, n2 = sorted(ends, key=lambda n: abs(n + tau * v))  # |u1 + τ| ≤ r² ≤ |u2 + τ|
-    first = (n1, v) if v else (both, n2)
-    return constants, [(ball(n), ball(d)) for n, d in (first, (n2, v))]
+    larger = max(ends, key=abs)  # the other is both / larger, where nothing cancels
+    return constants, [(ball(n), ball(d)) for n, d in ((larger, v), (both, larger))]
 
 
 def _fitted(motion: MotionO4, angles: Array, state: Array) -> MotionO4:

@@ -4,14 +4,14 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import General, Inadmissible, MotionO4, load, through
 from kowalevski_cas.motion.frame import turned
 from kowalevski_cas.motion.o4.start import on_O4
 from kowalevski_cas.motion.result import Result
-from tests.motion.o4.levels import KNOWN, motion, points
+from tests.motion.o4.levels import KNOWN, motion, point, points
 from tests.motion.o4.test_closed import angles, on_a_torus, relative, signs
 
 closed = load("closed")
@@ -36,6 +36,17 @@ def test_in_turned_fields_and_another_unit_of_time_it_is_the_same_motion(known, 
     changed = np.array(turned(states.T, np.cos(angle), np.sin(angle))).T * scales
     found = on_O4(changed[2].tolist())
     assert relative(closed(found, T / unit), changed) < 1e-10
+
+
+@given(st.integers(-3, 3).filter(bool), st.integers(-3, 3).filter(bool))
+def test_where_u2_is_infinite_the_motion_is_found_as_elsewhere(half_s, eta):
+    state = point((1, 0, 1, 1, 0, eta, half_s / 2))  # x1x2 = τ3
+    try:
+        found = on_O4(state.tolist())
+    except Inadmissible as error:
+        assume("degenerate" not in str(error))
+        raise
+    assert found.off < 1e-14
 
 
 @given(points, st.integers(0, 8), st.floats(1e-3, 1))
