@@ -60,6 +60,10 @@ def find(name: str) -> Path:
     raise LibraryError(f"there is no derivation “{name}”; the library has: {known}")
 
 
+READ: set[Path] = set()
+"""The files that derivations have read besides their modules."""
+
+
 def source(folder: Path) -> Path:
     """The file that is executed for the derivation of which this folder keeps what there is."""
     return folder.with_suffix(".py") if folder.suffix == EVIDENCE else folder / "__init__.py"

@@ -15,7 +15,8 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from argparse import Namespace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
@@ -23,6 +24,7 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
+from kowalevski_cas.library import READ
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
@@ -52,15 +54,19 @@ from kowalevski_cas.paper.claims import (
     LiouvilleIntegrable,
 )
 from kowalevski_cas.paper.derivation import Derivation, Section
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene, vocabulary
-from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.prune import mentions
+from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Counterexample, Outcome, Verdict, in_latex
 from kowalevski_cas.verify.run import verify
 
 LONGEST = 24
 """The signs of a formula by which a claim is called."""
 
+
+Search = Callable[[Elaborations, Scene, Namespace], Iterable[Finding]]
 
 Tex = Any
 """A formula: LaTeX, what was defined, or an expression of SymPy."""
@@ -171,14 +177,9 @@ class System:
         components = vectors or {}
         variables = tuple(part for one in moving for part in components.get(one, (one,)))
         constants = tuple(part for one in others for part in components.get(one, (one,)))
-        self.scene = Scene(
-            name or "the system",
-            "",
-            vectors=components,
-            variables=variables,
-            constants=constants,
-            field=(*display,),
-        )
+        words = "the equations of motion"
+        scene = Scene(name or "the system", words, components, variables, constants, (*display,))
+        self._stand_on(scene)
         self.section.title = _echo(variables, constants, "${}$".format)
 
     def __repr__(self) -> str:
@@ -189,6 +190,10 @@ class System:
         return f"${in_latex(self._formulas(display))}$"
 
     # -- scenes ------------------------------------------------------------------
+
+    def _stand_on(self, scene: Scene) -> None:
+        """Take this scene for what is said from here on."""
+        self.scene = self.section.scenes[scene.name] = scene
 
     def define(self, formula: Tex) -> Function:
         r"""A name for what is printed, as in ``F=x^2-z``; what is derived from here knows it too.
@@ -203,7 +208,7 @@ class System:
         """
         tex = self._tex(formula)
         display = self.section.display(self._id("", tex), tex)
-        self.scene = self.scene.defining(display)
+        self._stand_on(self.scene.defining(display))
         self._formulas(display)
         return Function(self, display[1], display[1].heads.names[0])
 
@@ -214,12 +219,12 @@ class System:
             NotationError: a relation cannot be read.
             ValueError: a relation gives no constant.
         """
-        special = copy(self)
-        for place in self._places("where", *relations):
-            special.scene = _restricted(special.scene, place)
-            special._formulas(place.display)
-        said = ", ".join(map(self._tex, relations))
-        special.scene = special.scene.described(f"{self.scene.name} where {said}", f"${said}$")
+        special, said = copy(self), ", ".join(map(self._tex, relations))
+        scene = self.scene.described(f"{self.scene.name} where {said}", f"${said}$")
+        for place in self._places(self._id("where", said), *relations):
+            scene = _restricted(scene, place)
+            read_display(place.display.tex, vocabulary((scene,)))
+        special._stand_on(scene)
         return special
 
     # -- claims ------------------------------------------------------------------
@@ -298,8 +303,10 @@ class System:
         """
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
-        first = next(iter(attributes.values()), "") if printed is None else printed
-        id = self._id(name, self._tex(first[0] if isinstance(first, tuple) else first))
+        values = (printed, *attributes.values())
+        formulas = (one for value in values for one in (value if type(value) is tuple else [value]))
+        first = next((one for one in formulas if one is not None and type(one) is not int), "")
+        id = self._id(name, self._tex(first))
         made: dict[str, Any] = {}
         for key, value in {"printed": printed, **attributes}.items():
             if value is None or isinstance(value, int):
@@ -314,6 +321,31 @@ class System:
         if expect:
             self.section.expected[id] = expect
         return Stated(self, claim)
+
+    # -- questions ---------------------------------------------------------------
+
+    def find_integrals(self, degree: int) -> list[Stated]:
+        """The polynomial first integrals up to a degree, and that there are no others."""
+        from kowalevski_cas.cli.questions import integrals
+
+        return self._found("integral", integrals.search, degree=degree)
+
+    def find_closure(self, seed: Tex, order: int = 4) -> list[Stated]:
+        """Invariant sets from a function and its derivatives, up to an order."""
+        from kowalevski_cas.cli.questions import closure
+
+        return self._found("closure", closure.search, seed=self._tex(seed), order=order)
+
+    def _found(self, name: str, search: Search, **arguments: Any) -> list[Stated]:
+        """What a search finds, as claims like any other."""
+        on = Elaborations(Texts(vocabulary((self.scene,))))
+        found = []
+        for one in search(on, self.scene, Namespace(**arguments)):
+            attributes: dict[str, Any] = {**one.attributes}
+            found.append(
+                self.states(one.kind, name, one.says, printed=one.tex or None, **attributes)
+            )
+        return found
 
     # -- formulas ----------------------------------------------------------------
 
@@ -433,6 +465,7 @@ def display(source: str, label: str) -> str:
 
     here = sys._getframe(1).f_globals.get("__file__", "")
     path = Path(here).parent / source
+    READ.add(path)
     found = [one for one in typed_formulas(read_source(path))[1] if label in one.labels]
     if len(found) != 1:
         raise ValueError(f"{path} has {len(found) or 'no'} displays with the label {label}")

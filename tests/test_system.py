@@ -1,5 +1,12 @@
 """Equations of motion of one's own: the scenes and claims that they build, and what is said of them."""
 
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+from signal import SIGINT
+
 import pytest
 
 from kowalevski_cas import System
@@ -9,6 +16,8 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import verify
 from tests.laws.systems import SYSTEMS
+
+ROOT = Path(__file__).parents[1]
 
 LORENZ = r"""\begin{align}
   \dot x &= \sigma(y-x)\\ \dot y &= \rho x-y-xz\\ \dot z &= xy-bz
@@ -240,3 +249,66 @@ circle.integral(E)
     assert code == 0, out
     code, out = cli("verify", file.format("eq:15"))
     assert code == 2 and "lorenz.py:4: " in out and "no displays with the label eq:15" in out
+
+
+# -- questions ----------------------------------------------------------------------
+
+
+def test_integrals_are_found_and_claimed():
+    top = System(r"\dot x=yz,\quad \dot y=-2zx,\quad \dot z=xy")
+    *found, none_else = top.find_integrals(degree=2)
+    assert len(found) == 2
+    assert {one.verdict for one in (*found, none_else)} == {Verdict.PROVED}
+    assert [one.claim for one in (*found, none_else)] == top.section.claims
+
+
+def test_that_there_is_no_integral_is_an_answer(lorenz):
+    (none,) = lorenz.find_integrals(degree=2)
+    assert none.verdict is Verdict.PROVED and none.formulas == ()
+
+
+def test_an_invariant_set_is_found_from_a_function():
+    special = System(LORENZ).where(r"b=2\sigma")
+    assert {one.verdict for one in special.find_closure(r"x^2-2\sigma z", order=2)} == {
+        Verdict.PROVED
+    }
+
+
+def test_a_file_that_claims_nothing_can_be_asked(cli):
+    file = FILE.partition("F = ")[0] + 'special = lorenz.where("b=1")\n'
+    code, out = cli("verify", file)
+    assert code == 6 and "makes no claims" in out
+
+
+def test_a_question_is_asked_of_a_file(tmp_path, capsys):
+    file = tmp_path / "lorenz.py"
+    file.write_text(FILE)
+    scene = r"the system where b=2\sigma"
+    assert main(["find", "integrals", str(file), "--scene", scene, "--degree", "1"]) == 0
+    assert "proved" in capsys.readouterr().out
+
+
+# -- each save ----------------------------------------------------------------------
+
+
+def test_each_save_is_verified_until_an_interruption(tmp_path):
+    (tmp_path / "lorenz.py").write_text(
+        "from kowalevski_cas import System, display\n"
+        r'circle = System(r"\dot x=y, \dot y=-x")' + "\n"
+        'circle.integral(display("paper.tex", "eq:1"))\n'
+    )
+    paper = tmp_path / "paper.tex"
+    text = r"\begin{equation}\label{eq:1} x^2SIGNy^2 \end{equation}"
+    paper.write_text(text.replace("SIGN", "-"))
+    watching = subprocess.Popen(
+        [sys.executable, "-m", "kowalevski_cas", "verify", "--watch", "--arithmetic", "flint", "lorenz.py"],
+        cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )  # fmt: skip
+    for sign in "-+":
+        paper.write_text(text.replace("SIGN", sign))
+        assert "waiting for a file to be saved" in watching.stderr.readline()
+    watching.send_signal(SIGINT)
+    out, err = watching.communicate()
+    assert (watching.returncode, err) == (0, "")
+    assert re.findall(r"1 claims: 1 (\w+)", out) == ["refuted", "proved"]

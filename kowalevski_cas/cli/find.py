@@ -29,6 +29,7 @@ from kowalevski_cas.verify.run import verify
 QUESTIONS = {
     "integrals": "polynomial first integrals, up to a degree",
     "closure": "an invariant set, from a function and its derivatives",
+    "parameters": "values of constants for which a polynomial divides its derivative",
 }
 
 

@@ -9,8 +9,11 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from time import sleep
 
 from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.cli import session
@@ -23,7 +26,8 @@ from kowalevski_cas.cli.exits import (
     USAGE,
     CommandError,
 )
-from kowalevski_cas.cli.formats import FORMATS, Result, load_format
+from kowalevski_cas.cli.formats import EXPLAINED, FORMATS, Result, load_format
+from kowalevski_cas.library import READ, LibraryError, available, find, source
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import (
@@ -34,6 +38,9 @@ from kowalevski_cas.verify.record import (
     unexpected,
 )
 from kowalevski_cas.verify.teller import disagreement
+
+PAUSE = 0.2
+"""Seconds between two looks at the files that are watched."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -53,8 +60,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--seed", type=int, default=1, metavar="N", help="chooses the points of a screening (1)"
     )
     parser.add_argument("--format", choices=FORMATS, default="pretty", help="how to print results")
+    parser.add_argument(
+        "-v", "--verbose", action="store_const", dest="format", const="verbose",
+        help="show the results claim by claim",
+    )  # fmt: skip
     parser.add_argument("--report", type=Path, metavar="DIR", help="write the report there as well")
     session.add_timeout(parser, 60)
+    parser.add_argument(
+        "--watch", action="store_true", help="verify again whenever a file is saved, until Ctrl-C"
+    )
 
 
 def run_derivations(arguments: argparse.Namespace) -> list[Result]:
@@ -67,7 +81,7 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
 
 def _result(arguments: argparse.Namespace, folder: Path, derivation: Derivation) -> Result:
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-    explain = arguments.report is not None or arguments.format == "json"
+    explain = arguments.report is not None or arguments.format in EXPLAINED
     found = session.run(
         folder, derivation, arithmetics, arguments.only, explain, arguments.timeout,
         seed=arguments.seed,
@@ -89,6 +103,37 @@ def _result(arguments: argparse.Namespace, folder: Path, derivation: Derivation)
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
+    return _watch(arguments) if arguments.watch else _verified(arguments)
+
+
+def _watch(arguments: argparse.Namespace) -> int:
+    """Verify whenever a file is saved; the exit code of the last time."""
+    code, before = AS_RECORDED, None
+    with suppress(KeyboardInterrupt):
+        while True:
+            if (now := _saved(arguments.derivations)) != before:
+                try:
+                    code = _verified(arguments)
+                except CommandError as error:
+                    code = error.code
+                    print(error, file=sys.stderr)
+                print("waiting for a file to be saved; Ctrl-C ends", file=sys.stderr)
+                before = {**_saved(arguments.derivations), **now}  # it may have read others
+            sleep(PAUSE)
+    return code
+
+
+def _saved(names: Sequence[str]) -> dict[Path, int]:
+    """When the files of derivations were saved, and those that they read."""
+    try:
+        sources = [source(find(name)) for name in names or available()]
+    except LibraryError as error:
+        raise CommandError(str(error)) from None
+    own = {file for one in sources if one.name == "__init__.py" for file in one.parent.glob("*.py")}
+    return {file: file.stat().st_mtime_ns for file in {*sources, *own, *READ} if file.is_file()}
+
+
+def _verified(arguments: argparse.Namespace) -> int:
     if arguments.report is not None and arguments.arithmetic in POINTS:
         raise CommandError(
             f"a report says what is proved, and {arguments.arithmetic} proves nothing: "

@@ -22,7 +22,8 @@ class Section:
 
     ``copied`` says whether its displays are what the edition prints, sign by sign, or restate it.
     ``lines`` has the file and the line in which a claim is stated, by its id, and ``expected`` the
-    verdict that its author expects, where he says so.
+    verdict that its author expects, where he says so. ``scenes`` are those of which something may
+    be asked, by their names, even if nothing is claimed there.
     """
 
     number: str
@@ -33,6 +34,7 @@ class Section:
     accepted: dict[Printed, str] = field(default_factory=dict)
     lines: dict[str, tuple[str, int]] = field(default_factory=dict)
     expected: dict[str, str] = field(default_factory=dict)
+    scenes: dict[str, Scene] = field(default_factory=dict)
 
     def display(self, id: str, tex: str, label: str = "") -> Display:
         """A displayed formula; ``eq3`` is labelled (3) if nothing else is said."""
@@ -184,8 +186,8 @@ class Derivation:
         return {id: verdict for one in self.sections for id, verdict in one.expected.items()}
 
     def scenes(self) -> tuple[Scene, ...]:
-        """The scenes on which the claims stand, and those from which they are changes."""
-        found: dict[Scene, None] = {}
+        """The scenes of the sections and of the claims, and those from which they are changes."""
+        found = {scene: None for section in self.sections for scene in section.scenes.values()}
         for claim in self.claims:
             for scene in claim.scenes():
                 found[scene] = None

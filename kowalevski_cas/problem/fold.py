@@ -8,7 +8,6 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import (
     Conjugate,
@@ -120,14 +119,14 @@ class Fold(ABC):
         places = self._places
         if not places:
             return None
-        terms: Terms = {}
+        terms: dict[tuple[int, ...], int] = {}
         for term in formula.terms:
             monomial = _monomial(term, places)
             if monomial is None:
                 return None
             exponents, value = monomial
-            terms[exponents] = terms.get(exponents, Fraction(0)) + value
-        return self.ring.from_terms({0: terms})
+            terms[exponents] = terms.get(exponents, 0) + value
+        return self.ring.from_terms({0: {e: Fraction(v) for e, v in terms.items()}})
 
     @cached_property
     def _places(self) -> dict[str, int]:
@@ -136,11 +135,9 @@ class Fold(ABC):
         return {name: k for k, name in enumerate(names)} if names == self.names else {}
 
 
-def _monomial(
-    formula: Formula, places: Mapping[str, int]
-) -> tuple[tuple[int, ...], Fraction] | None:
+def _monomial(formula: Formula, places: Mapping[str, int]) -> tuple[tuple[int, ...], int] | None:
     """The exponents and the coefficient of a product of numbers and powers of generators."""
-    value = Fraction(1)
+    value = 1
     if isinstance(formula, Negative):
         value, formula = -value, formula.argument
     exponents = [0] * len(places)

@@ -46,7 +46,7 @@ def cofactors(
         if found is not None:
             ordered = dict(zip(order, _unreduced(found[1], steps), strict=True))
             found = found[0], [ordered[k] for k in range(len(order))]
-    if found is None and len(numerators) > 1:
+    if found is None and len(numerators) > 1 and not dividend.is_constant():
         relations = flat.relations(among=numerators)
         least = multiple(dividend, [*numerators, *relations], LARGEST_DEGREE)
         found = None if least is None else (least[0], least[1][: len(numerators)])

@@ -77,6 +77,22 @@ def test_a_function_and_its_derivative_define_an_invariant_set(capsys):
     assert [line.split()[0] for line in lines[1:]] == ["conditional", "proved", "3"]
 
 
+def test_the_constants_for_which_a_polynomial_divides_its_derivative(capsys, tmp_path):
+    field = r"\dot x=\sigma(y-x),\quad \dot y=\rho x-y-xz,\quad \dot z=xy-bz"
+    file = tmp_path / "lorenz.py"
+    file.write_text(
+        f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n"
+        "lorenz.invariant('x=0', 'y=0')\n"
+    )
+    assert main(["find", "parameters", str(file), "x^2+Az"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines] == ["proved"] * 4 + ["4"]
+    assert r"only where $\sigma = 0$, or $b = 2\sigma$" in lines[1]
+    assert r"with $K=-2\sigma$ where $A = -2\sigma, b = 2\sigma$" in lines[3]
+    assert main(["find", "parameters", str(file), "x+y^2"]) == 0
+    assert "only where never" in capsys.readouterr().out
+
+
 @pytest.mark.slow
 def test_the_relations_of_the_paper_and_a_third_one_that_needs_no_condition(capsys):
     assert main([*CLOSURE, "complex variables", r"\theta\omega_3-Q_1", "--format", "json"]) == 0
