@@ -94,7 +94,7 @@ def critical_sets() -> tuple[Function, Function, Function]:
 def critical_values() -> tuple[Function, Function]:
     """The values k, p²h − 2g on M⁴ by j, and k, 2g − p²h on N⁴ by m and r."""
     sets = _offered(CriticalSets)
-    M4, N4 = (_compiled(values, CriticalSets) for values in (sets.M4_values, sets.N4_values))
+    M4, N4 = (compiled(values, CriticalSets) for values in (sets.M4_values, sets.N4_values))
     return M4, N4
 
 
