@@ -88,7 +88,7 @@ def test_the_constants_for_which_a_polynomial_divides_its_derivative(capsys, tmp
     lines = capsys.readouterr().out.splitlines()
     assert [line.split()[0] for line in lines] == ["proved"] * 4 + ["4"]
     assert "only where σ = 0, or b = 2σ" in lines[1]
-    assert r"with $K=-2\sigma$ where $A = -2\sigma, b = 2\sigma$" in lines[3]
+    assert "with K = −2σ where A = −2σ and b = 2σ" in lines[3]
     assert main(["find", "parameters", str(file), "x+y^2"]) == 0
     assert "only where never" in capsys.readouterr().out
 
