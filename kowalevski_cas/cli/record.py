@@ -21,9 +21,8 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify import record
 from kowalevski_cas.verify.certificate import FOLDER, Stored
 from kowalevski_cas.verify.committed import wanted
-from kowalevski_cas.verify.mender import DECIDED
 from kowalevski_cas.verify.outcome import Run, Verdict
-from kowalevski_cas.verify.teller import disagreement
+from kowalevski_cas.verify.teller import DECIDED, disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
