@@ -51,6 +51,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--format", choices=FORMATS, default="pretty", help="how to print results")
     parser.add_argument(
+        "-v", "--verbose", action="store_const", dest="format", const="verbose",
+        help="show the results formula by formula",
+    )  # fmt: skip
+    parser.add_argument(
         "--patch",
         action="store_true",
         help="print a unified diff that mends every misprint, instead of the results",
@@ -94,10 +98,10 @@ def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, str, i
     """What is to be printed of an audit, what is to be noted, and the exit code."""
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
     folder, derivation = chosen(source, arguments.derivation)
-    explain = arguments.report is not None
+    explain = arguments.report is not None or arguments.format in ("pretty", "verbose")
     base = auditing(folder, derivation, arithmetics, arguments.timeout, explain)
     found = audit(source, base)
-    note = _written(found, arguments.report) if explain else ""
+    note = _written(found, arguments.report) if arguments.report is not None else ""
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
 

@@ -12,10 +12,10 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
 from kowalevski_cas.library import LibraryError, available, find, source
 from kowalevski_cas.problem.checker import printable
-from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
 from kowalevski_cas.verify.committed import (
     Checked,
@@ -49,7 +49,8 @@ def run(arguments: argparse.Namespace) -> int:
     results = _checked(arguments.certificates)
     for found in results if not arguments.quiet else ():
         for name, certificate in found.accepted.items():
-            print(f"{name.removesuffix(certificate.claim)}{certificate.summary()}")
+            said = f"{name.removesuffix(certificate.claim)}{certificate.summary()}"
+            print(said if arguments.full else plain.shortened(said))
             for line in certificate.lines() if arguments.full else ():
                 print(line)
     return tell(results)
@@ -75,7 +76,7 @@ def _checked(names: list[str]) -> list[Checked]:
         files.setdefault(path.parent.resolve(), []).append(path)
     folders = [name for name in names if not name.endswith(".json")] if names else available()
     try:
-        found = each(_committed, [find(name) for name in folders])
+        found = session.watched(_committed, [find(name) for name in folders])
         return [*(check_files(paths, _about(at)) for at, paths in files.items()), *found]
     except (LibraryError, RecordError) as error:
         raise CommandError(str(error)) from None

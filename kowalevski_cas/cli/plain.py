@@ -1,8 +1,12 @@
-"""Formulas and words in plain text, for a terminal."""
+"""Documents, formulas and words in plain text, for a terminal: wrapped at its width."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import shutil
+import sys
+from collections.abc import Iterable, Iterator
+from textwrap import TextWrapper
+from typing import Final
 
 from kowalevski_cas.notation import (
     Formula,
@@ -13,12 +17,41 @@ from kowalevski_cas.notation import (
     read_prose,
     to_plain,
 )
-from kowalevski_cas.verify.outcome import Condition, Counterexample, Value
+from kowalevski_cas.report.compare import unmarked
+from kowalevski_cas.report.document import (
+    Block,
+    Claim,
+    Code,
+    Display,
+    Emphasis,
+    Heading,
+    Inline,
+    Link,
+    Paragraph,
+    Sign,
+    Text,
+)
+from kowalevski_cas.report.marks import MARKS
+from kowalevski_cas.verify.outcome import Verdict
+
+SHORT: Final = 24
+"""How many letters a formula has at most that is not broken between two lines."""
+
+_COLOURS: Final = {
+    Verdict.PROVED: "32", Verdict.CONDITIONAL: "36", Verdict.REFUTED: "31",
+    Verdict.PROBABLE: "34", Verdict.ENCLOSED: "34",
+}  # fmt: skip
+
+
+def sign(verdict: Verdict, words: str = "") -> str:
+    """The sign of a verdict, and words, in its colour on a terminal; all signs are as wide."""
+    said = f"{MARKS[verdict].sign:<3} {words}".ljust(4)
+    return f"\x1b[{_COLOURS.get(verdict, '33')}m{said}\x1b[0m" if sys.stdout.isatty() else said
 
 
 def formulas(found: Iterable[Formula], source: str = "") -> str:
     """The formulas of a display on one line; its source where they could not be read."""
-    return ", ".join(map(to_plain, found)) or " ".join(source.split())
+    return ", ".join(to_plain(unmarked(formula)) for formula in found) or " ".join(source.split())
 
 
 def display(source: str, vocabulary: Vocabulary) -> str:
@@ -30,36 +63,63 @@ def display(source: str, vocabulary: Vocabulary) -> str:
     return formulas((statement.formula for statement in found), source)
 
 
-def words(text: str, vocabulary: Vocabulary) -> str:
+def text(found: Text) -> str:
+    """A text, in which spaces within short formulas are not broken."""
+    return "".join(map(_inline, found))
+
+
+def _inline(one: Inline) -> str:
+    match one:
+        case str():
+            return one
+        case Code(source):
+            return source
+        case Formula():
+            shown = to_plain(one)
+            return shown.replace(" ", "\xa0") if len(shown) <= SHORT else shown
+        case Sign(verdict):
+            return MARKS[verdict].sign
+        case Link(text=inner) | Emphasis(text=inner):
+            return text(inner)
+
+
+def words(said: str, vocabulary: Vocabulary) -> str:
     """Words with mathematics between dollars."""
-    return print_prose(read_prose(text, vocabulary), str, to_plain)
+    return print_prose(read_prose(said, vocabulary), str, to_plain)
 
 
-def nonzero(condition: Condition) -> str:
-    """What a condition says."""
-    return f"{to_plain(condition.expression)} ≠ 0"
+def shortened(line: str) -> str:
+    """As much of a line as the terminal is wide."""
+    width = shutil.get_terminal_size().columns
+    return line if len(line) <= width else f"{line[: width - 1]}…"
 
 
-def where(conditions: Iterable[Condition]) -> str:
-    """What several conditions say."""
-    return f"where {', '.join(map(nonzero, conditions))}"
+def wrapped(words: str, first: str = "", indent: int = 0) -> Iterator[str]:
+    """The lines of words behind what stands ``first``; the others begin below these words."""
+    width = max(shutil.get_terminal_size().columns - indent, 40)
+    wrapper = TextWrapper(width, break_long_words=False, break_on_hyphens=False)
+    lines = wrapper.wrap(words) or [""]
+    for k, line in enumerate(lines):
+        yield (first if k == 0 else " " * indent) + line.replace("\xa0", " ")
 
 
-def needs(condition: Condition, vocabulary: Vocabulary) -> str:
-    """What a statement needs, and why."""
-    return f"needs {nonzero(condition)}: {words(condition.words, vocabulary)}"
-
-
-def evidence(found: Counterexample, vocabulary: Vocabulary) -> list[str]:
-    """Both values, and the point at which they are taken."""
-    values = [(name, value) for name, value in found.point.values.items() if name != value]
-    point = ", ".join(f"{to_plain(name)} = {_value(value)}" for name, value in values)
-    said = f"  ({words(found.words, vocabulary)})" if found.words else ""
-    return [
-        f"    values    {_value(found.left)} against {_value(found.right)}{said}",
-        f"    at        {point}",
-    ]
-
-
-def _value(value: Value) -> str:
-    return value if isinstance(value, str) else to_plain(value)
+def lines(blocks: Iterable[Block], indent: int = 0) -> Iterator[str]:
+    """Headings, paragraphs, displays and claims, wrapped, with hanging indents."""
+    margin = " " * indent
+    for block in blocks:
+        match block:
+            case Heading():
+                yield ""
+                yield from wrapped(text(block.text), margin, indent)
+            case Paragraph():
+                yield from wrapped(text(block.text), margin, indent)
+            case Display():
+                mark = sign(block.verdict) if block.verdict else " " * 4
+                yield from wrapped(
+                    formulas(block.formulas, block.source), margin + mark, indent + 4
+                )
+            case Claim():
+                mark = sign(block.verdict) if block.verdict else ""
+                inner = indent + (4 if block.verdict else 0)
+                yield from wrapped(text(block.head), margin + mark, inner)
+                yield from lines(block.blocks, inner)

@@ -26,7 +26,7 @@ from kowalevski_cas.cli.exits import (
     USAGE,
     CommandError,
 )
-from kowalevski_cas.cli.formats import FORMATS, Result, load_format
+from kowalevski_cas.cli.formats import EXPLAINED, FORMATS, Result, load_format
 from kowalevski_cas.library import READ, LibraryError, available, find, source
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Verdict
@@ -60,6 +60,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--seed", type=int, default=1, metavar="N", help="chooses the points of a screening (1)"
     )
     parser.add_argument("--format", choices=FORMATS, default="pretty", help="how to print results")
+    parser.add_argument(
+        "-v", "--verbose", action="store_const", dest="format", const="verbose",
+        help="show the results claim by claim",
+    )  # fmt: skip
     parser.add_argument("--report", type=Path, metavar="DIR", help="write the report there as well")
     session.add_timeout(parser, 60)
     parser.add_argument(
@@ -77,7 +81,7 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
 
 def _result(arguments: argparse.Namespace, folder: Path, derivation: Derivation) -> Result:
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-    explain = arguments.report is not None or arguments.format == "json"
+    explain = arguments.report is not None or arguments.format in EXPLAINED
     found = session.run(
         folder, derivation, arithmetics, arguments.only, explain, arguments.timeout,
         seed=arguments.seed,

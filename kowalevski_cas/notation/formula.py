@@ -244,3 +244,14 @@ class Relation(Formula):
     def is_equality(self) -> bool:
         """Whether all members are said to be equal."""
         return EQUALITIES.issuperset(self.signs)
+
+
+@dataclass(frozen=True)
+class Changed(Formula):
+    """A part that another formula has not: ``wrong`` if it should not stand, else as it should.
+
+    No reader gives it; it is for a printer, which marks the part.
+    """
+
+    argument: Formula
+    wrong: bool = False

@@ -6,7 +6,15 @@ import re
 from collections.abc import Iterable, Sequence
 
 from kowalevski_cas.notation.errors import letter_and_index
-from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Product, Quotient, Root
+from kowalevski_cas.notation.formula import (
+    Changed,
+    Conjugate,
+    Formula,
+    Name,
+    Product,
+    Quotient,
+    Root,
+)
 from kowalevski_cas.notation.printer import Printer
 
 _COMMAND = re.compile(r"\\[A-Za-z]+$")
@@ -71,6 +79,9 @@ class Latex(Printer):
         while order > 3:
             inner, behind, order = f"{_DOTS[3]}{{{inner}}}{behind}", "", order - 3
         return f"{_DOTS[order]}{{{inner}}}{behind}"
+
+    def changed(self, formula: Changed) -> str:
+        return rf"\{'Slip' if formula.wrong else 'Meant'}{{{self(formula.argument)}}}"
 
     def over(self, index: str, first: str, last: str) -> str:
         return rf"\sum_{{{index}={first}}}^{{{last}}}"

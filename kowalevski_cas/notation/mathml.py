@@ -6,7 +6,15 @@ import re
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Number, Quotient, Root
+from kowalevski_cas.notation.formula import (
+    Changed,
+    Conjugate,
+    Formula,
+    Name,
+    Number,
+    Quotient,
+    Root,
+)
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import SIGNS, styled, symbol
 
@@ -94,6 +102,10 @@ class MathML(Printer):
         if isinstance(argument, Name):
             return self._name(argument, order)
         return _over(self.bracketed(self(argument)), _DOTS[min(order, 4)])
+
+    def changed(self, formula: Changed) -> str:
+        kind = "slip" if formula.wrong else "meant"
+        return f'<mrow class="{kind}">{self(formula.argument)}</mrow>'
 
     def over(self, index: str, first: str, last: str) -> str:
         below = f"<mrow>{index}<mo>=</mo>{first}</mrow>"

@@ -122,10 +122,12 @@ def _factors_of(node: Formula) -> tuple[Formula, ...]:
 def _signs(place: _Place) -> Iterator[Misprint]:
     node = place.node
     if isinstance(node, Negative):
-        yield Misprint("sign", place.path, node.argument, f"sign of ${to_latex(node.argument)}$")
+        words = f"change the sign of ${to_latex(node.argument)}$"
+        yield Misprint("sign", place.path, node.argument, words)
     elif _term(place) and not isinstance(place.parent, Negative):
         if isinstance(place.parent, Sum) or not isinstance(node, Sum):
-            yield Misprint("sign", place.path, Negative(node), f"sign of ${to_latex(node)}$")
+            words = f"change the sign of ${to_latex(node)}$"
+            yield Misprint("sign", place.path, Negative(node), words)
 
 
 def _names(
@@ -138,7 +140,7 @@ def _names(
     same = [n for n in names if n != node.name and (letter_and_index(n)[0] == letter)]
     others = same if kind == "index" else [n for n in names if n != node.name and n not in same]
     for other in sorted(others, key=lambda name: -closeness(node.name, name)):
-        yield Misprint(kind, place.path, Name(other), f"${other}$ for ${node.name}$")
+        yield Misprint(kind, place.path, Name(other), f"for ${node.name}$ read ${other}$")
 
 
 def _exponents(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
@@ -148,15 +150,19 @@ def _exponents(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
         lowest = 2 if isinstance(place.parent, Power) else isinstance(place.parent, Quotient)
         if node.value > lowest:
             for value in dict.fromkeys((node.value - 1, max(node.value // 2, int(lowest)))):
-                yield Misprint("exponent", place.path, Number(value), f"${value}$ for ${words}$")
+                yield Misprint(
+                    "exponent", place.path, Number(value), f"for ${words}$ read ${value}$"
+                )
         higher = Number(node.value + 1)
-        yield Misprint("exponent", place.path, higher, f"${higher.value}$ for ${words}$")
+        yield Misprint("exponent", place.path, higher, f"for ${words}$ read ${higher.value}$")
     elif isinstance(node, Power) and node.exponent == TWO:
-        yield Misprint("exponent", place.path, node.base, f"${to_latex(node.base)}$ for ${words}$")
+        said = f"for ${words}$ read ${to_latex(node.base)}$"
+        yield Misprint("exponent", place.path, node.base, said)
     elif isinstance(node, Name) and not isinstance(place.parent, Power):
         if rank(node, vocabulary) == SCALAR:
             square = Power(node, TWO)
-            yield Misprint("exponent", place.path, square, f"${to_latex(square)}$ for ${words}$")
+            said = f"for ${words}$ read ${to_latex(square)}$"
+            yield Misprint("exponent", place.path, square, said)
 
 
 def _coefficients(place: _Place) -> Iterator[Misprint]:
@@ -173,13 +179,13 @@ def _coefficients(place: _Place) -> Iterator[Misprint]:
         for other in dict.fromkeys(others):
             # A factor of one is a factor that is not written.
             if other != node and not (other == ONE and isinstance(place.parent, Product)):
-                words = f"${to_latex(other)}$ for ${value}$"
+                words = f"for ${value}$ read ${to_latex(other)}$"
                 yield Misprint("coefficient", place.path, other, words)
     elif _term(place) and not isinstance(node, Sum | Number):
         factors = _factors_of(node)
         if not isinstance(factors[0], Number):
             for number in (TWO, HALF):
-                words = f"${to_latex(number)}$ before ${to_latex(node)}$"
+                words = f"insert ${to_latex(number)}$ before ${to_latex(node)}$"
                 yield Misprint("coefficient", place.path, product((number, *factors)), words)
 
 
@@ -189,7 +195,7 @@ def _factors(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
         factors = place.node.factors
         for index, factor in enumerate(factors):
             rest = product(factors[:index] + factors[index + 1 :])
-            words = f"${to_latex(place.node)}$ without ${to_latex(factor)}$"
+            words = f"omit ${to_latex(factor)}$ in ${to_latex(place.node)}$"
             if rank(rest, vocabulary) == whole:
                 yield Misprint("factor", place.path, rest, words)
 
@@ -204,7 +210,7 @@ def _missing(place: _Place, names: list[str], vocabulary: Vocabulary) -> Iterato
     if rank(node, vocabulary) != SCALAR:
         return
     for name in names:
-        words = f"${name}$ inserted at ${to_latex(node)}$"
+        words = f"insert ${name}$ in ${to_latex(node)}$"
         factors = _factors_of(node)
         behind = all(isinstance(factor, Name | Number | Power) for factor in factors)
         first = 0 if behind or not isinstance(factors[0], Number) else 1
@@ -223,17 +229,17 @@ def _moves(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
             rest = product(below[:index] + below[index + 1 :])
             up = product((*above, factor))
             moved = up if rest == ONE else Quotient(up, rest)
-            words = f"${to_latex(factor)}$ above the line"
+            words = f"move ${to_latex(factor)}$ above the line"
             yield Misprint("power", place.path, moved, words)
         for index, factor in enumerate(above):
             if factor != ONE and rank(factor, vocabulary) == SCALAR:
                 rest = product(above[:index] + above[index + 1 :])
                 moved = Quotient(rest, product((*below, factor)))
-                words = f"${to_latex(factor)}$ below the line"
+                words = f"move ${to_latex(factor)}$ below the line"
                 yield Misprint("power", place.path, moved, words)
     elif isinstance(node, Product) and not isinstance(place.parent, Quotient):
         for index, factor in enumerate(node.factors):
             if not isinstance(factor, Number | Quotient) and rank(factor, vocabulary) == SCALAR:
                 moved = Quotient(ONE, factor)
-                words = f"${to_latex(factor)}$ below the line"
+                words = f"move ${to_latex(factor)}$ below the line"
                 yield Misprint("power", (*place.path, index), moved, words)

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 
 from kowalevski_cas.notation.formula import (
     Application,
+    Changed,
     Commutator,
     Conjugate,
     Constant,
@@ -125,6 +126,10 @@ class Printer(ABC):
         text = self(argument)
         text = text if isinstance(argument, Name) else self.bracketed(text)
         return text + self.prime * order
+
+    def changed(self, formula: Changed) -> str:
+        """A part with a mark, where the format has one."""
+        return self(formula.argument)
 
     def between(self, opening: str, text: str, closing: str) -> str:
         """A text in these brackets."""
@@ -295,5 +300,7 @@ def _is_applied(left: Formula, right: Formula) -> bool:
 
 def is_base(formula: Formula) -> bool:
     """Whether a formula carries a power without brackets."""
+    if isinstance(formula, Changed):
+        return is_base(formula.argument)
     dotted = isinstance(formula, Derivative) and formula.mark == "dot"
     return dotted or isinstance(formula, _BASES)

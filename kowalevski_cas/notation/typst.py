@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Quotient, Root
+from kowalevski_cas.notation.formula import Changed, Conjugate, Formula, Name, Quotient, Root
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import SIGNS, symbol
 
@@ -58,6 +58,9 @@ class Typst(Printer):
 
     def raised(self, base: str, exponent: str) -> str:
         return f"{base}^⟮{exponent}⟯"
+
+    def changed(self, formula: Changed) -> str:
+        return f"{'slip' if formula.wrong else 'meant'}⟮{self(formula.argument)}⟯"
 
     def root(self, formula: Root) -> str:
         return f"sqrt⟮{self(formula.argument)}⟯"

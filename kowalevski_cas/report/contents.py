@@ -27,7 +27,7 @@ from kowalevski_cas.report.graph import picture
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.passages import Passages
-from kowalevski_cas.report.places import Section
+from kowalevski_cas.report.places import Section, names
 from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.sentences import Phrases, listed, nonzero
 from kowalevski_cas.report.witnesses import Witness, arithmetics
@@ -64,8 +64,7 @@ class Contents:
         programs: Sequence[Witness],
     ) -> None:
         self.run, self.sections, self.certified, self.programs = run, sections, certified, programs
-        names = {c: name for s in sections for item in s.items for c, name in item.names()}
-        self.phrases = Phrases(run.vocabulary, (o.claim for o in run.outcomes), names)
+        self.phrases = Phrases(run.vocabulary, (o.claim for o in run.outcomes), names(sections))
         self.passages = Passages(self.phrases, certified, programs)
         copied = any(section.copied for section in sections)
         self.findings = Findings(self.phrases, run.outcomes, copied)

@@ -81,7 +81,7 @@ class Paragraph(Block):
 class Display(Block):
     """Formulas on lines of their own, or their ``source`` where they cannot be read.
 
-    ``verdict`` puts a sign beside them and ``label`` a text behind; ``struck`` ones are wrong.
+    ``verdict`` puts a sign beside them and ``label`` a text behind; ``wrong`` ones are false.
     What is ``long`` stands in an appendix, where the format has no other way to fold it away.
     """
 
@@ -90,7 +90,7 @@ class Display(Block):
     verdict: Verdict | None = None
     label: Text = ()
     anchor: str = ""
-    struck: bool = False
+    wrong: bool = False
     long: bool = False
 
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, Relation, to_plain
 from kowalevski_cas.report.alike import alike
+from kowalevski_cas.report.compare import compared
 from kowalevski_cas.report.document import Block, Display, Emphasis, Paragraph, Text
 from kowalevski_cas.report.sentences import Phrases, listed
 from kowalevski_cas.tools import title
@@ -70,7 +72,11 @@ class Evidence:
 
     def _corrections(self) -> Iterator[Block]:
         """Corrections of the same kind together."""
-        having = [(row.claim, row.correction) for row in self.rows if row.correction]
+        having = [
+            (row.claim, replace(one, formulas=compared(row.formulas, one.formulas)[1]))
+            for row in self.rows
+            if (one := row.correction)
+        ]
         for claims, ones in alike(having, lambda one: (one.words, one.verdict, one.conditions)):
             one = ones[0]
             formulas = tuple(formula for each in ones for formula in each.formulas)

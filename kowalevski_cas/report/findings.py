@@ -6,8 +6,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 from kowalevski_cas.report.alike import alike
+from kowalevski_cas.report.compare import compared
 from kowalevski_cas.report.document import Block, Claim, Display, Emphasis, Heading, Text
-from kowalevski_cas.report.sentences import Phrases, capital, counted, in_words, nonzero
+from kowalevski_cas.report.sentences import (
+    Phrases,
+    capital,
+    capitalised,
+    counted,
+    in_words,
+    nonzero,
+)
 from kowalevski_cas.verify.outcome import Condition, Outcome, Verdict
 
 Slip = tuple[Outcome, ...]
@@ -40,6 +48,12 @@ class Findings:
     def lacking(self) -> tuple[Outcome, ...]:
         """What lacks a hypothesis, since it fails at a point where its formulas make sense."""
         return tuple(o for o in self.outcomes if any(c.witness for c in o.conditions))
+
+    @cached_property
+    def open(self) -> tuple[Outcome, ...]:
+        """What is neither proved nor refuted, though it can be read."""
+        undecided = (Verdict.UNDECIDED, Verdict.TIMEOUT)
+        return tuple(o for o in self.outcomes if o.verdict in undecided)
 
     def lead(self) -> str:
         """What was found, in two sentences."""
@@ -79,6 +93,16 @@ class Findings:
             many = counted(len(self.false), "false statement")
             yield Heading((capital(many),), "false", 2)
             yield from map(self._falsehood, self.false)
+        yield from self.hypotheses()
+        if self.open:
+            many = counted(len(self.open), "open statement")
+            yield Heading((capital(many),), "open", 2)
+            for outcome in self.open:
+                said = self.phrases.sentence(outcome.message)
+                yield Claim(outcome.verdict, "", (*self.phrases.link(outcome.claim), ": ", *said))
+
+    def hypotheses(self) -> Iterator[Block]:
+        """What the paper does not say and a statement needs, each condition once."""
         if self.lacking:
             pairs = [(o.claim, c) for o in self.lacking for c in o.conditions if c.witness]
             hypotheses = list(alike(pairs, lambda c: (c.expression, c.words)))
@@ -91,10 +115,11 @@ class Findings:
         first, correction = slip[0], slip[0].correction
         assert correction is not None
         where = self.phrases.links(outcome.claim for outcome in slip)
-        head: Text = ("In ", *where, ": ", *self.phrases.words(correction.words), ".")
+        head: Text = (*capitalised(where), ": ", *self.phrases.words(correction.words), ".")
+        printed, meant = compared(first.formulas, correction.formulas)
         shown: list[Block] = [
-            Display(first.formulas, first.source, first.verdict, struck=True),
-            Display(correction.formulas, verdict=correction.verdict),
+            Display(printed, first.source, first.verdict, wrong=True),
+            Display(meant, verdict=correction.verdict),
         ]
         return Claim(None, "", head, blocks=tuple(shown))
 
@@ -113,7 +138,7 @@ class Findings:
         return Claim(outcome.verdict, "", (*head, "."), blocks=tuple(shown))
 
     def _hypothesis(self, claims: Sequence[str], condition: Condition) -> Claim:
-        said = next(o.words for o in self.lacking if o.claim == claims[0])
+        said = "; ".join(dict.fromkeys(o.words for o in self.lacking if o.claim in claims))
         head: Text = (
             *self.phrases.links(claims), ": ", *self.phrases.sentence(said), " We need ",
             nonzero(condition.expression), ": ", *self.phrases.words(condition.words), ".",

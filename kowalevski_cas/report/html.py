@@ -152,7 +152,7 @@ class HtmlWriter(Writer):
             inner = f"<div>{wide}</div>"
             if wide != narrow:
                 inner = f'<div class="wide">{wide}</div><div class="narrow">{narrow}</div>'
-        if block.struck:
+        if block.wrong:
             inner = f"<s>{inner}</s>"
         sign = self.sign(block.verdict) if block.verdict else ""
         place = f' id="{block.anchor}"' if block.anchor else ""

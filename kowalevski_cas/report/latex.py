@@ -112,9 +112,8 @@ class LatexWriter(Writer):
             shown = rf"\fit{{{mathematics}}}"
         else:
             shown = self.code(block.source)
-        if block.struck:  # a line through fractions would be one of them
-            high = "aligned" in shown or r"\frac" in shown
-            shown = rf"\{'Wrong' if high else 'Struck'}{{{shown}}}"
+        if block.wrong:
+            shown = rf"\Wrong{{{shown}}}"
         sign = rf"\Sign{{{block.verdict}}}" if block.verdict else ""
         label = self._place(block.anchor) + self.text(block.label)
         return f"\\Shown{{{sign}}}{{{shown}}}{{{label}}}"

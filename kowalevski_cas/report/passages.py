@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Final
 
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.alike import alike
+from kowalevski_cas.report.compare import compared
 from kowalevski_cas.report.document import (
     Block,
     Claim,
@@ -95,7 +97,7 @@ class Passages:
             label = names.get(own.claim, "") if own else f"{item.label[:-1]}.{number})"
             shown.append(
                 Display(
-                    row.formulas,
+                    _slips(row.formulas, own),
                     row.source,
                     own.verdict if own else None,
                     self._beside(own, label if item.label else ""),
@@ -120,7 +122,9 @@ class Passages:
         formulas = tuple(f for row in item.rows for f in row.formulas) if item else outcome.formulas
         source = item.rows[0].source if item else outcome.source
         misprint = outcome.correction is not None and outcome.correction.edit is not None
-        shown = [Display(formulas, source, struck=misprint)] if formulas or source else []
+        shown = []
+        if formulas or source:
+            shown = [Display(_slips(formulas, outcome), source, wrong=misprint)]
         head = (*self.phrases.sentence(outcome.words), *self._verdict_of(outcome))
         place = f"claim.{anchor(outcome.claim)}"
         return self._claim(outcome.verdict, place, head, label, shown, (outcome,))
@@ -166,6 +170,13 @@ class Passages:
             corrected = self.phrases.links(outcome.corrected)
             text = (*text, "; read with the correction of ", *corrected)
         return text
+
+
+def _slips(formulas: tuple[Formula, ...], outcome: Outcome | None) -> tuple[Formula, ...]:
+    """Formulas as printed, with marks on what the correction changes."""
+    if outcome is None or outcome.correction is None or outcome.correction.edit is None:
+        return formulas
+    return compared(formulas, outcome.correction.formulas)[0]
 
 
 def _names(names: Sequence[str]) -> Text:

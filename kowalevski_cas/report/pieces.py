@@ -18,6 +18,7 @@ from kowalevski_cas.notation import (
     Vector,
     to_plain,
 )
+from kowalevski_cas.notation.formula import Changed
 from kowalevski_cas.notation.printer import COMPOUND, SIGNED, Printer, is_base
 
 _BRACKET, _TALL_BRACKET = 0.39, 0.7
@@ -95,6 +96,8 @@ def _piece(formula: Formula, printer: Printer) -> Piece:
             columns = zip(*(row.components for row in rows if isinstance(row, Vector)), strict=True)
             wide = (max(measured(pieces(cell, printer)) for cell in cells) for cells in columns)
             return Piece(printer(formula), sum(wide) + len(rows) + 0.8, tall=True)
+        case Changed(argument):
+            return replace(_piece(argument, printer), text=printer(formula), inner=(), below=())
         case Root(argument):
             inside = pieces(argument, printer)
             tall = any(piece.tall for piece in inside)

@@ -93,6 +93,21 @@ def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[Sect
     return tuple(found)
 
 
+def names(sections: Sequence[Section]) -> dict[str, str]:
+    """The claims called by equations: by their number, or as the only formula above one."""
+    found: dict[str, str] = {}
+    for section in sections:
+        above: list[Outcome] = []
+        for item in section.items:
+            if item.label:
+                found.update({o.claim: f"above {item.label}" for o in above if len(above) == 1})
+                found.update(item.names())
+                above = []
+            elif item.display:
+                above += item.all
+    return found
+
+
 def _items(
     section: paper.Section, outcomes: dict[str, Outcome], texts: Texts, roles: Roles
 ) -> Iterator[Item]:

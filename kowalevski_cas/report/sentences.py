@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Final
 
 from kowalevski_cas.notation import Formula, Number, Relation, Vocabulary, read_prose
@@ -47,8 +48,11 @@ def capital(text: str) -> str:
 
 def capitalised(text: Text) -> Text:
     """The text with a capital, where it begins with a word."""
-    if text and isinstance(text[0], str):
-        return (capital(text[0]), *text[1:])
+    match text:
+        case (str(word), *rest):
+            return (capital(word), *rest)
+        case (Link() as link, *rest):
+            return (replace(link, text=capitalised(link.text)), *rest)
     return text
 
 

@@ -107,10 +107,9 @@ class TypstWriter(Writer):
             shown = f"$ {self.setter.display(block.formulas, self.room)} $"
         name = f'"{block.verdict}"' if block.verdict else "none"
         place = f" <{block.anchor}>" if block.anchor else ""
-        high = "\n" in shown or "frac(" in shown  # a line through fractions would be one of them
-        struck = f", wrong: {'red' if high else 'struck'}" if block.struck else ""
+        wrong = ", wrong: red" if block.wrong else ""
         label = self.text(block.label)
-        return f"#shown({name}, [{label}]{struck})[{shown}]{place}"
+        return f"#shown({name}, [{label}]{wrong})[{shown}]{place}"
 
     def claim(self, block: Claim) -> str:
         name = f'"{block.verdict}"' if block.verdict else "none"

@@ -15,6 +15,7 @@ from kowalevski_cas.library import load
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.processes import tell
 from kowalevski_cas.verify.bench import Bench
 from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
 from kowalevski_cas.verify.corrections import recorded_correction
@@ -79,7 +80,8 @@ def wanted(record: Record) -> list[str]:
 def check_files(paths: Sequence[Path], about: Expected | None = None) -> Checked:
     """Check certificates; those of a derivation have to be about what is expected."""
     found = Checked()
-    for path in paths:
+    for done, path in enumerate(paths):
+        tell(path.stem, done, len(paths))
         corrected = path.parent.name == CORRECTED
         try:
             certificate = checker.check(path.read_text(encoding="utf-8"))

@@ -11,7 +11,7 @@ from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
 
-Attribute = str | tuple[str, ...] | int | tuple[int, ...]
+Attribute = str | int | tuple[str, ...] | tuple[int, ...] | tuple[tuple[str, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ def with_findings(derivation: Derivation, findings: Iterable[Finding]) -> Deriva
 
     def placed(value: Attribute) -> Any:
         if isinstance(value, tuple):
-            return tuple(place(one) if isinstance(one, str) else one for one in value)
+            return tuple(map(placed, value))
         return place(value) if isinstance(value, str) else value
 
     for number, one in enumerate(findings, 1):

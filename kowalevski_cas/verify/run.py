@@ -8,6 +8,7 @@ from functools import cached_property
 from hashlib import sha256
 from time import perf_counter
 
+from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
@@ -77,6 +78,8 @@ class Session(Mender):
         """Decide the chosen claims."""
         derivation = self.derivation
         chosen = [c for c in derivation.claims if not only or c.id in only]
+        for name in self.arithmetics:  # no claim is charged for what is imported
+            (load_points if name in POINTS else load)(name)
         outcomes = []
         for done, claim in enumerate(chosen):
             progress(claim.id, done, len(chosen))

@@ -37,12 +37,19 @@ def write(tmp_path):
 
 def test_pretty(paper, capsys):
     assert main(["audit", str(paper)]) == 1
-    out = capsys.readouterr().out
-    assert "eq14 is refuted" in out
-    assert "Statements in words" in out
-    assert "9 refuted" in out
-    assert "critical-set is refuted" in out
+    out = " ".join(capsys.readouterr().out.split())
+    assert "eq14 is refuted; move √(x₁x₂) above the line." in out
+    assert "eq10.1, eq10.2, eq10.3, eq10.4, eq10.7, eq10.8 are refuted; for w₃ read ω₃." in out
+    assert "critical-set is refuted: " in out and "Seven missing hypotheses" in out
+    assert "9 refuted" in out and "Statements in words" not in out
     assert "68 claims: 27 conditional, 31 proved, 10 refuted" in out
+
+
+def test_formula_by_formula(paper, capsys):
+    assert main(["audit", "-v", str(paper)]) == 1
+    out = capsys.readouterr().out
+    assert "Statements in words" in out and "\n·     " in out
+    assert " definition: 𝐈 = diag(A₁, A₂, A₃)\n" in out
 
 
 def test_json(paper, capsys):

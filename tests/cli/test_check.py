@@ -47,7 +47,8 @@ def test_all_committed_certificates_belong_to_the_record(capsys):
     assert capsys.readouterr().out == f"certificates: CERTIFIED {number} of {number}\n"
 
 
-def test_it_says_what_is_proved(copy, capsys):
+def test_a_line_says_what_is_proved(copy, capsys, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "500")
     assert main(["check", str(copy)]) == 0
     out = capsys.readouterr().out
     lines = out.splitlines()
@@ -55,6 +56,9 @@ def test_it_says_what_is_proved(copy, capsys):
     assert lines[1].startswith("eq6: D(((J_1 ^ 2) + (J_2 ^ 2))) = 0; the differentials of ")
     assert lines[3].startswith("corrected/eq14: D(")
     assert lines[4:] == ["certificates: CERTIFIED 4 of 4"]
+    monkeypatch.setenv("COLUMNS", "60")
+    main(["check", str(copy)])
+    assert {len(line) for line in capsys.readouterr().out.splitlines()[:3]} == {60}
 
 
 def test_it_says_all_of_it(copy, capsys):

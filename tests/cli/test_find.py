@@ -77,6 +77,22 @@ def test_a_function_and_its_derivative_define_an_invariant_set(capsys):
     assert [line.split()[0] for line in lines[1:]] == ["conditional", "proved", "3"]
 
 
+def test_the_constants_for_which_a_polynomial_divides_its_derivative(capsys, tmp_path):
+    field = r"\dot x=\sigma(y-x),\quad \dot y=\rho x-y-xz,\quad \dot z=xy-bz"
+    file = tmp_path / "lorenz.py"
+    file.write_text(
+        f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n"
+        "lorenz.invariant('x=0', 'y=0')\n"
+    )
+    assert main(["find", "parameters", str(file), "x^2+Az"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines] == ["proved"] * 4 + ["4"]
+    assert "only where σ = 0, or b = 2σ" in lines[1]
+    assert "with K = −2σ where A = −2σ and b = 2σ" in lines[3]
+    assert main(["find", "parameters", str(file), "x+y^2"]) == 0
+    assert "only where never" in capsys.readouterr().out
+
+
 @pytest.mark.slow
 def test_the_relations_of_the_paper_and_a_third_one_that_needs_no_condition(capsys):
     assert main([*CLOSURE, "complex variables", r"\theta\omega_3-Q_1", "--format", "json"]) == 0
@@ -99,3 +115,14 @@ scene = Scene("Lorenz", "").having(variables=("x", "y", "z"), constants=(r"\sigm
 section.states(Identity, motion[1], on=scene.moving(motion), says="the motion")
 derivation = Derivation("lorenz", "Lorenz", "", "", (section,))
 """
+
+
+def test_darboux_polynomials_and_the_constants_for_which_there_are_some(tmp_path, capsys):
+    (tmp_path / "lorenz").mkdir()
+    (tmp_path / "lorenz" / "__init__.py").write_text(LORENZ, encoding="utf-8")
+    assert main(["find", "darboux", str(tmp_path / "lorenz"), "--special"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert "proved  F' = KF with K = −2σ where b = 2σ:  d/dt(x² − 2zσ) = (−2σ)(x² − 2zσ)" in [
+        line.replace("K=", "K = ") for line in lines
+    ]
+    assert lines[-1] == "4 found"

@@ -66,8 +66,8 @@ def test_the_misprint_of_the_time_variable_is_one_sign_away():
 def test_the_index_that_a_complex_frequency_should_have_is_found():
     [statement] = read_display(r"x'_1 = -x_1 w_1", paper.WORDS)
     found = {edit.words: edit.tex for edit in edits(statement, paper.WORDS)}
-    assert found[r"$\omega_3$ for $w_1$"] == r"x'_1 = -x_1 \omega_3"
-    assert found["$w_3$ for $w_1$"] == "x'_1 = -x_1 w_3"
+    assert found[r"for $w_1$ read $\omega_3$"] == r"x'_1 = -x_1 \omega_3"
+    assert found["for $w_1$ read $w_3$"] == "x'_1 = -x_1 w_3"
 
 
 def test_kinds_come_in_the_order_of_plausibility():
@@ -96,7 +96,7 @@ def test_the_edited_source_reads_as_the_edited_formula(name):
 def test_an_edit_leaves_the_rest_of_the_source_alone():
     [statement] = read_display(paper.DISPLAYS["eq21"], paper.WORDS)
     for edit in islice(edits(statement, paper.WORDS), 40):
-        if edit.words.startswith(r"sign of $\frac{1}{\alpha_1^2"):
+        if edit.words.startswith(r"change the sign of $\frac{1}{\alpha_1^2"):
             assert edit.tex.count("\\displaystyle") == 2
             assert edit.tex.count(r"}]^2  -}") == 1
             assert edit.tex.count(r"\phantom{\Psi=} - \frac") == 1

@@ -123,7 +123,14 @@ def statement(session, claim, texts=None):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "words", ["sign of $K$", "sign of $H$", "$2L^2$ without $2$", "$3$ for $2$", r"$2$ before $K$"]
+    "words",
+    [
+        "change the sign of $K$",
+        "change the sign of $H$",
+        "omit $2$ in $2L^2$",
+        "for $2$ read $3$",
+        "insert $2$ before $K$",
+    ],
 )
 @pytest.mark.parametrize("claim", [CLAIM, ON_ZERO_LEVEL], ids=["any level", "zero level"])
 def test_another_function_moves_on_the_set(session, claim, words) -> None:

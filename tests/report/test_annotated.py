@@ -55,7 +55,7 @@ def test_a_formula_of_the_author_is_judged_as_he_types_it() -> None:
     assert "claim.eq6" in {p.target for p in parts(document.blocks[:12]) if isinstance(p, Link)}
     (claim,) = [p for p in parts(document.blocks) if getattr(p, "anchor", "") == "claim.eq6"]
     assert claim.verdict is Verdict.REFUTED
-    assert any(isinstance(p, Display) and p.struck for p in parts(claim))
+    assert any(isinstance(p, Display) and p.wrong for p in parts(claim))
 
 
 def test_a_formula_that_is_missing_is_not_passed_over() -> None:

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report import contents
+from kowalevski_cas.report.compare import unmarked
 from kowalevski_cas.report.document import (
     Claim,
     Display,
@@ -93,7 +94,10 @@ class TestPlaces:
 
     def test_all_formulas_are_there(self, either: Document) -> None:
         shown = {
-            f for part in parts(either.blocks) if isinstance(part, Display) for f in part.formulas
+            unmarked(f)
+            for part in parts(either.blocks)
+            if isinstance(part, Display)
+            for f in part.formulas
         }
         for outcome in outcomes():
             for one in outcome.steps:
@@ -107,7 +111,7 @@ class TestWrong:
         assert len(heads) == 3  # i², w₃ in four rows, and the factor in (21)
         rows = [link.target for link in parts(heads[1]) if isinstance(link, Link)]
         assert rows == [f"claim.eq10.{k}" for k in range(1, 5)]
-        assert [p.struck for p in parts(heads[1]) if isinstance(p, Display)] == [True, False]
+        assert [p.wrong for p in parts(heads[1]) if isinstance(p, Display)] == [True, False]
 
     def test_the_same_words_about_two_displays_are_two_misprints(self) -> None:
         pair = [

@@ -9,6 +9,7 @@ from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.verify.outcome import in_latex
 
 FORMATS = ("pretty", "json", "sarif", "github")
+"""The formats that are chosen by name; ``-v`` chooses :mod:`.verbose`."""
 
 
 def load_format(name: str) -> Callable[[Audit], str]:

@@ -1,139 +1,130 @@
-"""An audit for a reader at a terminal."""
+"""An audit for a reader at a terminal: the answer, what is wrong, and a summary."""
 
 from __future__ import annotations
 
-import sys
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
 
 from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import Audited
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.audit_formats import located, said
-from kowalevski_cas.notation import Vocabulary
-from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome
-
-MARKS = {
-    "proved": ("✓", "32"),
-    "conditional": ("◐", "36"),
-    "given": ("·", "2"),
-    "new": ("·", "2"),
-    "refuted": ("✗", "31"),
-    "suspect": ("✗", "31"),
-    "missing": ("✗", "31"),
-}
-"""Mark and colour; everything else is a question."""
-
-WIDEST = 90
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.report import Findings, Phrases
+from kowalevski_cas.report.document import Block, Display, Paragraph
+from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
 
 
 def render(audit: Audit) -> str:
-    """The formulas by line, what is wrong with its evidence, statements in words, a summary."""
-    colour = sys.stdout.isatty()
-    lines = [f"{audit.source.path}, by the derivation {audit.session.derivation.name}", ""]
-    vocabulary = audit.session.texts.vocabulary
-    lines += [_line(formula, vocabulary, colour) for formula in audit.formulas]
-    lines += _wrong(audit)
-    lines += _restrictions(audit)
-    lines += _statements(audit, colour)
-    lines += [f"line {line}: {words}" for line, words in audit.notes]
-    lines += ["", _summary(audit)]
-    return "\n".join(lines) + "\n"
+    """What is wrong, each slip once."""
+    return Told(audit).told()
 
 
-def _head(verdict: str, colour: bool) -> str:
-    mark, code = MARKS.get(verdict, ("?", "33"))
-    head = f"{mark} {verdict:<11}"
-    return f"\x1b[{code}m{head}\x1b[0m" if colour else head
+@dataclass
+class Told:
+    """An audit in words; ``evidence`` says whether counterexamples are shown."""
 
+    audit: Audit
+    evidence: bool = False
 
-def _line(formula: Audited, vocabulary: Vocabulary, colour: bool) -> str:
-    line = f"{formula.line:>5}" if formula.line else "    -"
-    notes = " (moved)" if formula.moved else ""
-    head = _head(formula.verdict, colour)
-    text = _short(_printed(formula, vocabulary))
-    return f"{line}  {formula.id:<20} {head} {formula.role:<12} {text}{notes}"
+    @cached_property
+    def phrases(self) -> Phrases:
+        """Phrases in the vocabulary of the source."""
+        return Phrases(self.audit.session.texts.vocabulary, (), {})
 
+    def told(self, details: Iterable[str] = ()) -> str:
+        """The audit as text; details stand before the summary."""
+        audit = self.audit
+        findings = Findings(self.phrases, tuple(audit.outcomes.values()))
+        source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
+        lines = [
+            *plain.wrapped(source),
+            "",
+            *plain.wrapped(findings.lead()),
+            *self.wrong(),
+            *plain.lines(findings.hypotheses()),
+            *details,
+            *(f"line {line}: {words}" for line, words in audit.notes),
+            "",
+            *self.summary(),
+        ]
+        return "\n".join(lines) + "\n"
 
-def _printed(formula: Audited, vocabulary: Vocabulary) -> str:
-    if formula.formula is None:
-        return plain.display(formula.tex, vocabulary)
-    return plain.formulas((formula.formula,))
+    def wrong(self) -> Iterator[str]:
+        """Formulas to look at, and statements in words that are refuted."""
+        audit = self.audit
+        if audit.wrong:
+            yield from ("", "What is wrong")
+        for ones in self._slips():
+            first = audit.formulas[ones[0]]
+            names = ", ".join(audit.formulas[k].id for k in ones)
+            verb = "are" if len(ones) > 1 else "is"
+            why = "; ".join(said(audit, ones[0]))
+            place = f"{audit.source.path}:{first.line}: {names} {verb} {first.verdict}"
+            printed = () if first.formula is None else (first.formula,)
+            yield from self._finding(
+                f"{place}: {why}" if why else place, printed, first.tex,
+                first.correction, first.counterexample,
+            )  # fmt: skip
+        for outcome in audit.false:
+            yield from self._false(outcome)
 
+    def _slips(self) -> Iterable[list[int]]:
+        """The formulas to look at; the same change in rows of one display is one slip."""
+        found: dict[object, list[int]] = {}
+        for k, formula in enumerate(self.audit.formulas):
+            if formula.wrong:
+                found.setdefault(_slip(formula) or k, []).append(k)
+        return found.values()
 
-def _short(text: str) -> str:
-    return text if len(text) <= WIDEST else f"{text[: WIDEST - 1]}…"
-
-
-def _wrong(audit: Audit) -> list[str]:
-    """Formulas to look at, and statements in words that are refuted."""
-    lines = []
-    vocabulary = audit.session.texts.vocabulary
-    for index, formula in enumerate(audit.formulas):
-        if formula.wrong:
-            place = f"{audit.source.path}:{formula.line}"
-            lines.append(f"  {place}: {formula.id} is {formula.verdict}")
-            lines.append(f"    printed   {_printed(formula, vocabulary)}")
-            if why := "; ".join(said(audit, index)):
-                lines.append(f"    why       {plain.words(why, vocabulary)}")
-            lines += _evidence(formula.correction, formula.counterexample, vocabulary)
-    for outcome in audit.false:
+    def _false(self, outcome: Outcome) -> Iterator[str]:
+        audit = self.audit
         line = audit.lines.get(outcome.claim)
         place = f"{audit.source.path}:{line}: " if line else ""
-        words = plain.words(outcome.words, vocabulary)
-        lines.append(f"  {place}{outcome.claim} is refuted: {words}")
-        if printed := plain.formulas(outcome.formulas, outcome.source):
-            lines.append(f"    printed   {printed}")
-        causes = audit.session.causes.get(outcome.claim, ())
-        if causes:
+        why = ""
+        if causes := audit.session.causes.get(outcome.claim, ()):
             named = ", ".join(located(audit, cause.place) for cause in causes)
-            lines.append(f"    why       because of {named}")
-        lines += _evidence(outcome.correction, outcome.counterexample, vocabulary)
-    return ["", "What is wrong", *lines] if lines else []
+            why = f"; because of {named}"
+        yield from self._finding(
+            f"{place}{outcome.claim} is refuted: {outcome.words}{why}", outcome.formulas,
+            outcome.source, outcome.correction, outcome.counterexample,
+        )  # fmt: skip
+
+    def _finding(
+        self,
+        head: str,
+        printed: tuple[Formula, ...],
+        source: str,
+        correction: Correction | None,
+        against: Counterexample | None,
+    ) -> Iterator[str]:
+        if correction is not None:
+            head += f"{'; ' if correction.edit else '. True: '}{correction.words}"
+        yield from plain.wrapped(plain.text(self.phrases.words(f"{head}.")))
+        shown: list[Block] = []
+        if printed or source:
+            shown.append(Display(printed, source, Verdict.REFUTED))
+        if correction is not None:
+            shown.append(Display(correction.formulas, verdict=correction.verdict))
+        if against is not None and self.evidence:
+            shown.append(Paragraph(self.phrases.values(against)))
+        yield from plain.lines(shown, 2)
+
+    def summary(self) -> Iterator[str]:
+        """How many there are of each verdict."""
+        audit = self.audit
+        claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
+        yield f"{len(audit.formulas)} formulas: {_counted(audit.counts)}"
+        yield f"{len(audit.outcomes)} claims: {_counted(claims)}; {audit.seconds:.2f} s"
 
 
-def _evidence(
-    correction: Correction | None, against: Counterexample | None, vocabulary: Vocabulary
-) -> list[str]:
-    lines = []
-    if correction is not None:
-        where = "".join(f", where {plain.nonzero(c)}" for c in correction.conditions)
-        shown = plain.formulas(correction.formulas)
-        lines.append(f"    correct   {shown}   ({correction.verdict}{where})")
-        lines.append(f"    that is   {plain.words(correction.words, vocabulary)}")
-    return lines + ([] if against is None else plain.evidence(against, vocabulary))
-
-
-def _restrictions(audit: Audit) -> list[str]:
-    """Conditions under which a formula fails, with a point where it does."""
-    lines: list[str] = []
-    vocabulary = audit.session.texts.vocabulary
-    for outcome in audit.outcomes.values():
-        for condition in outcome.conditions:
-            if condition.witness is not None:
-                lines.append(f"  {outcome.claim}  {plain.needs(condition, vocabulary)}")
-                lines += plain.evidence(condition.witness, vocabulary)
-    return ["", "Conditions that are not stated", *lines] if lines else []
-
-
-def _statements(audit: Audit, colour: bool) -> list[str]:
-    lines = [_statement(outcome, audit, colour) for outcome in audit.statements]
-    return ["", "Statements in words", *lines] if lines else []
-
-
-def _statement(outcome: Outcome, audit: Audit, colour: bool) -> str:
-    line, head = audit.lines.get(outcome.claim, ""), _head(str(outcome.verdict), colour)
-    said = f"{outcome.words}: {outcome.message}" if outcome.message else outcome.words
-    text = plain.words(said, audit.session.texts.vocabulary)
-    return f"{line:>5}  {outcome.claim:<20} {head} {text}"
-
-
-def _summary(audit: Audit) -> str:
-    claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
-    return (
-        f"{len(audit.formulas)} formulas: {_counted(audit.counts)}\n"
-        f"{len(audit.outcomes)} claims: {_counted(claims)}; {audit.seconds:.2f} s"
-    )
+def _slip(formula: Audited) -> object:
+    """What makes one slip of several changes: the same words in the same display."""
+    if formula.correction is None or formula.place is None:
+        return None
+    return formula.correction.words, formula.place.display.id
 
 
 def _counted(counts: Mapping[str, int]) -> str:

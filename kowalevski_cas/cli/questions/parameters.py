@@ -1,0 +1,116 @@
+"""Find the values of constants for which a polynomial F divides its derivative: F' = KF.
+
+Names in F that the scene does not have are coefficients to be determined. All cases are found, with
+the polynomial K of each; that there are no others is claimed too.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Negative,
+    OpenParser,
+    Product,
+    Relation,
+    Sum,
+    read,
+    to_latex,
+)
+from kowalevski_cas.paper.claims import Identity, Implication, Union
+from kowalevski_cas.paper.claims.forms import total
+from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.problem.prune import mentions
+from kowalevski_cas.search.parameters import Ansatz, cofactor_monomials
+from kowalevski_cas.verify.found import Finding
+
+LETTERS = (r"\kappa", r"\lambda", r"\mu")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The arguments of the question."""
+    parser.add_argument("polynomial", metavar="POLYNOMIAL", help="F, in LaTeX")
+
+
+def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+    """What F' = KF asks of the constants, that there are these cases only, and each of them."""
+    letters = _letters(on(scene))
+    unknown = _unknown(on(scene), arguments.polynomial)
+    scene = scene.having(constants=(*unknown, *letters))
+    words = on.texts.vocabulary
+    words = replace(words, scalars=words.scalars.union(unknown, letters))
+    space = Elaborations(Texts(words, on.texts.sources, on.texts.edits))(scene)
+    ansatz = Ansatz(space.finder, space.finder.scalar(space.formula(arguments.polynomial)), letters)
+
+    def formula(element: Element) -> Formula:
+        return formula_of(element, words)
+
+    def tex(*sides: Formula | Element) -> str:
+        members = (one if isinstance(one, Formula) else formula(one) for one in sides)
+        return to_latex(Relation(tuple(members), ("=",)))
+
+    value, zero = formula(ansatz.value), ansatz.at.ring.zero
+    rate = Derivative(value, scene.time)
+    terms = [Product((formula(a), formula(b))) for a, b in ansatz.equations()]
+    rest = Sum((rate, Negative(Product((formula(ansatz.cofactor), value)))))
+    asked = tuple(tex(one, zero) for _, one in ansatz.equations())
+    said = "what multiplies the monomials vanishes if K is this polynomial"
+    yield Finding(Identity, scene, said, tex(rest, total(terms)))
+    cases = [*ansatz.cases()]
+    sets = dict.fromkeys(
+        tuple(tex(*sides) for sides in case.equations if not _mention(space, sides, unknown))
+        for case in cases
+    )
+    if all(sets):
+        said = f"F' = KF only where {_either(sets)}"
+        if not any(map(_is_number, ansatz.trivial())):
+            said += ", unless F is constant"
+            sets[tuple(tex(one, zero) for one in ansatz.trivial())] = None
+        yield Finding(Union, scene, said, attributes={"given": asked, "sets": tuple(sets)})
+    for case in cases:
+        given = tuple(tex(*sides) for sides in case.equations)
+        cofactor = formula(case.cofactor)
+        said = f"F' = KF with $K={to_latex(cofactor)}$ where {_either([given])}"
+        multiple = tex(rate, Product((cofactor, value)))
+        yield Finding(Implication, scene, said, multiple, {"given": given})
+
+
+def _either(sets: Iterable[tuple[str, ...]]) -> str:
+    """In words that one of several sets of equations holds."""
+    shown = (" and ".join(f"${one}$" for one in given) or "always" for given in sets)
+    return ", or ".join(shown) or "never"
+
+
+def _mention(space: Elaboration, sides: Iterable[Element], names: Iterable[str]) -> bool:
+    """Whether one of some names stands in an equation."""
+    return any(not space.finder.partial(one, name).is_zero for one in sides for name in names)
+
+
+def _letters(space: Elaboration) -> tuple[str, ...]:
+    """Names for the coefficients of K that the scene does not have."""
+    letter = next(
+        one for one in LETTERS if not any(name.startswith(one) for name in space.scene.names())
+    )
+    indices = range(len(cofactor_monomials(space.finder)))
+    return tuple(f"{letter}_{k}" if k < 10 else f"{letter}_{{{k}}}" for k in indices)
+
+
+def _unknown(space: Elaboration, tex: str) -> tuple[str, ...]:
+    """The names in a formula that have no meaning on the scene."""
+    names = mentions(read(tex, space.texts.vocabulary, OpenParser))
+    return tuple(n.name for n in names if isinstance(n, Name) and not space.finder.knows(n))
+
+
+def _is_number(element: Element) -> bool:
+    """Whether an element is a number other than zero."""
+    return all(not any(m) for m in element.terms().get(0, {}))

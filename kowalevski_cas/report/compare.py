@@ -1,0 +1,90 @@
+"""Where two formulas differ: what should not stand in the one, what should in the other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from kowalevski_cas.notation import Formula, Negative, Power, Product, Quotient, Relation, Root, Sum
+from kowalevski_cas.notation.formula import Changed
+from kowalevski_cas.notation.printer import COMPOUND
+
+_TAKEN_APART = (Relation, Sum, Negative, Product, Quotient, Root, Power)
+"""What is marked in part; a derivative, say, is marked as a whole."""
+
+
+def compared(
+    printed: Sequence[Formula], meant: Sequence[Formula]
+) -> tuple[tuple[Formula, ...], tuple[Formula, ...]]:
+    r"""Formulas as printed and as they were meant, with marks on what differs.
+
+    >>> from kowalevski_cas.notation import Vocabulary, read, to_mathml
+    >>> words = Vocabulary(frozenset({"x", "y"}))
+    >>> _, (meant,) = compared([read("2x", words)], [read("2xy", words)])
+    >>> to_mathml(meant)
+    '<mn>2</mn><mi>x</mi><mrow class="meant"><mi>y</mi></mrow>'
+    """
+    if len(printed) != len(meant):
+        return tuple(printed), tuple(meant)
+    pairs = [_compared(old, new, None) for old, new in zip(printed, meant, strict=True)]
+    return tuple(old for old, _ in pairs), tuple(new for _, new in pairs)
+
+
+def unmarked(formula: Formula) -> Formula:
+    """The formula without marks."""
+    return formula.argument if isinstance(formula, Changed) else formula.mapped(unmarked)
+
+
+def _compared(old: Formula, new: Formula, within: Formula | None) -> tuple[Formula, Formula]:
+    """Both, marked; ``within`` is what the old one stands in."""
+    if old == new:
+        return old, new
+    if isinstance(old, Product) or isinstance(new, Product):
+        factors = _factors(old), _factors(new)
+        if len(factors[0]) != len(factors[1]) and set(factors[0]) & set(factors[1]):
+            return _lone(old, factors[0], factors[1], True), _lone(new, *factors[::-1], False)
+    before, after = list(old.children()), list(new.children())
+    same = len(before) == len(after) and old.mapped(_Next(after)) == new
+    if same and isinstance(old, _TAKEN_APART):
+        pairs = [_compared(*pair, old) for pair in zip(before, after, strict=True)]
+        return old.mapped(_Next([a for a, _ in pairs])), new.mapped(_Next([b for _, b in pairs]))
+    bare = not isinstance(within, Sum | Product)  # a sign needs no brackets there
+    return _marked(old, True, bare), _marked(new, False, bare)
+
+
+def _lone(whole: Formula, own: Sequence[Formula], other: Sequence[Formula], wrong: bool) -> Formula:
+    """A product with marks on the factors that the other one has not."""
+    left = list(other)
+    factors = []
+    for factor in own:
+        if factor in left:
+            left.remove(factor)
+            factors.append(factor)
+        else:
+            factors.append(_marked(factor, wrong, bare=False))
+    return Product(tuple(factors)) if isinstance(whole, Product) else factors[0]
+
+
+def _factors(formula: Formula) -> tuple[Formula, ...]:
+    return formula.factors if isinstance(formula, Product) else (formula,)
+
+
+def _marked(formula: Formula, wrong: bool, bare: bool) -> Formula:
+    """The formula with a mark, inside of what has a sign or needs brackets where it stands."""
+    if isinstance(formula, Negative) and not bare:
+        return Negative(_marked(formula.argument, wrong, bare))
+    if isinstance(formula, COMPOUND) and not bare:
+        return formula.mapped(lambda part: _marked(part, wrong, bare))
+    return Changed(formula, wrong)
+
+
+@dataclass
+class _Next:
+    """Puts formulas in the places of children, one after the other."""
+
+    formulas: Sequence[Formula]
+    place: int = -1
+
+    def __call__(self, _: Formula) -> Formula:
+        self.place += 1
+        return self.formulas[self.place]
