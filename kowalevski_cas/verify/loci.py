@@ -108,7 +108,7 @@ def say_nothing_on(setting: Elaboration, given: tuple[Equation, ...], locus: Loc
     """Whether all equations that are given follow from those of a locus."""
     at = setting.finder
     there = at.differences(setting.equations(locus.equations))
-    return all(combined(e, there, ()) is not None for e in at.differences(given))
+    return all(vanishes_on(e, there) for e in at.differences(given))
 
 
 def circle_of(goal: Count, places: Sequence[Place]) -> tuple[Place, Place] | None:
