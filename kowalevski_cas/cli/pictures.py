@@ -69,12 +69,14 @@ def run(arguments: argparse.Namespace) -> int:
 
 def chosen(arguments: argparse.Namespace) -> Motion:
     """The motion that the arguments describe, or the example."""
-    from kowalevski_cas.motion import General, Motion
+    from kowalevski_cas.motion import General, Motion, MotionO4
 
     if any(getattr(arguments, name) is not None for name in (*CONSTANTS, "point")):
         motion = motion_of(arguments)
         if isinstance(motion, General):
             raise CommandError(f"only motions in closed form are drawn: {motion.why}")
+        if isinstance(motion, MotionO4):
+            raise CommandError("only motions on N⁴ are drawn; this one is on O⁴")
         return motion
     a, b, m, ell = EXAMPLE
     return Motion.of(a, b, m, ell=ell)
