@@ -32,8 +32,10 @@ class Heads(NamedTuple):
 def heads(tex: str) -> tuple[Heads, ...]:
     r"""What each statement of a display defines; raises ``NotationError`` for broken TeX.
 
-    >>> heads(r"H = \omega_1^2 - x \equiv h, \quad ({\bs \alpha}, {\bs \alpha}) = a^2")
-    (Heads(names=('H', 'h'), squares=()), Heads(names=(), squares=('a',)))
+    >>> heads(r"H = \omega_1^2 - x \equiv h, \quad r^2 = x^2")[0].names
+    ('H', 'h')
+    >>> heads(r"({\bs \alpha}, {\bs \alpha}) = a^2")
+    (Heads(names=(), squares=('a',), matrix=False),)
     >>> [*heads(r"\varphi(s) = 4ms^2, \quad {\bf e}_1 = (1,0)")][1].names
     ('\\mathbf{e}_1',)
     """

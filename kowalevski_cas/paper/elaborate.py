@@ -38,6 +38,7 @@ from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.scene import Scene, head, is_bold
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.validation import check_time, validate
+from kowalevski_cas.paper.written_out import WrittenOut
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.prune import mentions
 from kowalevski_cas.problem.space import (
@@ -77,8 +78,6 @@ class Elaboration(Meaning):
         self._open: list[str] = []
         self.places: dict[str, tuple[Printed, ...]] = {}
         self._inverses: dict[object, dict[str, Formula]] = {}
-        self.applied: set[str] = set()
-        """Functions and brackets, which are written out where they are applied."""
         self.roots = tuple(self._root_names())
 
     def _root_names(self) -> Iterator[str]:
@@ -334,6 +333,11 @@ class Elaboration(Meaning):
     def plain(self) -> Plain:
         """Formulas of the paper, written out in the operations of a space."""
         return Plain(self)
+
+    @cached_property
+    def written_out(self) -> WrittenOut:
+        """What a place prints that leaves no name in the space."""
+        return WrittenOut(self.plain)
 
     def formula(self, formula: str | Formula) -> Formula:
         """A formula, or LaTeX in the names of the scene, in the operations of a space."""

@@ -46,8 +46,6 @@ def rows(formula: Formula, setting: Meaning, within: tuple[str, ...] = ()) -> Ro
         case Name(name) if name in within:
             raise Meaningless(f"{name} is defined by itself", name)
         case Name(name) if name in setting.scene.definitions:
-            setting.places[name] = (setting.scene.definitions[name],)
-            setting.applied.add(name)
             return rows(setting.definition(name), setting, (*within, name))
         case Vector(lines) if all(isinstance(line, Vector) for line in lines):
             return tuple(tuple(map(setting.plain, line.children())) for line in lines)

@@ -18,7 +18,6 @@ class Meaning(Setting):
     scene: Scene
     texts: Texts
     places: dict[str, tuple[Printed, ...]]
-    applied: set[str]
     velocities: dict[str, str]
     printed_field: list[Formula]
 

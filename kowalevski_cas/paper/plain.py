@@ -37,6 +37,7 @@ from kowalevski_cas.paper.matrices import OF_MATRICES, rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
 from kowalevski_cas.paper.scene import head
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import MARK
 
@@ -135,8 +136,6 @@ class Plain:
             if arguments and function == formula.function:
                 if len(arguments) != len(formula.arguments):
                     raise Meaningless(f"{name} is used with {len(formula.arguments)} arguments")
-                self.setting.places[name] = (self.setting.scene.definitions[name],)
-                self.setting.applied.add(name)
                 values = dict(zip(arguments, formula.arguments, strict=True))
                 body = self.setting.definition(name)
                 if _applies(body, function):
@@ -151,6 +150,18 @@ class Plain:
 
     def _printed_value(self, root: Root) -> Formula | None:
         """What a place prints for a root that is no generator; its square is the radicand."""
+        found = self.printed_root(root)
+        if found is None:
+            return None
+        name, printed = found
+        value = self(self.setting.definition(name))
+        square = self.setting.finder.scalar(value) ** 2
+        if not (square - self.setting.finder.scalar(self(root.argument))).is_zero:
+            raise Meaningless(f"the value at {printed.place} is not {name}")
+        return value
+
+    def printed_root(self, root: Root) -> tuple[str, Printed] | None:
+        """The name of a root for which a place prints a value, and the place."""
         for name, printed in self.setting.scene.roots.items():
             if printed is None or not name.startswith(r"\sqrt"):
                 continue
@@ -158,12 +169,7 @@ class Plain:
             assert isinstance(own, Root)
             radicand = self.setting.finder.scalar(self(own.argument))
             if (radicand - self.setting.finder.scalar(self(root.argument))).is_zero:
-                self.setting.places[name] = (printed,)
-                value = self(self.setting.definition(name))
-                square = self.setting.finder.scalar(value)
-                if not (square * square - radicand).is_zero:
-                    raise Meaningless(f"the value at {printed.place} is not {name}")
-                return value
+                return name, printed
         return None
 
     def _symbolic(self, base: str, exponent: Formula) -> Formula:

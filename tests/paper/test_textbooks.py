@@ -148,7 +148,7 @@ BOOKS = {
         ),
         integrals=(r"\operatorname{tr}L^2", r"\det L", r"\begin{vmatrix} b_1 & a \\ a & b_2 \end{vmatrix}"),
         identities=(r"\dot L=[M,L]", r"\frac{dL}{dt}=ML-LM", r"L^2-L\operatorname{tr}L+\det L=0"),
-        no_identities=(r"\dot L=[L,M]", r"L^2=\operatorname{tr}L"),
+        no_identities=(r"\dot L=[L,M]", r"L^2=L\operatorname{tr}L"),
     ),
     "two branches": Book(
         r"\dot x=y,\quad \dot y=x", "x y", integrals=("(x\\pm y)(x\\mp y)",),
