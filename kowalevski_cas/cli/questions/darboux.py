@@ -43,7 +43,8 @@ def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Ite
         value, cofactor = formula(one.polynomial), formula(one.cofactor)
         if one.equations:
             given = tuple(equation(formula(a), formula(b)) for a, b in one.equations)
-            says = f"F' = KF with $K={to_latex(cofactor)}$ where {' and '.join(f'${e}$' for e in given)}"
+            where = " and ".join(f"${sides}$" for sides in given)
+            says = f"F' = KF with $K={to_latex(cofactor)}$ where {where}"
             multiple = equation(Derivative(value, scene.time), Product((cofactor, value)))
             yield Finding(Implication, scene, says, multiple, {"given": given})
         elif one.cofactor.is_zero:
