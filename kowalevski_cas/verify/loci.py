@@ -16,7 +16,7 @@ from kowalevski_cas.problem.evidence import Evidence, Point
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Equation
-from kowalevski_cas.search.follows import combined
+from kowalevski_cas.search.cofactors import vanishes_on
 from kowalevski_cas.search.place import Candidate
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.statement import Statement, finder_of
@@ -82,7 +82,7 @@ def rank_on(
     """
     at = setting.finder
     there = at.differences(setting.equations(locus.equations))
-    left = [e for e in at.differences(goal.given) if combined(e, there, ()) is None]
+    left = [e for e in at.differences(goal.given) if not vanishes_on(e, there)]
     if len(left) == len(at.differences(goal.given)):
         return None
     zero = [*left, *there]
@@ -108,7 +108,7 @@ def say_nothing_on(setting: Elaboration, given: tuple[Equation, ...], locus: Loc
     """Whether all equations that are given follow from those of a locus."""
     at = setting.finder
     there = at.differences(setting.equations(locus.equations))
-    return all(combined(e, there, ()) is not None for e in at.differences(given))
+    return all(vanishes_on(e, there) for e in at.differences(given))
 
 
 def circle_of(goal: Count, places: Sequence[Place]) -> tuple[Place, Place] | None:

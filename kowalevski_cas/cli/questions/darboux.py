@@ -43,7 +43,7 @@ def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Ite
         value, cofactor = formula(one.polynomial), formula(one.cofactor)
         if one.equations:
             given = tuple(equation(formula(a), formula(b)) for a, b in one.equations)
-            where = " and ".join(f"${sides}$" for sides in given)
+            where = " and ".join(f"${one}$" for one in given)
             says = f"F' = KF with $K={to_latex(cofactor)}$ where {where}"
             multiple = equation(Derivative(value, scene.time), Product((cofactor, value)))
             yield Finding(Implication, scene, says, multiple, {"given": given})
