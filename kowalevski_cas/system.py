@@ -15,12 +15,13 @@ from __future__ import annotations
 
 import re
 import sys
-from argparse import Namespace
-from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from argparse import ArgumentParser
+from collections.abc import Callable, Container, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from functools import cached_property, partial
 from html import escape
+from importlib import import_module
 from itertools import chain, count
 from pathlib import Path
 from typing import Any
@@ -72,7 +73,7 @@ LONGEST = 24
 """The signs of a formula by which a claim is called."""
 
 
-Search = Callable[[Elaborations, Scene, Namespace], Iterable[Finding]]
+QUESTIONS = "kowalevski_cas.cli.questions"
 
 Tex = Any
 """A formula: LaTeX, what was defined, or an expression of SymPy."""
@@ -330,35 +331,35 @@ class System:
 
     # -- questions ---------------------------------------------------------------
 
-    def find_integrals(self, degree: int) -> list[Stated]:
-        """The polynomial first integrals up to a degree, and that there are no others."""
-        from kowalevski_cas.cli.questions import integrals
+    def find_integrals(self, degree: int, weighted: bool = False) -> list[Stated]:
+        """The polynomial first integrals up to a degree, and that there are no others.
 
-        return self._found("integral", integrals.search, degree=degree)
+        The degree is ``weighted`` if a variable counts by its weight.
+        """
+        return self._found("integrals", degree=degree, weighted=weighted)
 
     def find_darboux(self, degree: int, special: bool = False) -> list[Stated]:
         """The Darboux polynomials up to a degree, perhaps for ``special`` constants too."""
-        from kowalevski_cas.cli.questions import darboux
-
-        return self._found("darboux", darboux.search, degree=degree, special=special)
+        return self._found("darboux", degree=degree, special=special)
 
     def find_closure(self, seed: Tex, order: int = 4) -> list[Stated]:
         """Invariant sets from a function and its derivatives, up to an order."""
-        from kowalevski_cas.cli.questions import closure
-
-        return self._found("closure", closure.search, seed=self._tex(seed), order=order)
+        return self._found("closure", self._tex(seed), order=order)
 
     def conditions(self, polynomial: Tex) -> list[Stated]:
         """For which constants a polynomial divides its derivative: all cases, with cofactors."""
-        from kowalevski_cas.cli.questions import parameters
+        return self._found("parameters", self._tex(polynomial))
 
-        return self._found("conditions", parameters.search, polynomial=self._tex(polynomial))
-
-    def _found(self, name: str, search: Search, **arguments: Any) -> list[Stated]:
-        """What a search finds, as claims like any other."""
+    def _found(self, question: str, *words: str, **options: int) -> list[Stated]:
+        """What the command ``find`` finds, as claims like any other."""
+        module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
+        module.add_arguments(parser)
+        told = [f"--{name}={value}" for name, value in options.items() if type(value) is int]
+        told += [f"--{name}" for name, value in options.items() if value is True]
         on = Elaborations(Texts(vocabulary((self.scene,))))
-        found = search(on, self.scene, Namespace(**arguments))
-        return [self._state(one, name) for one in found]
+        told += ["--", *words] if words else []
+        found = module.search(on, self.scene, parser.parse_args(told))
+        return [self._state(one, question) for one in found]
 
     # -- formulas ----------------------------------------------------------------
 
