@@ -334,7 +334,7 @@ class System:
     def find_integrals(self, degree: int, weighted: bool = False) -> list[Stated]:
         """The polynomial first integrals up to a degree, and that there are no others.
 
-        The degree is ``weighted`` if a variable counts by its weight.
+        If it is ``weighted``, variables count by weights for which the motion is homogeneous.
         """
         return self._found("integrals", degree=degree, weighted=weighted)
 
