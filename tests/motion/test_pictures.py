@@ -29,7 +29,12 @@ OF_FIELDS = ("bifurcation", "atlas")
 @pytest.mark.parametrize(
     ("name", "drawn"),
     [(name, UNSTABLE) for name in PICTURES]
-    + [(name, one) for name in PICTURES if name not in OF_FIELDS for one in (RESTING, ASYMPTOTIC)],
+    + [
+        pytest.param(name, one, marks=pytest.mark.slow)
+        for name in PICTURES
+        if name not in OF_FIELDS
+        for one in (RESTING, ASYMPTOTIC)
+    ],
 )
 def test_every_picture_can_be_drawn(name, drawn, tmp_path):
     with style():
