@@ -91,6 +91,13 @@ def critical_sets() -> tuple[Function, Function, Function]:
     return M4, N4, O4
 
 
+def critical_values() -> tuple[Function, Function]:
+    """The values k, p²h − 2g on M⁴ by j, and k, 2g − p²h on N⁴ by m and r."""
+    sets = _offered(CriticalSets)
+    M4, N4 = (compiled(values, CriticalSets) for values in (sets.M4_values, sets.N4_values))
+    return M4, N4
+
+
 def hyperelliptic(values: str) -> Function:
     """These values of the :class:`~kowalevski_cas.paper.closed_form.HyperellipticForm`, on O⁴."""
     return compiled(getattr(_offered(HyperellipticForm), values), HyperellipticForm)

@@ -72,11 +72,15 @@ class CriticalSets:
         M4: the two functions that vanish on M⁴, by the complex variables and :math:`\omega_3`.
         N4: the two that vanish on N⁴, by the same.
         O4: the five that vanish on O⁴, by the same and s.
+        M4_values: k and :math:`p^2h-2g` on M⁴, by j.
+        N4_values: k and :math:`2g-p^2h` on N⁴, by m and r.
     """
 
     M4: Values
     N4: Values
     O4: Values
+    M4_values: Values
+    N4_values: Values
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,6 +18,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 
 from kowalevski_cas.motion.o4.parameters import HIGH, KAPPA, LOW, MU, ParametersO4
 from kowalevski_cas.motion.parameters import Inadmissible
@@ -30,6 +31,9 @@ PRODUCTS = (
     ("mu1", "K2", "A1", "B1"),
 )
 """The products of radicals, with E > 0, whose signs tell the points above (u1, u2) apart."""
+
+LEAST_GAP = 2.0**-40
+"""Between two roots, relative to the largest: with less floats do not tell a motion."""
 
 RADICAL = {**dict.fromkeys(MU, "mu"), **dict.fromkeys(KAPPA, "K"), LOW: "A", HIGH: "B"}
 """The radical that vanishes at a root."""
@@ -87,13 +91,13 @@ def regime_of(constants: ParametersO4) -> Regime:
     """The regime of given constants.
 
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if there is no real motion, and
-    where two roots coincide: there the tori degenerate.
+    where two roots coincide, but for rounding: there the tori degenerate.
     """
-    keys = constants.keys
-    for left, right in zip(constants.roots, constants.roots[1:], strict=False):
-        if keys[left] == keys[right]:
+    largest = max(abs(constants.root(name)) for name in constants.roots)
+    for left, right in pairwise(constants.roots):
+        if constants.gap(right, left) <= LEAST_GAP * largest:
             raise Inadmissible(
-                f"{left} = {right}: the tori of O⁴ degenerate; any near s or τ would do"
+                f"{left} = {right}, or almost: the tori of O⁴ degenerate; another s or τ would do"
             )
     signs = (constants.s > 0, constants.tau > 0, constants.sigma > 0)
     for first, at_1 in _arcs(constants, 1):

@@ -108,12 +108,12 @@ def _fitted(motion: MotionO4, angles: Array, state: Array) -> MotionO4:
 
     signs, starts = np.tile(SIGNS, angles.shape[1]), np.repeat(angles, SIGNS.shape[1], axis=1)
     errors = np.linalg.norm(missing(signs, starts), axis=0)
-    if np.isnan(errors).all():
-        raise Inadmissible("the state is not on O⁴: no phase point has its constants")
-    best = np.nanargmin(errors)
+    best = np.argmin(np.nan_to_num(errors, nan=np.inf))
     signs, found = signs[:, best], starts[:, best]
     for _ in range(STEPS):
         columns = missing(signs, found[:, None] + STEP * np.array([[0, 1, 0], [0, 0, 1]]))
+        if not np.isfinite(columns).all():
+            raise Inadmissible("the state is not on O⁴: no phase point with its constants is near")
         slopes = (columns[:, :1] - columns[:, 1:]) / STEP
         found = found + np.linalg.lstsq(slopes, columns[:, 0], rcond=None)[0]
     first, second = map(Fraction, found.tolist())

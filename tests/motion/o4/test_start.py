@@ -39,6 +39,7 @@ def test_in_turned_fields_and_another_unit_of_time_it_is_the_same_motion(known, 
 
 
 @given(st.integers(-3, 3).filter(bool), st.integers(-3, 3).filter(bool))
+@example(3, 1)  # τ3 = 0, but for the rounding of an angle
 def test_where_u2_is_infinite_the_motion_is_found_as_elsewhere(half_s, eta):
     state = point((1, 0, 1, 1, 0, eta, half_s / 2))  # x1x2 = τ3
     try:
