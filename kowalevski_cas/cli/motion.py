@@ -109,6 +109,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _followed(arguments: argparse.Namespace) -> Result:
     import numpy as np
 
+    from kowalevski_cas.motion.formulas import source
     from kowalevski_cas.motion.general import General
     from kowalevski_cas.motion.methods import MethodError, load
     from kowalevski_cas.motion.methods.ball import Unresolved, enclosed
@@ -132,6 +133,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
             file=sys.stderr,
         )
     times = np.linspace(0.0, until, arguments.samples)
+    source()  # loaded here, the process that follows the motion has it as well
     limit = f"t = {until:g} within {arguments.timeout:g} s"
     if sys.stderr.isatty():
         print(f"{method} is to come to {limit} ...", file=sys.stderr)
