@@ -21,7 +21,7 @@ from kowalevski_cas.paper.claims import Dimension
 from kowalevski_cas.paper.claims.forms import ZERO, times, total
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
-from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
+from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
@@ -34,6 +34,7 @@ from kowalevski_cas.problem.evidence import (
     Shown,
     Solutions,
 )
+from kowalevski_cas.problem.examine import Accepted, Unproved
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Place, number_formula
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies, same

@@ -68,10 +68,14 @@ def test_taylor_follows_it_too_or_says_what_to_install(cli):
     ("missing", "command", "extra"),
     [
         ("numpy", ["motion", *USUAL], "motion"),
-        ("scipy", ["motion", *USUAL, "--method", "dop853"], "motion"),
-        ("heyoka", ["motion", *USUAL, "--method", "taylor"], "taylor"),
+        pytest.param(
+            "scipy", ["motion", *USUAL, "--method", "dop853"], "motion", marks=pytest.mark.slow
+        ),
+        pytest.param(
+            "heyoka", ["motion", *USUAL, "--method", "taylor"], "taylor", marks=pytest.mark.slow
+        ),
         ("matplotlib", ["pictures", "rectangle"], "motion"),
-        ("matplotlib", ["animation"], "motion"),
+        pytest.param("matplotlib", ["animation"], "motion", marks=pytest.mark.slow),
         ("numpy", ["verify", "kharlamov2002", "--arithmetic", "floating"], "motion"),
     ],
 )
