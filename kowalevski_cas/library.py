@@ -60,8 +60,8 @@ def find(name: str) -> Path:
     raise LibraryError(f"there is no derivation “{name}”; the library has: {known}")
 
 
-READ: set[Path] = set()
-"""The files that derivations have read besides their modules."""
+READ: dict[Path, int] = {}
+"""The files that derivations have read besides their modules, and when these had been saved."""
 
 
 def source(folder: Path) -> Path:
@@ -128,7 +128,8 @@ def _derivation(module: ModuleType, file: Path, name: str) -> Derivation:
             f"{file} states nothing: make a System(...), or define `derivation = Derivation(...)`"
         )
     title = (module.__doc__ or name).strip().splitlines()[0].rstrip(".")
-    return Derivation(name, title, "", file.name, own)
+    source = "; ".join(filter(None, (file.name, *(section.title for section in own))))
+    return Derivation(name, title, "", source, own)
 
 
 def _place(error: BaseException, within: Path, file: Path) -> str:

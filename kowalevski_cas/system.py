@@ -16,11 +16,12 @@ from __future__ import annotations
 import re
 import sys
 from argparse import Namespace
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
-from functools import cached_property
-from itertools import count
+from functools import cached_property, partial
+from html import escape
+from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
@@ -34,8 +35,10 @@ from kowalevski_cas.notation import (
     Relation,
     Vocabulary,
     from_sympy,
+    print_prose,
     read,
     read_display,
+    read_prose,
     to_latex,
     to_mathml,
     to_plain,
@@ -135,14 +138,20 @@ class Stated(Shown):
         return self.outcome.counterexample
 
     def __repr__(self) -> str:
-        where = ", ".join(f"{to_plain(formula)} ≠ 0" for formula in self.conditions)
-        said = f"{self.verdict}{f' where {where}' if where else ''}: {super().__repr__()}"
-        return f"{said}\n{self.outcome.message}" if self.outcome.message else said
+        return self._said(to_plain, str, "{}").strip()
 
     def _repr_html_(self) -> str:
-        where = ", ".join(f"{_math(formula)} ≠ 0" for formula in self.conditions)
-        said = ", ".join(map(_math, self.formulas))
-        return f"<p><b>{self.verdict}</b>{f' where {where}' if where else ''}: {said}</p>"
+        return f"<p>{self._said(_math, escape, '<b>{}</b>')}</p>"
+
+    def _said(self, shown: Callable[[Formula], str], said: Callable[[str], str], mark: str) -> str:
+        """The verdict, its conditions, what is claimed, and why it is not decided."""
+        own = self.outcome
+        words = read_prose(own.words, vocabulary((self.claim.scene,)))
+        where = ", ".join(f"{shown(formula)} ≠ 0" for formula in self.conditions)
+        found = [f"where {where}"] if where else []
+        found += [print_prose(words, said, shown), ", ".join(map(shown, self.formulas))]
+        found += [said(own.message)] if own.message else []
+        return f"{mark.format(own.verdict)}: {'; '.join(filter(None, found))}"
 
 
 class System:
@@ -221,7 +230,8 @@ class System:
         """
         special, said = copy(self), ", ".join(map(self._tex, relations))
         scene = self.scene.described(f"{self.scene.name} where {said}", f"${said}$")
-        for place in self._places(self._id("where", said), *relations):
+        for relation in relations:
+            place = self._place("where", relation)
             scene = _restricted(scene, place)
             read_display(place.display.tex, vocabulary((scene,)))
         special._stand_on(scene)
@@ -246,9 +256,9 @@ class System:
 
     def invariant(self, *relations: Tex, expect: str = "") -> Stated:
         """No motion leaves the set on which these hold; a function stands for its zeros."""
-        zero = (f"{one.name}=0" if isinstance(one, Function) else one for one in relations)
-        says = "no motion leaves this set"
-        return self.states(InvariantRelations, "invariant", says, expect, relations=tuple(zero))
+        zero = tuple(f"{one.name}=0" if isinstance(one, Function) else one for one in relations)
+        says = f"no motion leaves the set where {self._listed(zero)}"
+        return self.states(InvariantRelations, "invariant", says, expect, relations=zero)
 
     def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> Stated:
         """A polynomial F with F' = KF, where K is the cofactor."""
@@ -272,12 +282,12 @@ class System:
 
     def involution(self, *functions: Tex, expect: str = "") -> Stated:
         """Functions whose brackets with each other vanish."""
-        says = "their brackets with each other vanish"
+        says = f"the brackets of {self._listed(functions)} with each other vanish"
         return self.states(Involution, "involution", says, expect, functions=functions)
 
     def integrable(self, *integrals: Tex, casimirs: Sequence[Tex] = (), expect: str = "") -> Stated:
         """Integrability in the sense of Liouville; the first integral is the Hamiltonian."""
-        says = "the motion is integrable in the sense of Liouville"
+        says = f"the motion is integrable in the sense of Liouville, by {self._listed(integrals)}"
         return self.states(
             LiouvilleIntegrable, "integrable", says, expect,
             integrals=integrals, casimirs=tuple(casimirs),
@@ -289,7 +299,7 @@ class System:
         name: str,
         says: str,
         expect: str = "",
-        printed: Tex | None = None,
+        printed: Tex = "",
         **attributes: Any,
     ) -> Stated:
         """A claim of any kind, called after the name and its first formula.
@@ -299,24 +309,15 @@ class System:
 
         Raises:
             NotationError: a formula is broken TeX.
-            ValueError: there is no such verdict to expect.
+            ValueError: a formula is several, or there is no such verdict to expect.
         """
+        return self._state(Finding(kind, self.scene, says, printed, attributes), name, expect)
+
+    def _state(self, finding: Finding, name: str, expect: str = "") -> Stated:
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
-        values = (printed, *attributes.values())
-        formulas = (one for value in values for one in (value if type(value) is tuple else [value]))
-        first = next((one for one in formulas if one is not None and type(one) is not int), "")
-        id = self._id(name, self._tex(first))
-        made: dict[str, Any] = {}
-        for key, value in {"printed": printed, **attributes}.items():
-            if value is None or isinstance(value, int):
-                made[key] = value
-            elif isinstance(value, tuple):
-                made[key] = (*self._places(f"{id}-{key}", *value),)
-            else:
-                (made[key],) = self._places(id if key == "printed" else f"{id}-{key}", value)
-        own = made.pop("printed")
-        claim = kind(id, self.scene, own, says, **made)
+        id = self._id(name, self._tex(_first((finding.tex, *finding.attributes.values()))))
+        claim = finding.claim(id, partial(self._place, id))
         self.section.claim(claim)
         if expect:
             self.section.expected[id] = expect
@@ -336,22 +337,26 @@ class System:
 
         return self._found("closure", closure.search, seed=self._tex(seed), order=order)
 
+    def conditions(self, polynomial: Tex) -> list[Stated]:
+        """For which constants a polynomial divides its derivative: all cases, with cofactors."""
+        from kowalevski_cas.cli.questions import parameters
+
+        return self._found("conditions", parameters.search, polynomial=self._tex(polynomial))
+
     def _found(self, name: str, search: Search, **arguments: Any) -> list[Stated]:
         """What a search finds, as claims like any other."""
         on = Elaborations(Texts(vocabulary((self.scene,))))
-        found = []
-        for one in search(on, self.scene, Namespace(**arguments)):
-            attributes: dict[str, Any] = {**one.attributes}
-            found.append(
-                self.states(one.kind, name, one.says, printed=one.tex or None, **attributes)
-            )
-        return found
+        found = search(on, self.scene, Namespace(**arguments))
+        return [self._state(one, name) for one in found]
 
     # -- formulas ----------------------------------------------------------------
 
     def read(self, tex: str) -> Formula:
         """A formula in the names of the system; raises ``NotationError`` for any other name."""
         return read(tex, vocabulary((self.scene,)))
+
+    def _listed(self, formulas: Sequence[Tex]) -> str:
+        return ", ".join(f"${self._tex(one)}$" for one in formulas)
 
     def _formulas(self, display: Display) -> list[Formula]:
         return [s.formula for s in read_display(display.tex, vocabulary((self.scene,)))]
@@ -373,24 +378,34 @@ class System:
         self.symbols[name] = symbol
         return name
 
-    def _places(self, id: str, *formulas: Tex) -> Iterator[Printed]:
-        """Where formulas stand: where they were defined, or in displays of their own."""
-        for number, formula in enumerate(formulas, 1):
-            if isinstance(formula, Function):
-                yield formula.place
-            else:
-                own = id if number == 1 else f"{id}-{number}"
-                yield from self.section.display(own, self._tex(formula))
+    def _place(self, id: str, formula: Tex) -> Printed:
+        """Where a formula stands: where it was defined, or in a display of its own."""
+        if isinstance(formula, Function):
+            return formula.place
+        known = {one.id for one in self.section.displays}
+        display = self.section.display(_new(id, known), self._tex(formula))
+        if len([*display]) != 1:
+            raise ValueError(f"{display.tex}: one formula is expected; give each by itself")
+        return display[1]
 
     def _id(self, kind: str, tex: str) -> str:
         """A new id, after the letters of a formula."""
         letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
-        id = stem = self.prefix + "-".join(filter(None, (kind, letters)))
-        known = {*(one.id for one in self.section.displays), *self.section.lines}
-        more = count(2)
-        while id in known:
-            id = f"{stem}.{next(more)}"
-        return id
+        id = self.prefix + "-".join(filter(None, (kind, letters)))
+        return _new(id, {*(one.id for one in self.section.displays), *self.section.lines})
+
+
+def _new(id: str, known: Container[str]) -> str:
+    """An id, with a number if it is known."""
+    ids = (f"{id}.{number}" for number in count(2))
+    return next(one for one in chain([id], ids) if one not in known)
+
+
+def _first(value: Any) -> Tex:
+    """The first formula among values and tuples of them."""
+    if not isinstance(value, tuple):
+        return "" if isinstance(value, int) else value
+    return next((one for one in map(_first, value) if not isinstance(one, str) or one), "")
 
 
 def _math(formula: Formula) -> str:
@@ -465,7 +480,8 @@ def display(source: str, label: str) -> str:
 
     here = sys._getframe(1).f_globals.get("__file__", "")
     path = Path(here).parent / source
-    READ.add(path)
+    if path.is_file():
+        READ[path] = path.stat().st_mtime_ns
     found = [one for one in typed_formulas(read_source(path))[1] if label in one.labels]
     if len(found) != 1:
         raise ValueError(f"{path} has {len(found) or 'no'} displays with the label {label}")

@@ -23,5 +23,5 @@ def write_page(folder: Path) -> None:
     )
     write(folder / "README.md", "# The study\n" + "".join(charts))
     plates = [{"name": n, "caption": s.CAPTION} for n, s in steps.items() if n in REPORTED]
-    listed = {"derivation": FIRST, "plates": plates}
+    listed = {FIRST: plates}
     write(folder / LIST, json.dumps(listed, indent=1, ensure_ascii=False) + "\n")

@@ -104,7 +104,9 @@ def test_what_a_statement_needs_is_named():
     top = System(r"A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A-B)pq")
     energy = top.integral("Ap^2+Bq^2+Cr^2")
     assert energy.verdict is Verdict.CONDITIONAL
-    assert repr(energy) == "conditional where A ≠ 0, B ≠ 0, C ≠ 0: Ap² + Bq² + Cr²"
+    assert repr(energy) == (
+        "conditional: where A ≠ 0, B ≠ 0, C ≠ 0; this is constant along every motion; Ap² + Bq² + Cr²"
+    )
     solid = top.where(r"A\ne0", r"B\ne0", r"C\ne0")
     assert solid.integral("Ap^2+Bq^2+Cr^2").verdict is Verdict.PROVED
 
@@ -150,6 +152,8 @@ def test_a_name_that_nothing_gives_a_value_is_an_error(lorenz):
         lorenz.define("F=x+w")
     with pytest.raises(ValueError, match=r"x=1 gives no constant: solve it for one of"):
         lorenz.where("x=1")
+    with pytest.raises(ValueError, match=r"x=0, y=0: one formula is expected"):
+        lorenz.invariant("x=0, y=0")
     with pytest.raises(ValueError, match=r"expect “wrong”: a verdict is one of proved, "):
         lorenz.integral("x", expect="wrong")
 
@@ -180,7 +184,7 @@ def test_a_notebook_shows_what_is_said(lorenz):
     F = lorenz.define(r"F=x^2-2\sigma z")
     assert F._repr_latex_() == r"$F = x^2 - 2\sigma z$"
     assert r"\dot{x} = \sigma(y - x)" in lorenz._repr_latex_()
-    assert lorenz.integral(F)._repr_html_().startswith("<p><b>refuted</b>: <math>")
+    assert lorenz.integral(F)._repr_html_().startswith("<p><b>refuted</b>: this is constant")
 
 
 # -- files --------------------------------------------------------------------------
@@ -224,7 +228,7 @@ second.integral("x^2+y^2", expect="refuted")
 """
     code, out = cli("verify", two.format("", ""))
     assert code == 2 and "two sections or systems are called 1: give one another name" in out
-    code, out = cli("verify", two.format(', "circle"', ', "saddle"'), "--arithmetic", "flint")
+    code, out = cli("verify", two.format(', "circle"', ', "saddle"'), "-v", "--arithmetic", "flint")
     assert code == 0 and "circle-integral-x-2-y-2" in out and "saddle. x, y move" in out
 
 
@@ -274,6 +278,13 @@ def test_an_invariant_set_is_found_from_a_function():
     }
 
 
+def test_the_constants_for_which_a_polynomial_divides_its_derivative(lorenz):
+    F = lorenz.define(r"F=x^2-2\sigma z")
+    found = lorenz.conditions(F)
+    assert {one.verdict for one in found} == {Verdict.PROVED}
+    assert "proved: F' = KF with K = −2σ where b = 2σ; " in repr(found[-1])
+
+
 def test_a_file_that_claims_nothing_can_be_asked(cli):
     file = FILE.partition("F = ")[0] + 'special = lorenz.where("b=1")\n'
     code, out = cli("verify", file)
@@ -305,9 +316,9 @@ def test_each_save_is_verified_until_an_interruption(tmp_path):
         cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
         env={**os.environ, "PYTHONPATH": str(ROOT)},
     )  # fmt: skip
-    for sign in "-+":
-        paper.write_text(text.replace("SIGN", sign))
-        assert "waiting for a file to be saved" in watching.stderr.readline()
+    assert "waiting for a file to be saved" in watching.stderr.readline()
+    paper.write_text(text.replace("SIGN", "+"))
+    assert "waiting for a file to be saved" in watching.stderr.readline()
     watching.send_signal(SIGINT)
     out, err = watching.communicate()
     assert (watching.returncode, err) == (0, "")

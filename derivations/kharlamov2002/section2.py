@@ -107,7 +107,7 @@ section.states(
     Unit,
     unit,
     on=with_unit,
-    says="the square of the unit for which the change (9) leads to (10)",
+    says=r"the unit of (9) and of $\tau=it$: with it (9) leads to (10), where $x'=\dot x/i$",
     rows=(*eq10,),
 )
 section.claim(

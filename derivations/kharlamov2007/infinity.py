@@ -1,4 +1,4 @@
-r"""3. One-variable roots for E, and the chart in which u_2 passes through infinity."""
+r"""3. One-variable roots for E, and u_2 as a quotient, which passes through infinity."""
 
 import re
 
@@ -64,31 +64,32 @@ section.states(
     says=("the square of $E$, times $\\varepsilon$", "two forms of it"),
 )
 
-# With v = 1/u2 the formulas keep their form; what has a hat is regular where v = 0.
+# With u2 = n/v the formulas keep their form, for both signs ε; what has a hat is regular
+# where v = 0. A factor common to n and v changes no state: n may well be constant.
 
 HATS = r"(\\mu_2|A_2|B_2|K_2|\\Pi|\\Lambda|(?<![a-z])[YVTNd])(?![a-z])"
 
 
 def in_chart(tex: str) -> str:
     """A formula with hats on what belongs to u_2, and without signs."""
-    tex = re.sub(HATS, r"\\hat{\1}", tex.replace(r"\varepsilon ", "").replace("u_1-u_2", "vu_1-1"))
+    tex = re.sub(HATS, r"\\hat{\1}", tex.replace(r"\varepsilon ", "").replace("u_1-u_2", "vu_1-n"))
     return re.sub(r"\\hat\{(\S+?)_2\}", r"\\hat{\1}_2", tex).replace("E", r"\hat{E}")
 
 
 hats = section.display(
     "hats",
     r"""
-\hat{\mu}_2^2 = \frac{1-\sigma v^2}{\tau_3}, \quad
-\hat{A}_2^2 = 1+(\tau_3+r^2)v, \quad \hat{B}_2^2 = 1+(\tau_3-r^2)v, \quad
-\hat{K}_2^2 = \frac{1-\kappa^2v^2}{2s}, \quad
-\hat{E}^2 = \frac{2\sigma}{\sigma v+u_1+\tau_3\mu_1\hat{\mu}_2}""",
+\hat{\mu}_2^2 = \frac{n^2-\sigma v^2}{\tau_3}, \quad
+\hat{A}_2^2 = n+(\tau_3+r^2)v, \quad \hat{B}_2^2 = n+(\tau_3-r^2)v, \quad
+\hat{K}_2^2 = \frac{n^2-\kappa^2v^2}{2s}, \quad
+\hat{E}^2 = \frac{2\sigma}{\sigma v+nu_1+\tau_3\mu_1\hat{\mu}_2}""",
 )
 
 hatted_parts = section.display(
     "hatted-parts",
     r"""
-\hat{\Pi} = (u_1+\tau_3)(1+\tau_3v)-r^4v, \quad
-\hat{Y} = \tau_3(1+v(u_1+2\tau_3-2p^2)+\mu_1\hat{\mu}_2), \quad
+\hat{\Pi} = (u_1+\tau_3)(n+\tau_3v)-r^4v, \quad
+\hat{Y} = \tau_3(n+v(u_1+2\tau_3-2p^2)+\mu_1\hat{\mu}_2), \quad
 \hat{V} = 4s^2v-\mu_1\hat{\mu}_2, \quad \hat{d} = v\mu_1-\hat{\mu}_2, \quad
 """
     + ", \\quad ".join(in_chart(parts[k].tex) for k in (4, 5, 7)),
@@ -100,18 +101,18 @@ hatted_velocity = section.display("hatted-velocity", in_chart(velocity.tex))
 hatted_rates = section.display(
     "hatted-rates",
     r"""
-\dot u_1 = -\frac{v\mu_1K_1A_1B_1}{vu_1-1}, \quad
-\dot v = \frac{\hat{\mu}_2\hat{K}_2\hat{A}_2\hat{B}_2}{vu_1-1}""",
+\dot u_1 = -\frac{v\mu_1K_1A_1B_1}{vu_1-n}, \quad
+\dot v = \frac{\hat{\mu}_2\hat{K}_2\hat{A}_2\hat{B}_2}{n(vu_1-n)}""",
 )
 
 chart = (
     Scene(
         "phase point on O⁴ near infinity",
-        "the phase space by $u_1$ and $v=1/u_2$, where $v^2u_1^2\\ne1$",
+        "the phase space by $u_1$ and $v=n/u_2$, where $v^2u_1^2\\ne n^2$",
         vectors=VECTORS,
         variables=("u_1", "v"),
-        constants=("s", r"\tau_3", "r", r"\sigma"),
-        nonzero=("s", r"\tau_3", "r", r"\sigma", "vu_1-1", "vu_1+1"),
+        constants=("s", r"\tau_3", "r", r"\sigma", "n"),
+        nonzero=("s", r"\tau_3", "r", r"\sigma", "n", "vu_1-n", "vu_1+n"),
     )
     .adjoining(p_of_sigma, any_c, kappa, radicals[1], radicals[3], radicals[4], radicals[7], hats)
     .defining(hatted_parts, hatted_fields, hatted_velocity)

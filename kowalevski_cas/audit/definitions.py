@@ -9,7 +9,7 @@ characters makes all formulas unclear. An unclear name is nowhere written out.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 FAILURES = 20
@@ -80,16 +80,24 @@ class Definitions:
         return next((self.unclear[name] for name in sorted(names & self.unclear.keys())), "")
 
 
-def definitions(text: str) -> Definitions:
-    """The definitions of a text."""
-    return _Reader(text).read()
+def definitions(text: str, styles: Iterable[str] = ()) -> Definitions:
+    """The definitions of a text, and before them those of style files."""
+    known: dict[str, Macro] = {}
+    before = [_Reader(style, known).read() for style in styles]
+    found = _Reader(text, known).read()
+    for style in reversed(before):
+        found.macros[:0] = [(0, macro) for _, macro in style.macros]
+        found.unclear = style.unclear | found.unclear
+        found.everything = found.everything or style.everything
+        found.notes[:0] = [(0, f"in a style file: {words}") for _, words in style.notes]
+    return found
 
 
 class _Reader:
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, known: dict[str, Macro]) -> None:
         self.text = text
         self.found = Definitions()
-        self.known: dict[str, Macro] = {}
+        self.known = known
         self.fixed: dict[str, set[str]] = {}
         """Names, and those that were given a meaning by them which does not change with it."""
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import takewhile
 
 from kowalevski_cas.audit.audit import typed_formulas
 from kowalevski_cas.audit.displays import Typed
@@ -12,7 +13,9 @@ from kowalevski_cas.audit.tokens import scanned
 from kowalevski_cas.notation import NotationError, Vocabulary, read_display
 from kowalevski_cas.notation.lexer import Token
 from kowalevski_cas.notation.macros import FUNCTIONS, GREEK
+from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
+_LISTED = frozenset({"letter", "number", "comma", "accent", "_", "{", "}"})
 _BOLD = (r"\mathbf{", r"\boldsymbol{", r"\vec{")
 
 
@@ -33,18 +36,14 @@ class Listed:
 def listing(source: Source) -> tuple[list[Listed], list[tuple[int, str]]]:
     """All formulas of a source, read in the names that they use; and notes by line."""
     expanded, formulas = typed_formulas(source)
-    vocabulary = guessed(formulas)
+    guesses = [guessed(formulas, capitals) for capitals in (MATRIX, VECTOR)]
+    # The letter d is that of a derivative, or else a name.
+    vocabularies = [replace(one, scalars=one.scalars - {"d"}) for one in guesses] + guesses
     found = []
     for formula in formulas:
         start = formula.start + len(formula.tex) - len(formula.tex.lstrip())
         offset = expanded.origin(start, start + 1)[0]
-        count, trouble = 0, formula.trouble
-        if not trouble:
-            try:
-                count = len(read_display(formula.tex, vocabulary))
-                trouble = "" if count else "there is no formula here"
-            except NotationError as error:
-                trouble = error.message
+        count, trouble = _read(formula, vocabularies)
         found.append(
             Listed(
                 source.line(offset), source.column(offset), ", ".join(formula.labels),
@@ -54,22 +53,58 @@ def listing(source: Source) -> tuple[list[Listed], list[tuple[int, str]]]:
     return found, [(source.line(offset), words) for offset, words in expanded.notes]
 
 
-def guessed(formulas: Iterable[Typed]) -> Vocabulary:
-    """The names in some formulas: bold letters as vectors, bold capitals as matrices."""
+def _read(formula: Typed, vocabularies: Iterable[Vocabulary]) -> tuple[int, str]:
+    """How many statements can be read in one of the vocabularies, or why none can."""
+    troubles = [formula.trouble] if formula.trouble else []
+    for vocabulary in () if troubles else vocabularies:
+        try:
+            if count := len(read_display(formula.tex, vocabulary)):
+                return count, ""
+            troubles.append("there is no formula here")
+        except NotationError as error:
+            troubles.append(error.message)
+    return 0, troubles[0]
+
+
+def guessed(formulas: Iterable[Typed], capitals: int = MATRIX) -> Vocabulary:
+    """The names in some formulas, and what they may be.
+
+    Bold letters are vectors, and bold capitals have a rank that is given; a letter with names in
+    brackets behind it is a function of them.
+    """
     names: set[str] = set()
+    functions: set[str] = set()
     for formula in formulas:
-        names.update(_names(scanned(formula.tex)))
+        tokens = scanned(formula.tex)
+        names.update(_names(tokens))
+        functions.update(_applied(tokens))
     bold = {name for name in names if name.startswith(_BOLD)}
-    matrices = {name for name in bold if name[name.index("{") + 1].isupper()}
-    functions = names & FUNCTIONS
+    upper = {name for name in bold if name[name.index("{") + 1].isupper()}
+    matrices = upper if capitals == MATRIX else set()
+    functions = (functions & names - bold) | (names & FUNCTIONS)
     return Vocabulary(
-        scalars=frozenset(names - bold - functions),
+        scalars=frozenset(names - bold - FUNCTIONS),
         vectors=frozenset(bold - matrices),
         matrices=frozenset(matrices),
         functions=frozenset(functions),
         times=frozenset({"t", r"\tau"} | (names & {"s", "x"})),
-        moving=frozenset(names - functions),
+        moving=frozenset(names - FUNCTIONS),
     )
+
+
+def _applied(tokens: Sequence[Token]) -> Iterator[str]:
+    """The names with a list of names in brackets behind them, or with one."""
+    for at, token in enumerate(tokens):
+        if token.text == "(" and at:
+            start = at - 1
+            while start and tokens[start].kind in ("number", "}", "{", "_"):
+                start -= 1
+            inner = list(takewhile(lambda t: t.kind in _LISTED, tokens[at + 1 :]))
+            closing = tokens[at + 1 + len(inner) : at + 2 + len(inner)]
+            letters = sum(t.kind == "letter" for t in inner)
+            commas = sum(t.kind == "comma" for t in inner)
+            if closing and closing[0].text == ")" and letters > commas:
+                yield from _names(tokens[start:at])
 
 
 def _names(tokens: Sequence[Token]) -> Iterator[str]:

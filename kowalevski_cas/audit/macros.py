@@ -21,6 +21,7 @@ LONGEST = 8_000_000
 
 _MACRO = re.compile(r"\\(?:[A-Za-z@]+|.)", re.DOTALL)
 _TOKEN = re.compile(r"\\(?:[A-Za-z]+|.)|.", re.DOTALL)
+_COMMAND = re.compile(r"\\[A-Za-z]+$")
 _SLOT = re.compile(r"#([1-9])")
 
 
@@ -58,7 +59,7 @@ class Expanded:
 
 def expand(source: Source) -> Expanded:
     """The visible text of a source with the author's macros written out."""
-    found = definitions(source.visible)
+    found = definitions(source.visible, (style.visible for style in source.styles))
     writer = _Writer(found, source)
     writer.run()
     notes = found.notes + writer.notes
@@ -97,7 +98,8 @@ class _Writer:
                 self.add(match[0], match.start(), match.end(), True)
                 at = match.end()
                 continue
-            self.add(_apart(body, self.text, at), match.start(), at, False)
+            before = self.out[-1] if self.out else ""
+            self.add(_apart(before, body, self.text, at), match.start(), at, False)
         self.add(self.text[at:], at, len(self.text), True)
 
     def until(self, offset: int) -> None:
@@ -150,7 +152,7 @@ class _Writer:
                 continue
             pieces.append(body[at : match.start()])
             inner, at = self.call(body, macro, match.end(), depth + 1)
-            pieces.append(_apart(inner, body, at))
+            pieces.append(_apart("".join(pieces[-2:]), inner, body, at))
         pieces.append(body[at:])
         result = "".join(pieces)
         self.produced += len(result)
@@ -159,7 +161,7 @@ class _Writer:
         return result
 
 
-def _apart(body: str, text: str, at: int) -> str:
-    """The body, kept apart from a letter that follows it."""
-    gap = re.search(r"\\[A-Za-z]+$", body) and text[at : at + 1].isalpha()
-    return body + " " if gap else body
+def _apart(before: str, body: str, text: str, at: int) -> str:
+    """The body, kept apart from a command before it, and from a letter that follows it."""
+    left = " " if body[:1].isalpha() and _COMMAND.search(before) else ""
+    return left + body + (" " if text[at : at + 1].isalpha() and _COMMAND.search(body) else "")

@@ -10,7 +10,8 @@ import os
 import re
 import stat
 from bisect import bisect_right
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -51,11 +52,15 @@ class SourceError(ValueError):
 
 @dataclass(frozen=True)
 class Source:
-    """The text of a TeX file, and the same text with all that does not print blanked."""
+    """The text of a TeX file, and the same text with all that does not print blanked.
+
+    ``styles`` are the files of macros that it uses.
+    """
 
     path: str
     text: str
     encoding: str = "utf-8"
+    styles: tuple[Source, ...] = ()
 
     @cached_property
     def visible(self) -> str:
@@ -81,8 +86,8 @@ class Source:
         return offset - self._lines[self.line(offset) - 1] + 1
 
 
-def read_source(path: Path) -> Source:
-    """The source in a file.
+def read_source(path: Path, styles: Iterable[Path] = ()) -> Source:
+    """The source in a file, with the style files whose macros it uses.
 
     Raises :class:`SourceError` for what is no file of text of a sensible size.
     """
@@ -105,7 +110,7 @@ def read_source(path: Path) -> Source:
         raise SourceError(f"{os.fspath(path)!r} cannot be read: {error}") from None
     if len(data) > LARGEST:
         raise SourceError(f"{path} grows while it is read; it is left alone")
-    return decode(str(path), data)
+    return replace(decode(str(path), data), styles=tuple(map(read_source, styles)))
 
 
 def decode(path: str, data: bytes) -> Source:

@@ -20,6 +20,7 @@ COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
     "report": "write the report of a derivation as LaTeX and PDF",
     "audit": "read a paper's TeX source and prove or refute each formula in it",
+    "bundle": "put the evidence, the checker and the page into a folder to deposit with a paper",
     "find": "find what nobody has printed: integrals and the like",
     "check": "check certificates with the independent checker",
     "certificates": "write the certificates of a derivation",

@@ -1,7 +1,7 @@
 """Read a paper's TeX source and prove or refute each formula in it.
 
 The derivation says what each place of the paper is; the source says what stands
-there. Nothing in the source is executed, and no other file is read. With --list,
+there. Nothing in the source is executed, and no file is read but those named. With --list,
 the formulas of any article are listed, and no derivation is needed.
 """
 
@@ -47,6 +47,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="name in the library, or folder (if not given, the one that fits best)",
     )
     parser.add_argument(
+        "--macros",
+        type=Path,
+        action="append",
+        default=[],
+        metavar="STYLE.sty",
+        help="a file of macros that the source uses; may be given several times",
+    )
+    parser.add_argument(
         "--list", action="store_true", help="only list the formulas, and whether they can be read"
     )
     parser.add_argument("--format", choices=FORMATS, default="pretty", help="how to print results")
@@ -77,7 +85,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     try:
-        source = read_source(arguments.source)
+        source = read_source(arguments.source, arguments.macros)
         if arguments.list:
             return _list(source, arguments.format)
         (done,) = session.watched(lambda source: _audited(arguments, source), [source])

@@ -14,7 +14,7 @@ from difflib import get_close_matches
 from importlib import import_module
 from time import monotonic
 
-from kowalevski_cas.cli import session
+from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, UNDECIDED, CommandError
 from kowalevski_cas.notation import NotationError, to_latex, to_plain
 from kowalevski_cas.paper.derivation import Derivation
@@ -23,11 +23,12 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.processes import tell, time_limit
 from kowalevski_cas.verify.found import Finding, with_findings
-from kowalevski_cas.verify.outcome import Outcome
+from kowalevski_cas.verify.outcome import Outcome, Run
 from kowalevski_cas.verify.run import verify
 
 QUESTIONS = {
     "integrals": "polynomial first integrals, up to a degree",
+    "darboux": "polynomials F with F' = KF, up to a degree, and their K",
     "closure": "an invariant set, from a function and its derivatives",
     "parameters": "values of constants for which a polynomial divides its derivative",
 }
@@ -53,33 +54,35 @@ def run(arguments: argparse.Namespace) -> int:
     scene = _scene(derivation, arguments.scene)
     _forecast(scene, getattr(arguments, "degree", 0))
     (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments), [None])
+    outcomes = answer.run.outcomes
     if arguments.format == "json":
-        print(json.dumps([_data(outcome) for outcome in answer.outcomes], indent=1))
+        print(json.dumps([_data(outcome) for outcome in outcomes], indent=1))
     else:
-        for outcome in answer.outcomes:
+        for outcome in outcomes:
+            said = plain.words(outcome.words, answer.run.vocabulary)
             shown = ", ".join(map(to_plain, outcome.formulas))
-            print(f"{outcome.verdict}  {outcome.words}{':  ' if shown else ''}{shown}")
-        print(f"{len(answer.outcomes)} found")
+            print(f"{outcome.verdict}  {said}{':  ' if shown else ''}{shown}")
+        print(f"{len(outcomes)} found")
     if answer.unfinished:
         raise CommandError(answer.unfinished, UNDECIDED)
-    return AS_RECORDED if all(one.verdict.green for one in answer.outcomes) else UNDECIDED
+    return AS_RECORDED if all(one.verdict.green for one in outcomes) else UNDECIDED
 
 
 @dataclass(frozen=True)
 class _Answer:
     """What was found, and why nobody looked further, if something is left."""
 
-    outcomes: tuple[Outcome, ...]
+    run: Run
     unfinished: str
 
 
 def _answer(derivation: Derivation, scene: Scene, arguments: argparse.Namespace) -> _Answer:
     """The answer to a question; what was found before it had to stop is kept."""
+    from kowalevski_cas.algebra.kernels import TooLarge
+
     on = Elaborations(derivation.texts(derivation.corrected()))
     findings: list[Finding] = []
     end = monotonic() + arguments.timeout
-    from kowalevski_cas.algebra.kernels import TooLarge
-
     try:
         search: Iterator[Finding] = arguments.search(on, scene, arguments)
         while True:
@@ -91,11 +94,11 @@ def _answer(derivation: Derivation, scene: Scene, arguments: argparse.Namespace)
     except TimeoutError:
         unfinished = f"it took more than {arguments.timeout:g} s: give it a longer --timeout"
     except TooLarge as error:
-        unfinished = f"it would take too much memory: {error}"
+        unfinished = f"it would be too large: {error}"
     except (Meaningless, NotationError) as error:
         raise CommandError(f"scene “{scene.name}”: {error}") from None
     claims = with_findings(derivation, findings)
-    return _Answer(verify(claims, ["flint"], timeout=arguments.timeout).outcomes, unfinished)
+    return _Answer(verify(claims, ["flint"], timeout=arguments.timeout), unfinished)
 
 
 def _forecast(scene: Scene, degree: int) -> None:

@@ -28,8 +28,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from kowalevski_cas.motion.general import General
-    from kowalevski_cas.motion.motion import Motion
+    from kowalevski_cas.motion.general import AnyMotion
     from kowalevski_cas.motion.result import Result
 
 LARGEST_COUNT = 10_000_000
@@ -113,7 +112,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
     from kowalevski_cas.motion.general import General
     from kowalevski_cas.motion.methods import MethodError, load
     from kowalevski_cas.motion.methods.ball import Unresolved, enclosed
-    from kowalevski_cas.motion.motion import Motion
+    from kowalevski_cas.motion.o4.motion import MotionO4
     from kowalevski_cas.motion.parameters import exact
     from kowalevski_cas.motion.result import Result
 
@@ -126,8 +125,9 @@ def _followed(arguments: argparse.Namespace) -> Result:
     motion = motion_of(arguments)
     method = arguments.method or ("dop853" if isinstance(motion, General) else "closed")
     if motion.off > ROUNDING and method in ("closed", "ball"):
+        name = "O⁴" if isinstance(motion, MotionO4) else "N⁴"
         print(
-            f"the state is not quite on N⁴: {method} begins {motion.off:.3g} of its "
+            f"the state is not quite on {name}: {method} begins {motion.off:.3g} of its "
             "size away from it; the integrators begin at it",
             file=sys.stderr,
         )
@@ -136,9 +136,9 @@ def _followed(arguments: argparse.Namespace) -> Result:
     if sys.stderr.isatty():
         print(f"{method} is to come to {limit} ...", file=sys.stderr)
 
-    def states(motion: Motion | General) -> tuple[NDArray[np.float64], ...]:
+    def states(motion: AnyMotion) -> tuple[NDArray[np.float64], ...]:
         with time_limit(arguments.timeout):
-            if method == "ball" and isinstance(motion, Motion):
+            if method == "ball" and not isinstance(motion, General):
                 return enclosed(motion, times)
             return (load(method)(motion, times),)
 
@@ -157,7 +157,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
     return Result(motion, times, *found)
 
 
-def motion_of(arguments: argparse.Namespace) -> Motion | General:
+def motion_of(arguments: argparse.Namespace) -> AnyMotion:
     """The motion that the arguments describe; a message for every way in which they do not."""
     from kowalevski_cas.motion import Motion, through
 

@@ -53,36 +53,48 @@ def run(arguments: argparse.Namespace) -> int:
         )
     motion = chosen(arguments)
     names = arguments.pictures or list(PICTURES)
+    write(arguments.output / LIST, _plates())
     with session.progress_bar() as progress:
         for done, name in enumerate(names):
             progress(name, done, len(names))
             _draw(name, motion, arguments.output)
-    from kowalevski_cas.motion.formulas import source
-
-    plates = [{"name": name, "caption": load(name).caption} for name in PICTURES]
-    content = {"derivation": source().name, "plates": plates}
-    text = json.dumps(content, indent=1, ensure_ascii=False) + "\n"
-    write(arguments.output / LIST, text)
     print(f"{arguments.output}: {', '.join(names)}")
     return AS_RECORDED
 
 
 def chosen(arguments: argparse.Namespace) -> Motion:
     """The motion that the arguments describe, or the example."""
-    from kowalevski_cas.motion import General, Motion
+    from kowalevski_cas.motion import General, Motion, MotionO4
 
     if any(getattr(arguments, name) is not None for name in (*CONSTANTS, "point")):
         motion = motion_of(arguments)
         if isinstance(motion, General):
             raise CommandError(f"only motions in closed form are drawn: {motion.why}")
+        if isinstance(motion, MotionO4):
+            raise CommandError("only motions on N⁴ are drawn; this one is on O⁴")
         return motion
     a, b, m, ell = EXAMPLE
     return Motion.of(a, b, m, ell=ell)
+
+
+def _plates() -> str:
+    """The list of pictures for the reports of the derivations that they are about."""
+    from kowalevski_cas.motion.formulas import source
+
+    listed: dict[str, list[dict[str, str]]] = {}
+    for name in PICTURES:
+        picture = load(name)
+        entry = {"name": name, "caption": picture.caption}
+        listed.setdefault(source(picture.about).name, []).append(entry)
+    return json.dumps(listed, indent=1, ensure_ascii=False) + "\n"
 
 
 def _draw(name: str, motion: Motion, folder: Path) -> None:
     """Draw a picture and write it."""
     from kowalevski_cas.pictures import save, style
 
-    with style():
-        save(load(name).draw(motion), folder, name)
+    try:
+        with style():
+            save(load(name).draw(motion), folder, name)
+    except ValueError as error:
+        raise CommandError(f"{name} cannot be drawn: {error}") from None

@@ -8,7 +8,15 @@ from collections.abc import Iterable, Iterator
 from textwrap import TextWrapper
 from typing import Final
 
-from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display, to_plain
+from kowalevski_cas.notation import (
+    Formula,
+    NotationError,
+    Vocabulary,
+    print_prose,
+    read_display,
+    read_prose,
+    to_plain,
+)
 from kowalevski_cas.report.compare import unmarked
 from kowalevski_cas.report.document import (
     Block,
@@ -73,6 +81,11 @@ def _inline(one: Inline) -> str:
             return MARKS[verdict].sign
         case Link(text=inner) | Emphasis(text=inner):
             return text(inner)
+
+
+def words(said: str, vocabulary: Vocabulary) -> str:
+    """Words with mathematics between dollars."""
+    return print_prose(read_prose(said, vocabulary), str, to_plain)
 
 
 def shortened(line: str) -> str:

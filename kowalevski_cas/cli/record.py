@@ -10,6 +10,7 @@ import argparse
 import json
 import sys
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
 from kowalevski_cas.algebra import EXACT
@@ -21,7 +22,7 @@ from kowalevski_cas.verify import record
 from kowalevski_cas.verify.certificate import FOLDER, Stored
 from kowalevski_cas.verify.committed import wanted
 from kowalevski_cas.verify.outcome import Run, Verdict
-from kowalevski_cas.verify.teller import disagreement
+from kowalevski_cas.verify.teller import DECIDED, disagreement
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -38,8 +39,11 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _decided(folder: Path, derivation: Derivation, timeout: float) -> tuple[Run, dict[str, str]]:
-    """A run of a derivation with evidence that is found anew, and the certificates."""
-    texts, _ = session.certificates(folder, derivation, timeout, anew=True)
+    """A run of a derivation with evidence that is found anew, and the certificates.
+
+    What is decided, and has no certificate all the same, is an error.
+    """
+    texts, missing = session.certificates(folder, derivation, timeout, anew=True)
     stored = {
         name: Stored(folder / FOLDER / f"{name}.json", json.loads(text))
         for name, text in texts.items()
@@ -48,7 +52,13 @@ def _decided(folder: Path, derivation: Derivation, timeout: float) -> tuple[Run,
     for outcome in found.outcomes:
         if disagreement(outcome.verdicts):
             raise CommandError(f"{outcome.claim}: {outcome.message}", DISAGREEMENT)
-    return found, texts
+    outcomes = (
+        replace(o, verdict=Verdict.ERROR, message=f"no certificate: {missing[o.claim]}")
+        if o.claim in missing and o.verdict in DECIDED
+        else o
+        for o in found.outcomes
+    )
+    return replace(found, outcomes=tuple(outcomes)), texts
 
 
 def _written(folder: Path, found: Run, texts: Mapping[str, str]) -> int:
@@ -61,6 +71,7 @@ def _written(folder: Path, found: Run, texts: Mapping[str, str]) -> int:
     for change in record.differences(found, recorded):
         if change.claim not in left:
             print(f"{change.claim}: {change.recorded} -> {change.found}")
+    texts = {name: text for name, text in texts.items() if name.rpartition("/")[2] not in left}
     kept = wanted({claim: recorded[claim] for claim in left if claim in recorded})
     write_all(
         {folder / record.FILE: record.dump_record(found, recorded)}

@@ -15,6 +15,7 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Run
 
 if TYPE_CHECKING:
+    from kowalevski_cas.report import Section
     from kowalevski_cas.verify.committed import Checked
 
 
@@ -45,17 +46,25 @@ def run(arguments: argparse.Namespace) -> int:
 
 def write(run: Run, folder: Path, derivation: Path) -> tuple[Checked, str]:
     """Write the report of a run; what the checker says of its certificates, and where it is."""
-    from kowalevski_cas.library import load
-    from kowalevski_cas.report import ReportError, sections, write_report
-    from kowalevski_cas.verify.committed import check_committed
+    from kowalevski_cas.report import ReportError, write_report
 
-    checked = check_committed(derivation, session.recorded(derivation))
-    own = {outcome.claim: outcome.digest for outcome in run.outcomes}
+    checked, found, digests = certified(run, derivation)
     try:
-        paper = load(str(derivation))
-        found = sections(run, paper, paper.texts())
-        written = write_report(run, found, folder, dict(own.items() & checked.digests.items()))
+        written = write_report(run, found, folder, digests)
     except ReportError as error:
         raise CommandError(f"the report: {error}") from None
     said = [*written.notes, f"{written.html} and {written.pdf} are written"]
     return checked, "\n".join(said)
+
+
+def certified(run: Run, folder: Path) -> tuple[Checked, tuple[Section, ...], dict[str, str]]:
+    """What the checker says of certificates, the paper in order, and the digests of its claims."""
+    from kowalevski_cas.library import load
+    from kowalevski_cas.report import sections
+    from kowalevski_cas.verify.committed import check_committed
+
+    checked = check_committed(folder, session.recorded(folder))
+    own = {outcome.claim: outcome.digest for outcome in run.outcomes}
+    paper = load(str(folder))
+    found = sections(run, paper, paper.texts())
+    return checked, found, dict(own.items() & checked.digests.items())

@@ -29,7 +29,7 @@ from kowalevski_cas.cli.exits import (
 from kowalevski_cas.cli.formats import EXPLAINED, FORMATS, Result, load_format
 from kowalevski_cas.library import READ, LibraryError, available, find, source
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.outcome import Run, Verdict
 from kowalevski_cas.verify.record import (
     RecordError,
     contradictions,
@@ -37,6 +37,7 @@ from kowalevski_cas.verify.record import (
     load_record,
     unexpected,
 )
+from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.teller import disagreement
 
 PAUSE = 0.2
@@ -86,19 +87,30 @@ def _result(arguments: argparse.Namespace, folder: Path, derivation: Derivation)
         folder, derivation, arithmetics, arguments.only, explain, arguments.timeout,
         seed=arguments.seed,
     )  # fmt: skip
+    if explain:
+        found = replace(found, versions=session.versions())
+    return compared(folder, derivation, found, not arguments.only)
+
+
+def compared(folder: Path, derivation: Derivation, found: Run, whole: bool) -> Result:
+    """A run beside the record in a folder, of all claims if it is whole."""
     try:
         record = load_record(folder)
     except RecordError as error:
         raise CommandError(str(error)) from None
     if record is None:
-        compared = unexpected(found, derivation.expected)
-    elif arguments.arithmetic in POINTS:
-        compared = contradictions(found, record)
+        differing = unexpected(found, derivation.expected)
+    elif found.arithmetics[0] in POINTS:
+        differing = contradictions(found, record)
     else:
-        compared = differences(found, record, not arguments.only)
-    if explain:
-        found = replace(found, versions=session.versions())
-    return Result(folder, found, compared, record is not None, derivation.lines)
+        differing = differences(found, record, whole)
+    return Result(folder, found, differing, record is not None, derivation.lines)
+
+
+def told(folder: Path, derivation: Derivation, begun: Session, claim: str) -> str:
+    """What a terminal says of a claim, if it is not as recorded or expected; else nothing."""
+    result = compared(folder, derivation, begun.run([claim]), False)
+    return "" if exit_code(result) == AS_RECORDED else load_format("pretty")([result])
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -117,8 +129,8 @@ def _watch(arguments: argparse.Namespace) -> int:
                 except CommandError as error:
                     code = error.code
                     print(error, file=sys.stderr)
+                before = READ | now
                 print("waiting for a file to be saved; Ctrl-C ends", file=sys.stderr)
-                before = {**_saved(arguments.derivations), **now}  # it may have read others
             sleep(PAUSE)
     return code
 

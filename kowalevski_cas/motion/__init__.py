@@ -1,4 +1,4 @@
-r"""Motions of the top: on N⁴ separated and solved, and followed by any of several methods.
+r"""Motions of the top: on N⁴ and O⁴ separated and solved, and followed by any of several methods.
 
 >>> from kowalevski_cas.motion import Motion, load, through
 >>> motion = Motion.of(a=1, b="0.4", m="0.8", ell="0.9")
@@ -21,6 +21,8 @@ Through a state that has no closed form goes a general motion, for the integrato
 from kowalevski_cas.motion.general import General, through
 from kowalevski_cas.motion.methods import METHODS, MethodError, load
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.motion import MotionO4
+from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.parameters import Inadmissible, Parameters
 from kowalevski_cas.motion.regimes import Regime, all_regimes, coincidences, regime_of
 
@@ -30,7 +32,9 @@ __all__ = [
     "Inadmissible",
     "MethodError",
     "Motion",
+    "MotionO4",
     "Parameters",
+    "ParametersO4",
     "Regime",
     "all_regimes",
     "coincidences",

@@ -14,7 +14,13 @@ from flint import fmpq
 from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
 from kowalevski_cas.notation import Formula, Name, replace
-from kowalevski_cas.paper.closed_form import ClosedForm, CriticalSets, Member, Values
+from kowalevski_cas.paper.closed_form import (
+    ClosedForm,
+    CriticalSets,
+    HyperellipticForm,
+    Member,
+    Values,
+)
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 
@@ -44,45 +50,57 @@ def _offered(kind: Any) -> Any:
 
 def equations() -> Function:
     """The right-hand sides of the nine equations, by the state."""
-    return _compiled(_offered(ClosedForm).equations)
+    return compiled(_offered(ClosedForm).equations)
 
 
 def integrals() -> Function:
     """The values of :data:`INTEGRALS`, all constant on N⁴, by the state."""
-    return _compiled(_offered(ClosedForm).integrals)
+    return compiled(_offered(ClosedForm).integrals)
 
 
 def constants() -> Function:
     """The polynomials from which m and ℓ are found, by the state."""
-    return _compiled(_offered(ClosedForm).constants)
+    return compiled(_offered(ClosedForm).constants)
 
 
 def phase_point() -> Function:
     """The state by what the motion code supplies."""
-    return _compiled(_offered(ClosedForm).phase_point)
+    return compiled(_offered(ClosedForm).phase_point)
 
 
 def jacobi_rates() -> Function:
     """The rates of sn, cn, dn of n·t, by sn, cn, dn, n and the modulus k."""
-    return _compiled(_offered(ClosedForm).jacobi_rates)
+    return compiled(_offered(ClosedForm).jacobi_rates)
 
 
 def complex_variables() -> Function:
     """The complex variables and ω3, by the state and i."""
-    return _compiled(_offered(ClosedForm).complex_variables)
+    return compiled(_offered(ClosedForm).complex_variables)
 
 
 def across() -> tuple[Function, Function]:
     """The functions that vanish on N⁴, and their rates."""
     form = _offered(ClosedForm)
-    return _compiled(form.across), _compiled(form.across_rates)
+    return compiled(form.across), compiled(form.across_rates)
 
 
 def critical_sets() -> tuple[Function, Function, Function]:
     """What vanishes on M⁴, on N⁴ and on O⁴, by the complex variables, and s for the last."""
     sets = _offered(CriticalSets)
-    M4, N4, O4 = (_compiled(values, CriticalSets) for values in (sets.M4, sets.N4, sets.O4))
+    M4, N4, O4 = (compiled(values, CriticalSets) for values in (sets.M4, sets.N4, sets.O4))
     return M4, N4, O4
+
+
+def critical_values() -> tuple[Function, Function]:
+    """The values k, p²h − 2g on M⁴ by j, and k, 2g − p²h on N⁴ by m and r."""
+    sets = _offered(CriticalSets)
+    M4, N4 = (compiled(values, CriticalSets) for values in (sets.M4_values, sets.N4_values))
+    return M4, N4
+
+
+def hyperelliptic(values: str) -> Function:
+    """These values of the :class:`~kowalevski_cas.paper.closed_form.HyperellipticForm`, on O⁴."""
+    return compiled(getattr(_offered(HyperellipticForm), values), HyperellipticForm)
 
 
 def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
@@ -92,7 +110,7 @@ def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
 
 
 @cache
-def _compiled(values: Values, kind: type = ClosedForm) -> Function:
+def compiled(values: Values, kind: type = ClosedForm) -> Function:
     """The values, read on their scene, as a function of numbers."""
     derivation = source(kind)
     texts = derivation.texts(derivation.corrected(), values.scene)

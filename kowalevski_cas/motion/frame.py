@@ -7,6 +7,7 @@ The body is symmetric about its third axis. So the equations keep their form whe
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
@@ -67,3 +68,14 @@ def straightened(
         r_square = root((a**2 - b**2) ** 2 + 4 * c**2)
         longer = root((a**2 + b**2 + r_square) / 2)
         return longer, root(a**2 * b**2 - c**2) / longer, turn_of(a**2, b**2, c)
+
+
+def fields(
+    p_square: Fraction, r_square: Fraction, turn: tuple[Fraction, Fraction]
+) -> tuple[float, float, float]:
+    """The lengths of the fields and their scalar product before the turn."""
+    cos, sin = turn
+    difference = r_square * (cos**2 - sin**2)
+    squares = (p_square + difference) / 2, (p_square - difference) / 2
+    a, b = (math.sqrt(max(square, Fraction(0))) for square in squares)
+    return a, b, float(r_square * cos * sin)

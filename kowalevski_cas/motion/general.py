@@ -8,6 +8,8 @@ from typing import NoReturn
 
 from kowalevski_cas.motion import formulas, point
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.motion import MotionO4
+from kowalevski_cas.motion.o4.start import on_O4
 from kowalevski_cas.motion.parameters import Inadmissible, Real, exact
 
 
@@ -36,13 +38,20 @@ class General:
         )
 
 
-def through(state: Sequence[Real]) -> Motion | General:
+AnyMotion = Motion | MotionO4 | General
+"""A motion on N⁴, on O⁴, or one of which only the state at t = 0 is known."""
+
+
+def through(state: Sequence[Real]) -> AnyMotion:
     """The motion that is at the state (ω, α, β), nine numbers, at t = 0.
 
-    It is in closed form only if that returns to the state. Raises ``ValueError`` for what is no
-    state: another count of numbers, or one that is not finite.
+    It is in closed form, on N⁴ or on O⁴, only if that returns to the state. Raises ``ValueError``
+    for what is no state: another count of numbers, or one that is not finite.
     """
-    try:
-        return point.on_N4(state)
-    except Inadmissible as error:
-        return General(tuple(float(exact(value)) for value in state), str(error))
+    refused = []
+    for closed in (point.on_N4, on_O4):
+        try:
+            return closed(state)
+        except Inadmissible as error:
+            refused.append(str(error))
+    return General(tuple(float(exact(value)) for value in state), "; ".join(refused))

@@ -6,13 +6,12 @@ several, is the motion; :func:`~kowalevski_cas.motion.point.on_N4` finds them fo
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from kowalevski_cas.motion.frame import straightened
+from kowalevski_cas.motion.frame import fields, straightened
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import Parameters, Real, precision, usable
 from kowalevski_cas.motion.regimes import (
@@ -90,14 +89,12 @@ class Motion:
     @property
     def constants(self) -> dict[str, float]:
         """The lengths a, b of the fields and their scalar product c, the integrals, m and ℓ."""
-        known, (cos, sin) = self.parameters, self.turn
-        difference = known.r_square * (cos**2 - sin**2)
-        squares = (known.p_square + difference) / 2, (known.p_square - difference) / 2
-        a, b = (math.sqrt(max(square, Fraction(0))) for square in squares)
-        values = (known.r_square * cos * sin, known.h, known.k, known.g, known.m)
-        named = {name: float(value) for name, value in zip("chkgm", values, strict=True)}
+        known = self.parameters
+        a, b, c = fields(known.p_square, known.r_square, self.turn)
+        values = (known.h, known.k, known.g, known.m)
+        named = {name: float(value) for name, value in zip("hkgm", values, strict=True)}
         with precision(64):
-            return {"a": a, "b": b, **named, "l": float(known.ell)}
+            return {"a": a, "b": b, "c": c, **named, "l": float(known.ell)}
 
     def oscillations(self) -> tuple[Oscillation, Oscillation]:
         """The separated equations, solved anew at the precision of FLINT's context."""

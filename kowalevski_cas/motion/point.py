@@ -11,9 +11,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from math import sqrt
 
 import numpy as np
 from flint import arb
+from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.critical import LEAST_THETA, TOLERANCE, bounds
@@ -95,13 +97,17 @@ def _started(motion: Motion, values: tuple[Values, Values]) -> Motion:
 
 def _returning(motion: Motion, given: list[Fraction]) -> Motion:
     """The motion with its distance from the state at t = 0."""
-    there = [Fraction(x) for x in states(motion, np.zeros(1))[0].tolist()]
+    return replace(motion, off=distance(states(motion, np.zeros(1))[0], given))
+
+
+def distance(state: NDArray[np.float64], given: list[Fraction]) -> float:
+    """How far a state is from a given one, relative to its size: ω and fields each of their own."""
+    there = [Fraction(x) for x in state.tolist()]
     fields, whole = _sizes(given)
     differences = _sizes([x - y for x, y in zip(there, given, strict=True)])
     # |Δω|² is the difference of the two sizes of weight 2.
-    omega_square = (differences[1] - differences[0]) / whole
-    off = max(float(differences[0] / fields), float(omega_square) ** 0.5)
-    return replace(motion, off=off)
+    omega_square = float((differences[1] - differences[0]) / whole)
+    return max(float(differences[0] / fields), sqrt(omega_square))
 
 
 def _sizes(state: list[Fraction]) -> tuple[Fraction, Fraction]:

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.critical import SETS, on, residuals
-from kowalevski_cas.motion.general import General
+from kowalevski_cas.motion.general import AnyMotion, General
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.regimes import coincidences, tori
 from kowalevski_cas.motion.transverse import exponent, kind
@@ -27,7 +28,7 @@ class Result:
     ``radii`` (N,) are those of enclosures: no number of a state is farther from the exact one.
     """
 
-    motion: Motion | General
+    motion: AnyMotion
     times: NDArray[np.float64]
     states: NDArray[np.float64]
     radii: NDArray[np.float64] | None = None
@@ -63,6 +64,8 @@ class Result:
         first = {name: float(found[name][0]) for name in SETS}
         if isinstance(self.motion, Motion):
             first["N4"] = np.fmin(first["N4"], self.motion.off)
+        if isinstance(self.motion, MotionO4):
+            first["O4"] = min(first["O4"], self.motion.off)
         largest = {name: float(np.fmax.reduce(found[name])) for name in SETS}
         return {
             "on": on(first),
@@ -75,6 +78,13 @@ class Result:
         motion = self.motion
         if isinstance(motion, General):
             return {"none": motion.why}
+        if isinstance(motion, MotionO4):
+            return {
+                "order": str(motion.regime),
+                "u1": str(motion.regime.u1),
+                "u2": str(motion.regime.u2),
+                "tori": motion.regime.tori,
+            }
         regime = motion.regime
         with precision(64):
             squares = [float(o.modulus_square) for o in motion.oscillations()]

@@ -136,6 +136,19 @@ def letter_and_index(name: str) -> tuple[str, str]:
     return letter, index[1:-1] if index.startswith("{") else index
 
 
+def dotted(name: str) -> str:
+    r"""The name of the derivative of a variable, as it is printed.
+
+    >>> dotted(r"\omega_1"), dotted(r"\dot{x}")
+    ('\\dot{\\omega}_1', '\\ddot{x}')
+    """
+    letter = name.partition("_")[0]
+    dots, brace, inner = letter.partition("{")
+    higher = {r"\dot": r"\ddot", r"\ddot": r"\dddot"}.get(dots if brace else "")
+    marked = f"{higher}{{{inner}" if higher else rf"\dot{{{letter}}}"
+    return marked + name[len(letter) :]
+
+
 def plain(letter: str) -> str:
     r"""The letter without its font: ``\boldsymbol{\alpha}`` gives ``\alpha``."""
     return letter[letter.index("{") + 1 : -1] if letter.endswith("}") else letter

@@ -21,18 +21,21 @@ CLOSING = r"\}"
 
 
 class Heads(NamedTuple):
-    """The names that a statement defines, and those whose squares it gives."""
+    """The names that a statement defines, those whose squares it gives, and if it has a matrix."""
 
     names: tuple[str, ...]
     squares: tuple[str, ...]
+    matrix: bool = False
 
 
 @cache
 def heads(tex: str) -> tuple[Heads, ...]:
     r"""What each statement of a display defines; raises ``NotationError`` for broken TeX.
 
-    >>> heads(r"H = \omega_1^2 - x \equiv h, \quad ({\bs \alpha}, {\bs \alpha}) = a^2")
-    (Heads(names=('H', 'h'), squares=()), Heads(names=(), squares=('a',)))
+    >>> heads(r"H = \omega_1^2 - x \equiv h, \quad r^2 = x^2")[0].names
+    ('H', 'h')
+    >>> heads(r"({\bs \alpha}, {\bs \alpha}) = a^2")
+    (Heads(names=(), squares=('a',), matrix=False),)
     >>> [*heads(r"\varphi(s) = 4ms^2, \quad {\bf e}_1 = (1,0)")][1].names
     ('\\mathbf{e}_1',)
     """
@@ -52,6 +55,7 @@ def _heads(tokens: list[Token], tex: str) -> Heads:
     return Heads(
         tuple(dict.fromkeys(name for name, square in found if name and not square)),
         tuple(dict.fromkeys(name for name, square in found if name and square)),
+        any(member.matrix() for member in members),
     )
 
 
@@ -70,6 +74,12 @@ class _Member(Cursor):
         read = self.tokens[self.at].kind == END and power in (False, "2")
         return (name, power == "2") if read else ("", False)
 
+    def matrix(self) -> bool:
+        """Whether it is a matrix by its rows, of more than one column."""
+        kinds = [token.kind for token in self.tokens[:-1]]
+        ends = kinds[:1] == ["begin"] and kinds.index("end") == len(kinds) - 1
+        return ends and self.tokens[0].text != "vmatrix" and {"row", "cell"} <= {*kinds}
+
     def here(self, text: str) -> bool:
         """Whether this bracket opens here."""
         return self.tokens[self.at].kind == "open" and self.tokens[self.at].text == text
@@ -81,6 +91,17 @@ class _Member(Cursor):
         letter = self.take().text
         return letter + self.index() if self.tokens[self.at].kind == "_" else letter
 
+    def argument(self) -> str:
+        """A name, perhaps under a dot, as in L(q, dot{q})."""
+        if self.tokens[self.at].text != r"\dot":
+            return self.name()
+        self.at += 1
+        braced = self.tokens[self.at].kind == "{"
+        self.at += braced
+        letter = self.take().text
+        self.at += braced
+        return rf"\dot{{{letter}}}" + (self.index() if self.tokens[self.at].kind == "_" else "")
+
     def bracket(self) -> str:
         """A bracket of names."""
         return rf"\{{{self.listed(CLOSING)}\}}"
@@ -88,10 +109,10 @@ class _Member(Cursor):
     def listed(self, closing: str) -> str:
         """Names in brackets, with commas between them."""
         self.at += 1
-        names = [self.name()]
+        names = [self.argument()]
         while self.tokens[self.at].kind == "comma":
             self.at += 1
-            names.append(self.name())
+            names.append(self.argument())
         if self.take().text != closing:
             raise self.unexpected()
         return ",".join(names)

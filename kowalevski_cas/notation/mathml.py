@@ -21,10 +21,12 @@ from kowalevski_cas.notation.unicode import SIGNS, styled, symbol
 _ACCENTS = {r"\hat": "^", r"\tilde": "~", r"\check": "ˇ", r"\vec": "→", r"\dot": "˙", r"\ddot": "¨"}
 _DOTS = {1: "˙", 2: "¨", 3: "⃛", 4: "⃜"}
 _ATOM = re.compile(r"<(m[ion])>[^<]*</\1>")
+_TALL = re.compile("<m(frac|table|underover)")
+_AS_IT_IS = ' stretchy="false"'
 
 
 class MathML(Printer):
-    """Each part is a run of elements; brackets grow with what they hold."""
+    """Each part is a run of elements; brackets grow with fractions and matrices."""
 
     plus, minus, times, cross = (f"<mo>{sign}</mo>" for sign in "+−·×")
     d, partial_d, prime, dots, const = (
@@ -36,7 +38,8 @@ class MathML(Printer):
     )
     comma = "<mo>,</mo>"
     round, square, braces, bars = (
-        (f"<mo>{left}</mo>", f"<mo>{right}</mo>") for left, right in ("()", "[]", "{}", "||")
+        (f"<mo{_AS_IT_IS}>{left}</mo>", f"<mo{_AS_IT_IS}>{right}</mo>")
+        for left, right in ("()", "[]", "{}", "||")
     )
 
     def begins_with_number(self, text: str) -> bool:
@@ -71,7 +74,13 @@ class MathML(Printer):
     def joined(self, parts: Iterable[str]) -> str:
         return "".join(parts)
 
+    def brackets(self, text: str) -> tuple[str, str]:
+        inner = ">(</mo>" in text and ">[</mo>" not in text
+        return self.square if inner else self.round
+
     def between(self, opening: str, text: str, closing: str) -> str:
+        if _TALL.search(text):
+            opening, closing = stretched(opening), stretched(closing)
         return f"<mrow>{opening}{text}{closing}</mrow>"
 
     def fraction(self, above: str, below: str) -> str:
@@ -114,6 +123,11 @@ class MathML(Printer):
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         cells = "".join(f"<mtr><mtd>{'</mtd><mtd>'.join(row)}</mtd></mtr>" for row in rows)
         return self.between(self.round[0], f"<mtable>{cells}</mtable>", self.round[1])
+
+
+def stretched(bracket: str) -> str:
+    """A bracket that grows with what stands beside it."""
+    return bracket.replace(_AS_IT_IS, "", 1)
 
 
 def _over(text: str, accent: str) -> str:

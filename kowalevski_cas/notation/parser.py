@@ -230,9 +230,8 @@ class Parser(Atoms):
         order = self.order()
         piece = super().factor()
         if self.tokens[self.at].kind != "slash" or self.tokens[self.at + 1].text != token.text:
-            raise self.error(
-                f"a derivative is expected here, as {token.text}x/{token.text}t", token
-            )
+            d = token.text if token.text == "d" else rf"{token.text} "
+            raise self.error(f"a derivative is expected here, as {d}x/{d}t", token)
         self.at += 2
         by = self.differential(token.text)
         if len(by) != order:

@@ -289,18 +289,21 @@ class Printer(ABC):
 
 def _is_applied(left: Formula, right: Formula) -> bool:
     """Whether a factor begins with a bracket that looks like the argument of the one before it."""
-    inner, raised = right, False
+    left, inner, raised = _bare(left), _bare(right), False
     while isinstance(inner, Power) or (isinstance(inner, Derivative) and inner.mark == "prime"):
-        raised, inner = True, next(inner.children())
+        raised, inner = True, _bare(next(inner.children()))
         if isinstance(inner, Name):
             return False
     opened = isinstance(inner, (*COMPOUND, Vector)) or (raised and not is_base(inner))
     return opened and applies(left, inner, raised)
 
 
+def _bare(formula: Formula) -> Formula:
+    return formula.argument if isinstance(formula, Changed) else formula
+
+
 def is_base(formula: Formula) -> bool:
     """Whether a formula carries a power without brackets."""
-    if isinstance(formula, Changed):
-        return is_base(formula.argument)
+    formula = _bare(formula)
     dotted = isinstance(formula, Derivative) and formula.mark == "dot"
     return dotted or isinstance(formula, _BASES)

@@ -46,8 +46,6 @@ class Brackets:
         if not declared:
             raise Meaningless(f"no Poisson bracket is declared on “{setting.scene.name}”")
         for name in declared:
-            setting.places[name] = (setting.scene.definitions[name],)
-            setting.applied.add(name)
             for (x, y), formula in self._instances(name):
                 value = finder.scalar(formula)
                 known = self.structure.get((y, x))

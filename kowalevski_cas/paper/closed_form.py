@@ -72,8 +72,40 @@ class CriticalSets:
         M4: the two functions that vanish on M⁴, by the complex variables and :math:`\omega_3`.
         N4: the two that vanish on N⁴, by the same.
         O4: the five that vanish on O⁴, by the same and s.
+        M4_values: k and :math:`p^2h-2g` on M⁴, by j.
+        N4_values: k and :math:`2g-p^2h` on N⁴, by m and r.
     """
 
     M4: Values
     N4: Values
     O4: Values
+    M4_values: Values
+    N4_values: Values
+
+
+@dataclass(frozen=True, eq=False)
+class HyperellipticForm:
+    r"""The motions on O⁴ by two variables on a curve of genus 2, :math:`u_1` and :math:`u_2=n/v`.
+
+    The radicals are :math:`\mu_1, A_1, B_1, K_1`, which belong to :math:`u_1`, and
+    :math:`\hat\mu_2, \hat A_2, \hat B_2, \hat K_2`, which belong to n and v.
+
+    Args:
+        constants: :math:`s, \tau_3, x_1x_2, x_1x_2+z_1z_2` by the complex variables.
+        variables: :math:`q^2`, the numerators of :math:`u_1, u_2`, their denominator and the
+            numerator of :math:`u_1u_2`, by :math:`X, \xi, \tau_3, \sigma, q`.
+        integrals: h, k, g, by :math:`s, \tau_3, p, r`.
+        squares: those of the radicals and of :math:`\hat E`, by :math:`u_1, n, v, \mu_1, \hat\mu_2`
+            and :math:`s, \tau_3, r, \sigma, \kappa`.
+        parts: the parts of the phase point, by :math:`u_1, n, v`, the radicals, :math:`s, \tau_3,
+            p, r` and the fourth part, :math:`\hat d`.
+        phase_point: the state by the radicals, :math:`\hat E`, the parts, :math:`s, \tau_3, r`
+            and :math:`vu_1-n`; homogeneous of degree zero in n, v.
+    """
+
+    constants: Values
+    variables: Values
+    integrals: Values
+    squares: Values
+    parts: Values
+    phase_point: Values

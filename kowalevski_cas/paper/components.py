@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from kowalevski_cas.notation import (
     CrossProduct,
+    Derivative,
     Diagonal,
     Formula,
     Name,
@@ -14,8 +15,16 @@ from kowalevski_cas.notation import (
     rank,
     to_latex,
 )
+from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.space import Let, Meaningless
+
+
+def parts(formula: Formula, setting: Meaning) -> tuple[Formula, ...]:
+    """The components of a vector, or a scalar alone."""
+    if rank(formula, setting.texts.vocabulary) != VECTOR:
+        return (formula,)
+    return tuple(component(formula, index, setting) for index in range(3))
 
 
 def component(vector: Formula, index: int, setting: Meaning) -> Formula:
@@ -34,8 +43,8 @@ def component(vector: Formula, index: int, setting: Meaning) -> Formula:
             return of(step.formula, index)
         case Name(name) if name in setting.scene.vectors:
             return Name(setting.scene.vectors[name][index])
-        case Negative(argument):
-            return Negative(of(argument, index))
+        case Negative() | Derivative():
+            return vector.mapped(lambda argument: of(argument, index))
         case Sum(terms):
             return Sum(tuple(of(term, index) for term in terms))
         case Diagonal(entries):

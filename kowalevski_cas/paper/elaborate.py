@@ -9,20 +9,20 @@ the setting checks it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from functools import cached_property
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from kowalevski_cas.algebra import load
 from kowalevski_cas.algebra.tower import Ring
 from kowalevski_cas.notation import (
     Constant,
-    Derivative,
     Formula,
     Name,
     Negative,
+    NotationError,
     Number,
-    Product,
     Quotient,
     Relation,
     Root,
@@ -31,12 +31,14 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.components import component
 from kowalevski_cas.paper.inverse import inverse
 from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.motion import field, velocities
 from kowalevski_cas.paper.plain import Plain
 from kowalevski_cas.paper.roots import solved
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
-from kowalevski_cas.paper.scene import Scene, is_bold
+from kowalevski_cas.paper.scene import Scene, head, is_bold
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.validation import check_time, validate
+from kowalevski_cas.paper.written_out import WrittenOut
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.prune import mentions
 from kowalevski_cas.problem.space import (
@@ -68,15 +70,14 @@ class Elaboration(Meaning):
         named = {name for name in scene.roots if not name.startswith(r"\sqrt")}
         plain = (*scene.variables, *scene.constants, *scene.undefined)
         self._powers = {f"{b}^{{{e}}}": (b, e) for b, e in scene.powers}
-        self.variables = tuple(n for n in scene.variables if n not in named | self.zero)
+        moving = (*scene.variables, *self.velocities.values())
+        self.variables = tuple(n for n in moving if n not in named | self.zero)
         self.constants = tuple(n for n in plain[len(scene.variables) :] if n not in named)
         self.powers = tuple(self._powers)
         self._steps: dict[str, Step | None] = {}
         self._open: list[str] = []
         self.places: dict[str, tuple[Printed, ...]] = {}
         self._inverses: dict[object, dict[str, Formula]] = {}
-        self.applied: set[str] = set()
-        """Functions and brackets, which are written out where they are applied."""
         self.roots = tuple(self._root_names())
 
     def _root_names(self) -> Iterator[str]:
@@ -161,8 +162,8 @@ class Elaboration(Meaning):
             return Raised(name, Name(base), exponent)
         if name in self.zero:
             return self._let(name, Number(0), *scene.zero)
-        if name in scene.definitions:
-            return self._let(name, self.definition(name), scene.definitions[name])
+        if (whole := self._head(name)) is not None:
+            return self._let(name, self.definition(whole), scene.definitions[whole])
         if name in scene.vectors:
             return self._let(name, Vector(tuple(Name(c) for c in scene.vectors[name])))
         if (place := scene.component(name)) is not None:
@@ -173,6 +174,11 @@ class Elaboration(Meaning):
             assert isinstance(scene.field, ChangeOfScene)
             return self._let(name, self.inverse[name], *scene.field.formulas)
         raise Meaningless(f"{name} has no meaning on the scene “{scene.name}”", name)
+
+    def _head(self, name: str) -> str | None:
+        """The head in which a name has variables for arguments, as H has in H(q,p)."""
+        heads = (one for one in self.scene.definitions if head(one)[0] == name)
+        return next(filter(self.scene.of_variables, heads), None)
 
     def raised(self, name: str) -> Raised:
         """The step of a power."""
@@ -256,49 +262,37 @@ class Elaboration(Meaning):
             raise Meaningless(f"no expression stands for {name} in its definition", name)
         return next((m for m in others if not isinstance(m, Name)), others[0])
 
-    def free(self, name: str) -> Evaluation:
-        """The setting in FLINT with a root as one more variable, bound by nothing."""
-        ring = Ring(self.finder.polynomials((*generators(self), name)))
+    def free(self, names: Sequence[str]) -> Evaluation:
+        """The setting in FLINT with more variables, bound by nothing; a root may be one."""
+        ring = Ring(self.finder.polynomials((*generators(self), *names)))
         values = {one: ring.generator(one) for one in ring.polynomials.generators}
         at = Evaluation(self, self.finder.polynomials, ring, values, self._finder_of)
-        for root in self.roots[: self.roots.index(name)]:
+        for root in takewhile(lambda root: root not in names, self.roots):
             at.scalar(Name(root))
         return at
 
     # -- motion ------------------------------------------------------------------
 
     @cached_property
-    def field(self) -> tuple[Motion, ...]:
-        """The printed equations of motion."""
+    def printed_field(self) -> list[Formula]:  # type: ignore[override]
+        """The equations of motion, as far as they can be read; who needs them is told the rest."""
         rows = self.scene.field
-        if isinstance(rows, ChangeOfScene):
-            return ()
-        found: dict[str, Printed] = {}
-        motions = []
-        for printed in rows:
-            motions.append(self._motion(printed))
-            for name in motions[-1].names:
-                if found.setdefault(name, printed) != printed:
-                    raise Meaningless(
-                        f"on the scene “{self.scene.name}” {name} moves by two equations, at "
-                        f"{found[name].place} and at {printed.place}: leave one out",
-                        name,
-                    )
-        return tuple(motions)
+        found: list[Formula] = []
+        for place in () if isinstance(rows, ChangeOfScene) else rows:
+            with suppress(NotationError):
+                found.append(self.texts.relation(place))
+        return found
 
-    def _motion(self, printed: Printed) -> Motion:
-        left, right = self.texts.sides(printed)
-        factors = left.factors if isinstance(left, Product) else (left,)
-        moving = [f.argument for f in factors if isinstance(f, Derivative)]
-        if len(moving) != 1 or not isinstance(moving[0], Name):
-            place = printed.place
-            raise Meaningless(f"the equation at {place} has no derivative of a name on its left")
-        name = moving[0].name
-        names = self.scene.vectors.get(name, (name,))
-        ones: Formula = Number(1) if names == (name,) else Vector((Number(1),) * len(names))
-        rest = tuple(ones if isinstance(f, Derivative) else f for f in factors)
-        factor = Product(rest) if len(rest) > 1 else rest[0]
-        return Motion(names, self.plain(factor), self.plain(right))
+    @cached_property
+    def velocities(self) -> dict[str, str]:  # type: ignore[override]
+        """The variables of which higher derivatives are printed, and those derivatives' names."""
+        return velocities(self.printed_field, self.scene.variables, self.scene.vectors)
+
+    @cached_property
+    def field(self) -> tuple[Motion, ...]:
+        """The printed equations of motion, solved for the rates where they are not."""
+        rows = self.scene.field
+        return () if isinstance(rows, ChangeOfScene) else tuple(field(self, rows))
 
     @cached_property
     def change(self) -> Change | None:
@@ -339,6 +333,11 @@ class Elaboration(Meaning):
     def plain(self) -> Plain:
         """Formulas of the paper, written out in the operations of a space."""
         return Plain(self)
+
+    @cached_property
+    def written_out(self) -> WrittenOut:
+        """What a place prints that leaves no name in the space."""
+        return WrittenOut(self.plain)
 
     def formula(self, formula: str | Formula) -> Formula:
         """A formula, or LaTeX in the names of the scene, in the operations of a space."""

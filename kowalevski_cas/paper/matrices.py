@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import reduce
 
 from kowalevski_cas.notation import (
+    Commutator,
     Derivative,
     Formula,
     Name,
     Negative,
     Number,
+    Power,
     Product,
+    Quotient,
     Sum,
     Vector,
     to_latex,
@@ -43,8 +46,6 @@ def rows(formula: Formula, setting: Meaning, within: tuple[str, ...] = ()) -> Ro
         case Name(name) if name in within:
             raise Meaningless(f"{name} is defined by itself", name)
         case Name(name) if name in setting.scene.definitions:
-            setting.places[name] = (setting.scene.definitions[name],)
-            setting.applied.add(name)
             return rows(setting.definition(name), setting, (*within, name))
         case Vector(lines) if all(isinstance(line, Vector) for line in lines):
             return tuple(tuple(map(setting.plain, line.children())) for line in lines)
@@ -53,14 +54,43 @@ def rows(formula: Formula, setting: Meaning, within: tuple[str, ...] = ()) -> Ro
         case Derivative(argument, mark):
             return _each(of(argument), lambda entry: setting.plain(Derivative(entry, mark)))
         case Sum(terms):
-            size = len(next(of(term) for term in terms if is_matrix(term, setting)))
-            return reduce(
-                _sum,
-                (
-                    of(term) if is_matrix(term, setting) else _multiple(setting.plain(term), size)
-                    for term in terms
-                ),
-            )
+            return reduce(_sum, alike(terms, setting, within))
+    return _multiplied(formula, setting, of)
+
+
+def alike(
+    formulas: Sequence[Formula],
+    setting: Meaning,
+    within: tuple[str, ...] = (),
+    only_zero: bool = False,
+) -> list[Rows]:
+    """Several matrices; a number among them stands for a multiple of the unit matrix.
+
+    With ``only_zero`` it has to be zero, as where matrices are said to be equal.
+    """
+    found = {
+        k: rows(formula, setting, within)
+        for k, formula in enumerate(formulas)
+        if is_matrix(formula, setting) or (only_zero and formula != Number(0))
+    }
+    size = len(next(iter(found.values())))
+    return [
+        found[k] if k in found else _multiple(setting.plain(formula), size)
+        for k, formula in enumerate(formulas)
+    ]
+
+
+def _multiplied(formula: Formula, setting: Meaning, of: Callable[[Formula], Rows]) -> Rows:
+    """The entries of what is made of matrices by multiplication."""
+    match formula:
+        case Commutator(left, right):
+            first, second = _product(of(left), of(right)), _product(of(right), of(left))
+            return _sum(first, _each(second, Negative))
+        case Power(base, Number(exponent)) if exponent:
+            return reduce(_product, [of(base)] * exponent)
+        case Quotient(above, below):
+            divisor = setting.plain(below)
+            return _each(of(above), lambda entry: Quotient(entry, divisor))
         case Product(factors):
             matrices = [of(factor) for factor in factors if is_matrix(factor, setting)]
             scalars = tuple(setting.plain(f) for f in factors if not is_matrix(f, setting))
@@ -86,6 +116,17 @@ def determinant(matrix: Rows) -> Formula:
         term = Product((entry, minor))
         terms.append(Negative(term) if k % 2 else term)
     return Sum(tuple(terms))
+
+
+def trace(matrix: Rows) -> Formula:
+    """The sum of the diagonal; raises :class:`Meaningless` without one."""
+    if len(matrix) != len(matrix[0]):
+        raise Meaningless("the trace of a matrix that is not square")
+    return Sum(tuple(row[k] for k, row in enumerate(matrix)))
+
+
+OF_MATRICES = {r"\det": determinant, r"\mathrm{tr}": trace}
+"""The functions of matrices."""
 
 
 def _multiple(value: Formula, size: int) -> Rows:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.scene import Scene
@@ -18,7 +18,8 @@ class Meaning(Setting):
     scene: Scene
     texts: Texts
     places: dict[str, tuple[Printed, ...]]
-    applied: set[str]
+    velocities: dict[str, str]
+    printed_field: list[Formula]
 
     @property
     @abstractmethod
@@ -35,5 +36,5 @@ class Meaning(Setting):
         """The expression for which a name stands."""
 
     @abstractmethod
-    def free(self, name: str) -> Evaluation:
-        """The setting in FLINT with a root as one more variable, bound by nothing."""
+    def free(self, names: Sequence[str]) -> Evaluation:
+        """The setting in FLINT with more variables, bound by nothing; a root may be one."""

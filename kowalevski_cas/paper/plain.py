@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cached_property
 
 from kowalevski_cas.notation import (
@@ -10,25 +11,37 @@ from kowalevski_cas.notation import (
     Derivative,
     Formula,
     ImaginaryPart,
+    Modulus,
     Name,
     Negative,
     Number,
+    Partial,
     PoissonBracket,
     Power,
     Product,
     Quotient,
     RealPart,
     Root,
+    ScalarProduct,
     Sum,
+    Summation,
+    Vector,
+    rank,
     substitute,
     to_latex,
 )
+from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.brackets import Brackets
-from kowalevski_cas.paper.matrices import determinant, rows
+from kowalevski_cas.paper.matrices import OF_MATRICES, rows
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.scene import DETERMINANT, head
+from kowalevski_cas.paper.motion import marks
+from kowalevski_cas.paper.scene import head
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import MARK
+
+_INDEX = re.compile(r"\\[A-Za-z]+|\d+|.")
 
 
 class Plain:
@@ -56,8 +69,8 @@ class Plain:
                 return Quotient(Sum((inner, Negative(Conjugate(inner)))), below)
             case Derivative(argument, mark):
                 return self._derivative(self(argument), mark)
-            case Application(function, (argument,)) if function == DETERMINANT:
-                return determinant(rows(argument, self.setting))
+            case Application(function, (argument,)) if function in OF_MATRICES:
+                return OF_MATRICES[function](rows(argument, self.setting))
             case Application():
                 return self(self._applied(formula))
             case Root() if (value := self._printed_value(formula)) is not None:
@@ -66,18 +79,55 @@ class Plain:
                 return self._symbolic(base, exponent)
             case PoissonBracket(left, right):
                 return self._brackets(self._components(left), self._components(right))
-        return formula.mapped(self)
+        return self._shorthand(formula) or formula.mapped(self)
+
+    def _shorthand(self, formula: Formula) -> Formula | None:
+        """Sums over an index, lengths, squares of vectors and gradients; ``None`` for others."""
+        match formula:
+            case Summation():
+                return self(_written_out(formula))
+            case Power(base, Number(exponent)) if (square := self._square(base)) is not None:
+                half, odd = divmod(exponent, 2)
+                even = Power(square, Number(half)) if half > 1 else square
+                return even if not odd else Power(Root(square), Number(exponent))
+            case Modulus():
+                square = self._square(formula)
+                assert square is not None
+                return self(Root(square))
+            case Partial(argument, by) if (names := self.setting.scene.vectors.get(by)) is not None:
+                inner = self(argument)
+                return Vector(tuple(Partial(inner, name) for name in names))
+        return None
 
     def _derivative(self, argument: Formula, mark: str) -> Formula:
         """The rate by the time of the scene, or by the other one that its clock declares."""
         scene = self.setting.scene
-        rate = Derivative(argument, MARK)
+        rate = self._rate(argument)
         if mark == ("dot" if scene.time == "t" else "prime") or mark == scene.time:
             return rate
         if scene.clock is None:
+            if mark in marks(self.setting.printed_field):
+                return rate
             raise Meaningless(f"no derivative is printed as “{mark}” on “{scene.name}”")
         scale = self(self.setting.texts.time_scale(scene.clock))
         return Quotient(rate, scale) if scene.time == "t" else Product((scale, rate))
+
+    def _rate(self, argument: Formula) -> Formula:
+        """The derivative along the field; that of a variable may be a variable."""
+        velocities, vectors = self.setting.velocities, self.setting.scene.vectors
+        if isinstance(argument, Name) and argument.name in velocities:
+            return Name(velocities[argument.name])
+        if isinstance(argument, Name) and velocities.keys() & {*vectors.get(argument.name, ())}:
+            return Vector(tuple(self._rate(Name(name)) for name in vectors[argument.name]))
+        return Derivative(argument, MARK)
+
+    def _square(self, formula: Formula) -> Formula | None:
+        """The square of a vector, or of what stands between bars; ``None`` for anything else."""
+        inner = formula.argument if isinstance(formula, Modulus) else formula
+        if rank(inner, self.setting.texts.vocabulary) == VECTOR:
+            vector = self(inner)
+            return ScalarProduct(vector, vector)
+        return Power(self(inner), Number(2)) if isinstance(formula, Modulus) else None
 
     def _applied(self, formula: Application) -> Formula:
         """The expression for which a function with these arguments stands."""
@@ -86,17 +136,32 @@ class Plain:
             if arguments and function == formula.function:
                 if len(arguments) != len(formula.arguments):
                     raise Meaningless(f"{name} is used with {len(formula.arguments)} arguments")
-                self.setting.places[name] = (self.setting.scene.definitions[name],)
-                self.setting.applied.add(name)
                 values = dict(zip(arguments, formula.arguments, strict=True))
                 body = self.setting.definition(name)
                 if _applies(body, function):
                     raise Meaningless(f"{name} is defined by itself", function)
+                own = [self.setting.texts.expression(argument) for argument in arguments]
+                if [*formula.arguments] == own:
+                    return body
+                if not all(isinstance(one, Name) for one in own):
+                    raise Meaningless(f"{name} is used with other velocities: define it anew")
                 return substitute(body, values)
         raise Meaningless(f"the function {formula.function} has no meaning here", formula.function)
 
     def _printed_value(self, root: Root) -> Formula | None:
         """What a place prints for a root that is no generator; its square is the radicand."""
+        found = self.printed_root(root)
+        if found is None:
+            return None
+        name, printed = found
+        value = self(self.setting.definition(name))
+        square = self.setting.finder.scalar(value) ** 2
+        if not (square - self.setting.finder.scalar(self(root.argument))).is_zero:
+            raise Meaningless(f"the value at {printed.place} is not {name}")
+        return value
+
+    def printed_root(self, root: Root) -> tuple[str, Printed] | None:
+        """The name of a root for which a place prints a value, and the place."""
         for name, printed in self.setting.scene.roots.items():
             if printed is None or not name.startswith(r"\sqrt"):
                 continue
@@ -104,12 +169,7 @@ class Plain:
             assert isinstance(own, Root)
             radicand = self.setting.finder.scalar(self(own.argument))
             if (radicand - self.setting.finder.scalar(self(root.argument))).is_zero:
-                self.setting.places[name] = (printed,)
-                value = self(self.setting.definition(name))
-                square = self.setting.finder.scalar(value)
-                if not (square * square - radicand).is_zero:
-                    raise Meaningless(f"the value at {printed.place} is not {name}")
-                return value
+                return name, printed
         return None
 
     def _symbolic(self, base: str, exponent: Formula) -> Formula:
@@ -162,3 +222,29 @@ def _applies(formula: Formula, function: str) -> bool:
     if isinstance(formula, Application) and formula.function == function:
         return True
     return any(_applies(child, function) for child in formula.children())
+
+
+def _written_out(formula: Summation) -> Formula:
+    """The terms of a sum; raises :class:`Meaningless` if its limits are no numbers."""
+    match formula.first, formula.last:
+        case Number(first), Number(last):
+            terms = [_at(formula.body, formula.index, k) for k in range(first, last + 1)]
+            return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else Number(0)
+    shown = to_latex(formula)
+    raise Meaningless(f"print both limits as numbers, for all terms to be known: {shown}")
+
+
+def _at(formula: Formula, index: str, value: int) -> Formula:
+    """The term of a sum for a value of its index, which stands in names too."""
+    if not isinstance(formula, Name):
+        return formula.mapped(lambda child: _at(child, index, value))
+    if formula.name == index:
+        return Number(value)
+    letter, low = letter_and_index(formula.name)
+    parts = _INDEX.findall(low)
+    if index not in parts:
+        return formula
+    low = "".join(str(value) if part == index else part for part in parts)
+    if re.fullmatch(r"\d+(?:[+-]\d+)+", low):  # as in q_{i+1}
+        low = str(sum(map(int, re.findall(r"[+-]?\d+", low))))
+    return Name(f"{letter}_{low}" if len(low) == 1 else f"{letter}_{{{low}}}")

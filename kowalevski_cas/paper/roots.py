@@ -26,7 +26,7 @@ def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
         other = members[members[0] == own]
         if not _mentions(other, name):
             return Adjoined(name, setting.plain(other))
-    at = setting.free(name)
+    at = setting.free([name])
     sides = [plain for m in members if (plain := _known(at, setting, m)) is not None]
     if len(sides) < 2:
         raise Meaningless(f"the equation at {printed.place} does not give {name}^2", name)

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from dataclasses import field as default
 
 from kowalevski_cas.notation import Vocabulary
+from kowalevski_cas.notation.errors import dotted
 from kowalevski_cas.notation.macros import FUNCTIONS
 from kowalevski_cas.paper.texts import Display, Printed, check_attributes, statements
 
@@ -303,13 +304,23 @@ class Scene:
                 indexed = [argument for argument in arguments if is_indexed(argument)]
                 yield from [EPSILON] if indexed else []
                 yield from (f"{argument[:-1]}{k}" for argument in indexed for k in "ijk")
-            elif is_bold(name):
+            elif is_bold(name) or self.definitions[name].heads.matrix:
                 yield from self.vectors.get(name, ())
             else:
-                yield from arguments or (function,)
+                yield from (a for a in arguments if not a.startswith(r"\dot"))
+                if self.of_variables(name):
+                    yield function
         yield from (name for name in self.roots if not name.startswith(r"\sqrt"))
         if self.unit is not None:
             yield "i"
+
+    def of_variables(self, name: str) -> bool:
+        r"""Whether a head is a bare name, or has variables for all arguments, as :math:`H(q,p)`.
+
+        Then the name stands for the value at these; velocities and the time may be among them.
+        """
+        known = {*self.variables, *map(dotted, self.variables), self.time}
+        return known.issuperset(head(name)[1])
 
     def branches(self) -> Iterator[Printed]:
         """The places that print a value for a root: they choose one of two values."""
@@ -350,10 +361,6 @@ def is_indexed(name: str) -> bool:
     return name.endswith(("_i", "_j"))
 
 
-DETERMINANT = r"\det"
-"""The determinant as a function of matrices."""
-
-
 def head(name: str) -> tuple[str, tuple[str, ...]]:
     r"""The function and its arguments in a head like ``\varphi(s)``; a bare name has none.
 
@@ -372,7 +379,8 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
     bold = {n for s in scenes for n in (*s.vectors, *s.definitions) if is_bold(n)}
     vectors = {name for scene in scenes for name in scene.vectors}
     capitals = {n for n in bold if n.startswith(r"\mathbf{") and n[8].isupper()}
-    matrices = frozenset(capitals - vectors)
+    printed = {n for s in scenes for n, place in s.definitions.items() if place.heads.matrix}
+    matrices = frozenset((capitals | printed) - vectors)
     return Vocabulary(
         scalars=times.union(name for scene in scenes for name in scene.names()),
         vectors=frozenset(bold) - matrices,

@@ -12,7 +12,15 @@ from kowalevski_cas.algebra.polynomials import Polynomials, Terms
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula, Name, Negative, Number, to_latex
 from kowalevski_cas.problem.fold import Fold, Value
-from kowalevski_cas.problem.space import Adjoined, Let, Meaningless, Raised, Setting, generators
+from kowalevski_cas.problem.space import (
+    Adjoined,
+    Let,
+    Meaningless,
+    Motion,
+    Raised,
+    Setting,
+    generators,
+)
 
 
 class Evaluation(Fold):
@@ -120,6 +128,15 @@ class Evaluation(Fold):
         raise Meaningless(f"no root of {to_latex(argument)} is declared here")
 
     # -- derivatives -------------------------------------------------------------
+
+    def moving(self, rates: Field, rows: Sequence[Motion]) -> Evaluation:
+        """The same evaluation, in which these are the rates, with those that rows give."""
+        bound = copy(self)
+        bound._values = dict(self._values)
+        bound._rates = dict(rates)
+        for row in rows:
+            bound._rates.update(bound._row(row.names, row.factor, row.force))
+        return bound
 
     @property
     def rates(self) -> Field:

@@ -34,6 +34,11 @@ from kowalevski_cas.problem.goals import (
 )
 from kowalevski_cas.problem.trees import FormatError, Tree, decode, encode, whole
 
+PROOF = "cofactors product cases power"
+ROOTS = "point root form eliminant solved cofactors quotients factors minors"
+FACTOR = "factor squares cofactors granted"
+"""The keys of a proof, of the roots of an eliminant, and of a factor of these."""
+
 
 def evidence_data(evidence: Evidence) -> Data:
     """Evidence as it stands in a certificate, without what it has to divide by."""
@@ -75,27 +80,42 @@ def read_evidence(data: Data, goal: Goal, holds: bool = True) -> Evidence:
 def _read_evidence(data: Data, goal: Goal, holds: bool) -> Evidence:
     match goal:
         case Exists() if holds:
+            _known(data, "values evidence")
             values = {name: decode(tree) for name, tree in data["values"]}
             pairs = zip(data["evidence"], goal.goals, strict=True)
             return Found(values, tuple(read_evidence(entry, one) for entry, one in pairs))
         case Exists():
+            _known(data, "inner points away")
             weighted = ((decode(number), _read_point(point)) for number, point in data["points"])
             return Regardless(_index(data["inner"]), tuple(weighted))
         case Follows() if isinstance(goal, Fails) != holds:
+            _known(data, f"point {PROOF} away")
             return Shown(_read_proof(data), _read_point(data["point"]))
         case Rank() if not holds and "minors" in data:
+            _known(data, "minors away")
             return Minors(_read_rows(data["minors"]))
         case Positive() if holds:
+            _known(data, "point squares cofactors zero away")
             squares, (row,) = _read_squares(data["squares"]), _read_rows(data["cofactors"])
-            zero = _read_proof(data["zero"]) if "zero" in data else None
+            zero = _read_inner(data["zero"]) if "zero" in data else None
             return Squares(squares, row, _read_point(data["point"]), zero)
         case Kernel() if "further" in data:
             return Further(decode(data["further"]), _read_point(data["point"]))
         case Count() if "eliminant" in data:
+            _known(data, f"{ROOTS} away")
             return _read_roots(data)
         case Count():
+            _known(data, "points away")
             return Solutions(tuple(map(_read_point, data["points"])))
+    _known(data, "point away")
     return At(_read_point(data["point"]))
+
+
+def _known(data: Data, keys: str) -> Data:
+    """Data that has none but these keys."""
+    if unknown := data.keys() - keys.split():
+        raise FormatError(f"“{min(unknown)}” is unknown here")
+    return data
 
 
 def _point_data(point: Point | None) -> Data:
@@ -115,7 +135,8 @@ def _squares_under(tree: Tree) -> set[int]:
 
 
 def _read_point(data: Data) -> Point:
-    return Point({name: decode(tree) for name, tree in data["values"]})
+    values = _known(data, "roots values")["values"]
+    return Point({name: decode(tree) for name, tree in values})
 
 
 def _proof_data(proof: Proof) -> Data:
@@ -135,9 +156,14 @@ def _read_proof(data: Data) -> Proof:
     return Proof(
         _read_rows(data.get("cofactors", ())),
         _read_rows(data.get("product", ())),
-        tuple(map(_read_proof, data.get("cases", ()))),
+        tuple(map(_read_inner, data.get("cases", ()))),
         data.get("power", 1),
     )
+
+
+def _read_inner(data: Data) -> Proof:
+    """A proof within another one, or beside it."""
+    return _read_proof(_known(data, PROOF))
 
 
 def _rows(rows: Sequence[Row]) -> list[list[Tree]]:
@@ -193,7 +219,7 @@ def _read_roots(data: Data) -> Roots:
                 tuple(map(decode, entry.get("cofactors", ()))),
                 _read_granted(entry.get("granted")),
             )
-            for entry in data["factors"]
+            for entry in (_known(one, FACTOR) for one in data["factors"])
         ),
         minors=tuple(
             (decode(number), tuple(map(whole, powers))) for number, powers in data["minors"]

@@ -36,6 +36,10 @@ class PolynomialField:
         for rate in (*rates, factor or at.ring.zero):
             for index, exponent in rate.denominator.items():
                 below[index] = max(exponent, below.get(index, 0))
+        self.multiple = at.ring.one
+        """The least factor."""
+        if (divisor := at.ring.divisor_product(below)) is not None:
+            self.multiple = Element(at.ring, {0: divisor}, {})
         self.rates = [self._times(rate, below) for rate in rates]
         self.factor = self._times(factor or at.ring.zero, below)
 

@@ -9,7 +9,7 @@ from kowalevski_cas.notation import Formula, Relation, to_plain
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.compare import compared
 from kowalevski_cas.report.document import Block, Display, Emphasis, Paragraph, Text
-from kowalevski_cas.report.sentences import Phrases, listed
+from kowalevski_cas.report.sentences import Phrases, capitalised, listed
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Condition, Outcome, Step
 
@@ -52,8 +52,9 @@ class Evidence:
                 yield Display(tuple(formulas), long=long)
 
     def _said(self, step: Step, leads: bool) -> Text:
-        said = self.phrases.sentence(step.words, ":" if leads else ".")
-        return said if step.point is None else (*self.phrases.at(step.point), *said)
+        if step.point is not None:
+            return capitalised((*self.phrases.at(step.point), *self.phrases.words(step.words)))
+        return self.phrases.sentence(step.words, ":" if leads else ".")
 
     def _missing(self) -> Iterator[Block]:
         """Hypotheses that are missing, those for the same reason together."""
@@ -73,7 +74,10 @@ class Evidence:
     def _corrections(self) -> Iterator[Block]:
         """Corrections of the same kind together."""
         having = [
-            (row.claim, replace(one, formulas=compared(row.formulas, one.formulas)[1]))
+            (
+                row.claim,
+                replace(one, formulas=compared(row.formulas, one.formulas)[1]) if one.edit else one,
+            )
             for row in self.rows
             if (one := row.correction)
         ]

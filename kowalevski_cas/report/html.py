@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Final
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.notation.mathml import MATHML
+from kowalevski_cas.notation.mathml import MATHML, stretched
 from kowalevski_cas.report.document import (
     Claim,
     Display,
@@ -50,10 +50,10 @@ class HtmlSetter(Setter):
     gap = '<mo separator="true">,</mo><mspace width="1.5em"></mspace>'
 
     def opened(self, bracket: str, tall: bool) -> str:
-        return bracket
+        return stretched(bracket) if tall else bracket
 
     def closed(self, bracket: str, tall: bool) -> str:
-        return bracket
+        return stretched(bracket) if tall else bracket
 
     def line(self, left: str, right: str, indent: int, leads: bool) -> str:
         space = f'<mspace width="{indent}em"></mspace>' if indent else ""

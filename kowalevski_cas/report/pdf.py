@@ -12,11 +12,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
+from types import MappingProxyType
 from typing import Final, Literal
 
 from kowalevski_cas.files import write
 from kowalevski_cas.report.contents import contents
-from kowalevski_cas.report.document import drawing
+from kowalevski_cas.report.document import Document, drawing
 from kowalevski_cas.report.facts import facts
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.html import render_html
@@ -47,11 +48,30 @@ class Written:
     notes: tuple[str, ...] = ()
 
 
+def page(
+    run: Run,
+    sections: Sequence[Section],
+    certified: Mapping[str, str],
+    beside: Path | None = None,
+) -> tuple[Document, dict[str, str]]:
+    """A report, and its files by name: the page, and the facts behind it as JSON.
+
+    Pictures, and which programs confirmed what, are looked for in the folder ``beside``.
+    """
+    told = () if beside is None else programs(beside, run.derivation, certified)
+    shown = () if beside is None else plates(beside, run.derivation)
+    document = contents(run, sections, certified, told, shown)
+    return document, {
+        f"{run.derivation}.html": render_html(document, beside or Path()),
+        f"{run.derivation}.json": facts(run, certified, told),
+    }
+
+
 def write_report(
     run: Run,
     sections: Sequence[Section],
     folder: Path,
-    certified: Mapping[str, str] | None = None,
+    certified: Mapping[str, str] = MappingProxyType({}),
     *,
     engine: Engine = "auto",
 ) -> Written:
@@ -66,16 +86,12 @@ def write_report(
         ReportError: if no PDF can be made; the other files are written by then.
         OSError: if a file cannot be written.
     """
-    certified = certified or {}
     shown = plates(folder, run.derivation)
-    told = programs(folder, run.derivation, certified)
-    document = contents(run, sections, certified, told, shown)
+    document, files = page(run, sections, certified, folder)
     source = render_latex(document)
-    html, tex, pdf, data = (
-        folder / f"{run.derivation}.{s}" for s in ("html", "tex", "pdf", "json")
-    )
-    write(data, facts(run, certified, told))
-    write(html, render_html(document, folder))
+    html, tex, pdf = (folder / f"{run.derivation}.{suffix}" for suffix in ("html", "tex", "pdf"))
+    for name, text in files.items():
+        write(folder / name, text)
     write(tex, source)
     notes: tuple[str, ...] = ()
     if engine == "latex" or (engine == "auto" and latex_command()):

@@ -2,7 +2,7 @@
 
 A folder below that of the reports has a list of them, ``plates.json``::
 
-    {"derivation": "kharlamov2002", "plates": [{"name": "torus", "caption": "A torus."}]}
+    {"kharlamov2002": [{"name": "torus", "caption": "A torus."}]}
 
 and each picture as ``torus.png``.
 """
@@ -47,10 +47,9 @@ def plates(folder: Path, derivation: str) -> tuple[Plate, ...]:
     for file in sorted(folder.glob(f"*/{LIST}")):
         try:
             content = json.loads(file.read_text(encoding="utf-8"))
-            if content["derivation"] != derivation:
-                continue
-            listed = [(str(entry["name"]), str(entry["caption"])) for entry in content["plates"]]
-        except (OSError, ValueError, KeyError, TypeError):
+            entries = content.get(derivation, ())
+            listed = [(str(entry["name"]), str(entry["caption"])) for entry in entries]
+        except (OSError, ValueError, KeyError, TypeError, AttributeError):
             continue
         found += [
             Plate(f"{file.parent.name}/{name}", caption)

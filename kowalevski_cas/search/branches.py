@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import reduce
-from operator import mul
 
 from flint import fmpq_mpoly
 
@@ -47,80 +45,167 @@ class Branch:
 def branches(
     equations: Iterable[fmpq_mpoly], places: Sequence[int], nonzero: Iterable[fmpq_mpoly] = ()
 ) -> Iterator[Branch]:
-    """Cases that are all solutions together; none is seen to be a part of another one.
+    """Cases that are all real solutions together; none is seen to be a part of another one.
 
     Of two unknowns the one whose place comes first is rather solved for. In what is left no unknown
-    is linear; it need not have a solution.
+    is linear; it need not have a solution. Names that stand at no place are in general position.
     """
-    found = [*_split([*equations], tuple(places), _all_factors(nonzero), ())]
+    granted = tuple(factor for one in nonzero for factor in _factors(one))
+    groups = [_factors(one) for one in equations if not one.is_zero()]
+    found = [*_split(groups, tuple(places), granted, ())]
     for k, one in enumerate(found):
         others = ((j, other) for j, other in enumerate(found) if j != k and one.is_part(other))
         if not any(j < k or not other.is_part(one) for j, other in others):
             yield one
 
 
+class _Factor:
+    """An irreducible polynomial with leading coefficient 1, compared by its text."""
+
+    __slots__ = ("_definite", "degrees", "key", "linear", "polynomial", "size")
+
+    def __init__(self, polynomial: fmpq_mpoly) -> None:
+        self.polynomial = polynomial
+        self.key, self.size = str(polynomial), len(polynomial)
+        self.degrees = tuple(map(int, polynomial.degrees()))
+        terms = polynomial.to_dict()
+        even = not any(int(e) % 2 for exponents in terms for e in exponents)
+        signs = {value > 0 for value in terms.values()}
+        self._definite = even and len(signs) == 1 and any(not any(e) for e in terms)
+        products = [exponents for exponents in terms if sum(exponents) > 1]
+        places = [k for k, degree in enumerate(self.degrees) if degree == 1]
+        self.linear = [k for k in places if not any(exponents[k] for exponents in products)]
+        """The places of unknowns of which a number is the coefficient."""
+
+    def may_vanish(self, places: Sequence[int]) -> bool:
+        """Whether it has an unknown in it, and is not seen to vanish at no real point."""
+        return not self._definite and any(self.degrees[place] for place in places)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Factor) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+
+_Group = tuple[_Factor, ...]
+"""The factors of an equation, of which one has to vanish."""
+
+
+def _factors(polynomial: fmpq_mpoly) -> _Group:
+    """The irreducible factors, each once; none of a number."""
+    factors = polynomial.factor()[1]
+    return tuple(_Factor(factor / factor.leading_coefficient()) for factor, _ in factors)
+
+
 def _split(
-    equations: Sequence[fmpq_mpoly],
-    places: tuple[int, ...],
-    nonzero: tuple[fmpq_mpoly, ...],
-    solved: Solved,
+    equations: Iterable[_Group], places: tuple[int, ...], nonzero: _Group, solved: Solved
 ) -> Iterator[Branch]:
-    groups: list[list[fmpq_mpoly]] = []
-    for equation in equations:
-        factors = [factor for factor in _factors(equation) if factor not in nonzero]
-        if not factors and not equation.is_zero():
-            return
-        if factors and factors not in groups:
-            groups.append(factors)
-    left = [reduce(mul, group) for group in groups]
-    single = [one for one, group in zip(left, groups, strict=True) if len(group) == 1]
+    groups = _cleared(equations, places, nonzero)
+    if groups is None:
+        return
+    single = [group[0] for group in groups if len(group) == 1]
     several = [group for group in groups if len(group) > 1]
-    linear = [
-        (bool(_unknown_factors(one, place, nonzero)), len(one), order, one)
-        for one in single
-        for order, place in enumerate(places)
-        if one.degrees()[place] == 1
-    ]
-    best = min(linear, key=lambda choice: choice[:3], default=None)
-    if best is not None and not (best[0] and several):
-        _, _, order, equation = best
-        yield from _eliminated(equation, left, places[order], places, nonzero, solved)
+    choice = _linear(single, places, nonzero)
+    if choice is not None and not (several and choice[2]):
+        equation, place, unknown = choice
+        left = [group for group in groups if group != (equation,)]
+        yield from _eliminated(equation, place, unknown, left, places, nonzero, solved)
     elif several:
-        first = min(several, key=lambda group: (len(group), len(reduce(mul, group))))
-        others = [one for one, group in zip(left, groups, strict=True) if group is not first]
+        first = min(several, key=lambda group: (sum(one.size for one in group), len(group)))
+        left = [group for group in groups if group is not first]
         for k, factor in enumerate(first):
-            yield from _split([factor, *others], places, (*nonzero, *first[:k]), solved)
+            yield from _split([(factor,), *left], places, (*nonzero, *first[:k]), solved)
     else:
-        yield Branch(_reduced(solved), tuple(left), nonzero)
+        known = tuple(factor.polynomial for factor in nonzero)
+        yield Branch(_reduced(solved), tuple(one.polynomial for one in single), known)
+
+
+def _cleared(
+    equations: Iterable[_Group], places: tuple[int, ...], nonzero: _Group
+) -> list[_Group] | None:
+    """Equations without factors that cannot vanish; ``None`` if one has no other."""
+    known = {*nonzero}
+    groups: dict[_Group, None] = {}
+    for group in equations:
+        left = tuple(one for one in group if one not in known and one.may_vanish(places))
+        if not left:
+            return None
+        groups[left] = None
+    single = {group[0] for group in groups if len(group) == 1}
+    several = [group for group in groups if len(group) > 1 and not single & {*group}]
+    alone = _coprime(single)
+    return None if alone is None else [*((one,) for one in alone), *several]
+
+
+def _coprime(single: Iterable[_Factor]) -> list[_Factor] | None:
+    """Equations, of which two in one and the same unknown alone have no solution."""
+    found: list[_Factor] = sorted(single, key=lambda one: (one.size, one.key))
+    alone = [one for one in found if sum(map(bool, one.degrees)) == 1]
+    places = [next(k for k, degree in enumerate(one.degrees) if degree) for one in alone]
+    return None if len({*places}) < len(places) else found
+
+
+_Linear = tuple[_Factor, int, _Group]
+"""An equation, the place of an unknown, and the factors of its coefficient that may vanish."""
+
+
+def _linear(single: Sequence[_Factor], places: Sequence[int], nonzero: _Group) -> _Linear | None:
+    """The equation and the unknown that is best solved for."""
+    in_order = sorted(single, key=lambda one: one.size)
+    for equation in in_order:
+        for place in places:
+            if place in equation.linear:
+                return equation, place, ()
+    best: _Linear | None = None
+    for equation in in_order:
+        for place in places:
+            if equation.degrees[place] == 1:
+                slope = _factors(_part(equation.polynomial, place, 1))
+                unknown = tuple(
+                    one for one in slope if one not in nonzero and one.may_vanish(places)
+                )
+                if not unknown:
+                    return equation, place, ()
+                best = best or (equation, place, unknown)
+    return best
 
 
 def _eliminated(
-    equation: fmpq_mpoly,
-    left: Sequence[fmpq_mpoly],
+    equation: _Factor,
     place: int,
+    unknown: _Group,
+    left: Sequence[_Group],
     places: tuple[int, ...],
-    nonzero: tuple[fmpq_mpoly, ...],
+    nonzero: _Group,
     solved: Solved,
 ) -> Iterator[Branch]:
     """The cases in which the coefficient of an unknown vanishes, and where it does not."""
-    others = [one for one in left if one != equation]
-    for factor in _unknown_factors(equation, place, nonzero):
-        without = [factor, _part(equation, place, 0), *others]
-        yield from _split(without, places, nonzero, solved)
+    polynomial = equation.polynomial
+    for factor in unknown:
+        rest = _part(polynomial, place, 0)
+        others = [] if rest.is_zero() else [_factors(rest)]
+        yield from _split([(factor,), *others, *left], places, nonzero, solved)
         nonzero = (*nonzero, factor)
-    kept = [_without(one, place, equation) for one in nonzero]
-    if any(one.is_zero() for one in kept):
+    kept = [_put(factor, place, polynomial) for factor in nonzero]
+    if any(group is None for group in kept):
         return
-    further = [_without(one, place, equation) for one in others]
-    rest = tuple(one for one in places if one != place)
-    yield from _split(further, rest, _all_factors(kept), (*solved, (place, equation)))
+    granted = tuple(one for group in kept for one in group or ())
+    further: list[_Group] = []
+    for group in left:
+        parts = [_put(factor, place, polynomial) for factor in group]
+        if None not in parts:
+            further.append(tuple(dict.fromkeys(one for part in parts for one in part or ())))
+    rest_of_places = tuple(one for one in places if one != place)
+    yield from _split(further, rest_of_places, granted, (*solved, (place, polynomial)))
 
 
-def _factors(polynomial: fmpq_mpoly) -> list[fmpq_mpoly]:
-    """The irreducible factors with leading coefficient 1, each once; none of a number."""
-    if polynomial.is_zero():
-        return []
-    return [factor / factor.leading_coefficient() for factor, _ in polynomial.factor()[1]]
+def _put(factor: _Factor, place: int, equation: fmpq_mpoly) -> _Group | None:
+    """The factors of a factor in which an unknown is replaced; ``None`` if it vanishes."""
+    if not factor.degrees[place]:
+        return (factor,)
+    polynomial = _without(factor.polynomial, place, equation)
+    return None if polynomial.is_zero() else _factors(polynomial)
 
 
 def _reduced(solved: Solved) -> Solved:
@@ -129,23 +214,8 @@ def _reduced(solved: Solved) -> Solved:
     for place, equation in reversed(solved):
         for other in found:
             equation = _without(equation, *other)
-        (own,) = (factor for factor in _factors(equation) if factor.degrees()[place])
-        found.insert(0, (place, own))
-    return tuple(found)
-
-
-def _unknown_factors(
-    equation: fmpq_mpoly, place: int, nonzero: Sequence[fmpq_mpoly]
-) -> list[fmpq_mpoly]:
-    """The factors of the coefficient of an unknown that may vanish."""
-    return [f for f in _factors(_part(equation, place, 1)) if f not in nonzero]
-
-
-def _all_factors(polynomials: Iterable[fmpq_mpoly]) -> tuple[fmpq_mpoly, ...]:
-    """The factors of polynomials, each once."""
-    found: list[fmpq_mpoly] = []
-    for polynomial in polynomials:
-        found += [factor for factor in _factors(polynomial) if factor not in found]
+        own = next(one for one in _factors(equation) if one.degrees[place])
+        found.insert(0, (place, own.polynomial))
     return tuple(found)
 
 
@@ -161,9 +231,16 @@ def _part(polynomial: fmpq_mpoly, place: int, power: int) -> fmpq_mpoly:
 
 def _without(polynomial: fmpq_mpoly, place: int, equation: fmpq_mpoly) -> fmpq_mpoly:
     """A polynomial times a power of the coefficient of an unknown, which is replaced."""
-    slope, rest = _part(equation, place, 1), _part(equation, place, 0)
     degree = int(polynomial.degrees()[place])
-    total = polynomial.context().constant(0)
+    if not degree:
+        return polynomial
+    context, slope = polynomial.context(), equation.derivative(place)
+    values = list(context.gens())
+    if slope.is_constant():
+        values[place] -= equation / slope.leading_coefficient()
+        return polynomial.compose(*values, ctx=context)
+    rest = equation - slope * values[place]
+    total = context.constant(0)
     for power in range(degree + 1):
         total += _part(polynomial, place, power) * (-rest) ** power * slope ** (degree - power)
     return total

@@ -34,21 +34,8 @@ def cofactors(
     contents, numerators = zip(*(flat.without_roots(g) for g in generators), strict=True)
     dividend = flat.polynomial(target)
     sets = [tuple(range(flat.size)), *(flat.indices(names) for names in main)]
-    found = _divide_in_turn(dividend, numerators, sets, flat.relations(), depth=2)
-    if found is None and len(numerators) > 1:
-        combined = combination(dividend, [*numerators, *flat.relations(among=numerators)])
-        if combined is not None:
-            found = flat.context.constant(1), combined[: len(numerators)]
-    if found is None and len(numerators) > 1:
-        order = sorted(range(len(numerators)), key=lambda k: len(numerators[k]))
-        reduced, steps = _autoreduced([numerators[k] for k in order])
-        found = _divide_in_turn(dividend, reduced, sets, flat.relations(), depth=2)
-        if found is not None:
-            ordered = dict(zip(order, _unreduced(found[1], steps), strict=True))
-            found = found[0], [ordered[k] for k in range(len(order))]
-    if found is None:
-        return None
-    return _elements(flat, target, generators, contents, found)
+    found = _divided(flat, dividend, numerators, sets)
+    return None if found is None else _elements(flat, target, generators, contents, found)
 
 
 def conditional_cofactors(target: Element, generators: Sequence[Element]) -> list[Element] | None:
@@ -84,6 +71,14 @@ def _elements(
         else flat.element(q) * below * (flat.below(g) * content).inverse()
         for q, g, content in zip(quotients, generators, contents, strict=True)
     ]
+
+
+def vanishes_on(element: Element, known: Sequence[Element]) -> bool:
+    """Whether an element is seen, without a division, to vanish wherever known ones do."""
+    flat = Flat(element.ring)
+    numerators = [flat.polynomial(one) for one in known]
+    everything = [tuple(range(flat.size))]
+    return _divided(flat, flat.polynomial(element), numerators, everything) is not None
 
 
 class Flat:
@@ -158,6 +153,28 @@ class Flat:
         return Element(self.ring, self.ring.one.parts, element.denominator)
 
 
+def _divided(
+    flat: Flat,
+    dividend: fmpq_mpoly,
+    divisors: Sequence[fmpq_mpoly],
+    sets: Sequence[tuple[int, ...]],
+) -> Combination | None:
+    """Divide as the divisors stand, then combine them, then divide by them reduced."""
+    found = _divide_in_turn(dividend, divisors, sets, flat.relations(), depth=2)
+    if found is not None or len(divisors) < 2:
+        return found
+    combined = combination(dividend, [*divisors, *flat.relations(among=divisors)])
+    if combined is not None:
+        return flat.context.constant(1), combined[: len(divisors)]
+    order = sorted(range(len(divisors)), key=lambda k: len(divisors[k]))
+    reduced, steps = _autoreduced([divisors[k] for k in order])
+    found = _divide_in_turn(dividend, reduced, sets, flat.relations(), depth=2)
+    if found is None:
+        return None
+    ordered = dict(zip(order, _unreduced(found[1], steps), strict=True))
+    return found[0], [ordered[k] for k in range(len(order))]
+
+
 def _autoreduced(
     divisors: Sequence[fmpq_mpoly],
 ) -> tuple[list[fmpq_mpoly], list[list[fmpq_mpoly]]]:
@@ -192,7 +209,7 @@ def _divide_in_turn(
     sets: Sequence[tuple[int, ...]],
     relations: Sequence[fmpq_mpoly],
     depth: int,
-) -> tuple[fmpq_mpoly, list[fmpq_mpoly]] | None:
+) -> Combination | None:
     """Divide in one set of main variables, and what remains in another one."""
     if dividend.is_zero():
         return dividend.context().constant(1), [dividend] * len(divisors)

@@ -14,7 +14,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Proof, Shown
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.place import Place
-from kowalevski_cas.search.cofactors import cofactors, conditional_cofactors
+from kowalevski_cas.search.cofactors import cofactors, conditional_cofactors, vanishes_on
 from kowalevski_cas.search.groebner import Combinations
 from kowalevski_cas.search.place import Candidate, PointFinder
 
@@ -113,7 +113,7 @@ class FollowsFinder(PointFinder):
         """A point where the given equations hold and in each conclusion one fails."""
         known = at.differences(goal.given)
         failing = [[e for e in at.differences(one) if not e.is_zero] for one in goal.conclusions]
-        if any(all(_vanishes_on(e, known) for e in one) for one in failing):
+        if any(all(vanishes_on(e, known) for e in one) for one in failing):
             return None
 
         def good(candidate: Candidate) -> bool:
@@ -122,12 +122,6 @@ class FollowsFinder(PointFinder):
         divided = [*known, *(e for one in failing for e in one)]
         point = self.point(at, known, divided, good)
         return None if point is None else At(point)
-
-
-def _vanishes_on(element: Element, known: Sequence[Element]) -> bool:
-    """Whether an element is seen, without a division, to vanish wherever known ones do."""
-    row = combined(element, known, ())
-    return row is not None and not any(entry.denominator for entry in row)
 
 
 def alternatives(goal: Follows, at: Evaluation) -> list[Element]:

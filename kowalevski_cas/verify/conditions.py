@@ -12,8 +12,8 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.accept import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.search.cofactors import vanishes_on
 from kowalevski_cas.search.factors import irreducible_factors
-from kowalevski_cas.search.follows import combined
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.shown import shown
 
@@ -45,7 +45,7 @@ def _not_implied(goal: Simple, elements: Sequence[Element], setting: Elaboration
     if not setting.powers or not isinstance(goal, Follows) or not goal.given:
         return found
     known, one = at.differences(goal.given), at.ring.one
-    return [inverse for inverse in found if combined(one, [inverse.inverse(), *known], ()) is None]
+    return [inverse for inverse in found if not vanishes_on(one, [inverse.inverse(), *known])]
 
 
 def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula]:

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from kowalevski_cas.notation import (
+    Application,
     Derivative,
     Formula,
     Name,
     Negative,
     Number,
+    Partial,
     Relation,
     Sum,
     Vector,
     to_latex,
 )
 from kowalevski_cas.paper.claims import Dimension
+from kowalevski_cas.paper.claims.forms import ZERO, times, total
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
@@ -34,13 +37,16 @@ from kowalevski_cas.problem.evidence import (
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Place, number_formula
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies, same
-from kowalevski_cas.verify.loci import drop_on, failure_on, rank_on
+from kowalevski_cas.verify.loci import circle_of, drop_on, failure_on, rank_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
 from kowalevski_cas.verify.shown import named, point
 from kowalevski_cas.verify.statement import Statement, finder_of
 
 SHORT = 160
 """The most letters of an equation in LaTeX that is named within a sentence."""
+
+MANY = "infinitely many"
+"""How many solutions there are on a circle."""
 
 
 # -- conditions ----------------------------------------------------------------------
@@ -95,7 +101,12 @@ def _where_it_fails(
     except Unproved:
         return condition
     witness = _against(statement, goal, evidence, judge.accepted)
-    return Condition(condition.expression, f"it fails for {locus.words}", witness)
+    words = f"it fails for {locus.words}"
+    if isinstance(goal, Fails) and say_nothing_on(setting, goal.given, locus):
+        words = f"for {locus.words} the equations hold by themselves, and motions leave the set"
+    if witness is not None and witness.left == MANY:
+        words = f"for {locus.words} there are {MANY}"
+    return Condition(condition.expression, words, witness)
 
 
 def _singular(statement: Statement, explain: bool) -> Iterator[Condition]:
@@ -172,6 +183,8 @@ def _words(statement: Statement, goal: Goal, place: Place) -> str:
         which = ("", "second ", "third ")[min(order, 3) - 1]
         whose = " of a given function" if goal.given else ""
         return f"the {which}derivative{whose} along the motion, and zero"
+    if right == Number(0) and _has_slope(left):
+        return "a derivative that vanishes at critical points, and zero"
     sides = to_latex(Relation((left, right), ("=",)))
     what = f" of ${sides}$" if not order and len(sides) < SHORT else ""
     if not goal.given:
@@ -179,6 +192,10 @@ def _words(statement: Statement, goal: Goal, place: Place) -> str:
         own = {member for one in printed if isinstance(one, Relation) for member in one.members}
         return "" if own & {left, right} or not what else f"the two sides{what}"
     return f"the two sides{what}, at a point where what is given holds"
+
+
+def _has_slope(formula: Formula) -> bool:
+    return isinstance(formula, Partial) or any(map(_has_slope, formula.children()))
 
 
 def _failing(goal: Follows, place: Place) -> tuple[Formula, Formula]:
@@ -219,18 +236,41 @@ def _regardless(goal: Exists, evidence: Regardless, place: Place) -> Counterexam
 
 def _solutions(goal: Count, accepted: Accepted) -> Counterexample:
     """The solutions that are listed, each name with the number of the solution."""
-    values: dict[Formula, Value] = {}
     first = accepted.places[0]
-    for name in first.point.values:
-        if name not in goal.names:
-            values[named(name, first.at.setting)] = first.point.values[name]
-    for number, place in enumerate(accepted.places, 1):
-        assert isinstance(place.at.setting, Elaboration)
-        vectors = place.at.setting.scene.vectors
-        for vector, names in vectors.items():
-            entries = tuple(place.point.values.get(name, Number(0)) for name in names)
-            if any(entry != Number(0) for entry in entries):
-                values[Name(f"{vector}_{number}")] = Vector(entries)
-    words = "the number of solutions that are listed, and the one claimed"
-    shown = len(accepted.places)
-    return Counterexample(Point(values), Number(shown), Number(goal.number), words)
+    values: dict[Formula, Value] = {
+        named(name, first.at.setting): value
+        for name, value in first.point.values.items()
+        if name not in goal.names
+    }
+    if circle := circle_of(goal, accepted.places):
+        points: list[Mapping[str, Formula]] = [_on_circle(*circle)]
+        words = "a solution for every $\\varphi$; the number of solutions, and the one claimed"
+        shown: Value = MANY
+    else:
+        points = [place.point.values for place in accepted.places]
+        words = "the number of solutions that are listed, and the one claimed"
+        shown = Number(len(points))
+    assert isinstance(first.at.setting, Elaboration)
+    for number, own in enumerate(points, 1):
+        for vector, names in first.at.setting.scene.vectors.items():
+            entries = tuple(own.get(name, ZERO) for name in names)
+            if any(entry != ZERO for entry in entries):
+                values[Name(vector if circle else f"{vector}_{number}")] = Vector(entries)
+    return Counterexample(Point(values), shown, Number(goal.number), words)
+
+
+def _on_circle(one: Place, other: Place) -> dict[str, Formula]:
+    """The points p cos φ + q sin φ."""
+    angle = Name(r"\varphi")
+    waves = [Application(function, (angle,)) for function in (r"\cos", r"\sin")]
+    found = {}
+    for name, value in one.point.values.items():
+        pair = zip((value, other.point.values.get(name, ZERO)), waves, strict=True)
+        found[name] = total(_times(factor, wave) for factor, wave in pair if factor != ZERO)
+    return found
+
+
+def _times(factor: Formula, wave: Formula) -> Formula:
+    if isinstance(factor, Negative):
+        return Negative(_times(factor.argument, wave))
+    return times(factor, wave)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -28,6 +28,18 @@ class Finding:
     tex: str = ""
     attributes: Mapping[str, Attribute] = field(default_factory=dict)
 
+    def claim(self, id: str, place: Callable[[Any], Printed]) -> Claim:
+        """The claim with this id; ``place`` says where a formula stands."""
+
+        def placed(value: Any) -> Any:
+            if isinstance(value, tuple):
+                return tuple(map(placed, value))
+            return value if isinstance(value, int) else place(value)
+
+        attributes = {name: placed(value) for name, value in self.attributes.items()}
+        printed = None if self.tex == "" else place(self.tex)
+        return self.kind(id, self.on, printed, self.says, **attributes)
+
 
 def with_findings(derivation: Derivation, findings: Iterable[Finding]) -> Derivation:
     """A derivation that rests on another one and claims what was found."""
@@ -40,15 +52,8 @@ def with_findings(derivation: Derivation, findings: Iterable[Finding]) -> Deriva
             places[tex] = section.lemma(id, tex, "found by the program")[1]
         return places[tex]
 
-    def placed(value: Attribute) -> Any:
-        if isinstance(value, tuple):
-            return tuple(map(placed, value))
-        return place(value) if isinstance(value, str) else value
-
     for number, one in enumerate(findings, 1):
-        attributes = {name: placed(value) for name, value in one.attributes.items()}
-        printed = place(one.tex) if one.tex else None
-        section.claim(one.kind(f"found-{number}", one.on, printed, one.says, **attributes))
+        section.claim(one.claim(f"found-{number}", place))
     return Derivation(
         derivation.name, f"Found in {derivation.name}", "", "", (section,), rests_on=(derivation,)
     )

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import islice
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations, islice
 
 from kowalevski_cas.algebra.numbers import rank
+from kowalevski_cas.algebra.present import fraction_formula
+from kowalevski_cas.notation import Number, Product, Sum
 from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.evidence import Evidence, Point
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
-from kowalevski_cas.problem.place import Misplaced
+from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Equation
-from kowalevski_cas.search.follows import combined
+from kowalevski_cas.search.cofactors import vanishes_on
 from kowalevski_cas.search.place import Candidate
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.statement import Statement, finder_of
@@ -79,7 +82,7 @@ def rank_on(
     """
     at = setting.finder
     there = at.differences(setting.equations(locus.equations))
-    left = [e for e in at.differences(goal.given) if combined(e, there, ()) is None]
+    left = [e for e in at.differences(goal.given) if not vanishes_on(e, there)]
     if len(left) == len(at.differences(goal.given)):
         return None
     zero = [*left, *there]
@@ -99,6 +102,39 @@ def rank_on(
         except (ZeroDivisionError, Misplaced):
             continue
     return best
+
+
+def say_nothing_on(setting: Elaboration, given: tuple[Equation, ...], locus: Locus) -> bool:
+    """Whether all equations that are given follow from those of a locus."""
+    at = setting.finder
+    there = at.differences(setting.equations(locus.equations))
+    return all(vanishes_on(e, there) for e in at.differences(given))
+
+
+def circle_of(goal: Count, places: Sequence[Place]) -> tuple[Place, Place] | None:
+    """Two solutions p and q such that p cos φ + q sin φ is one for every φ.
+
+    There an equation of degree d is a trigonometric polynomial of degree d: it vanishes
+    identically if it has 2d + 1 zeros.
+    """
+    at = places[0].at
+    equations = at.differences(goal.equations)
+    monomials = (m for e in equations for terms in e.terms().values() for m in terms)
+    angles = range(2 * max(map(sum, monomials)) + 1)
+    for one, other in combinations(places, 2):
+        if all(_between(one, other, t, goal).vanish(equations) for t in angles):
+            return one, other
+    return None
+
+
+def _between(one: Place, other: Place, t: int, goal: Count) -> Place:
+    """The point p cos φ + q sin φ for tan φ/2 = t; the constants are those of p."""
+    cosine, sine = (fraction_formula(Fraction(n, 1 + t * t)) for n in (1 - t * t, 2 * t))
+    values = dict(one.point.values)
+    for name in goal.names:
+        pair = values.get(name, Number(0)), other.point.values.get(name, Number(0))
+        values[name] = Sum((Product((cosine, pair[0])), Product((sine, pair[1]))))
+    return Place(one.at, Point(values))
 
 
 def drop_on(

@@ -55,14 +55,14 @@ class Statement:
 
     def places(self) -> Iterator[Printed]:
         """The places of the paper on which the statement stands."""
-        yield from self.claim.places()
+        own = [*self.claim.places()]
+        yield from own
         for setting, space in self.spaces.items():
-            for step in space.steps:
-                yield from setting.places.get(step.name, ())
-            for name in setting.applied:
-                yield from setting.places.get(name, ())
-            if space.field or space.change:
-                yield from setting.motion_places()
+            named = [place for step in space.steps for place in setting.places.get(step.name, ())]
+            moving = [*setting.motion_places()] if space.field or space.change else []
+            yield from (*named, *moving)
+            for place in (*own, *named, *moving):
+                yield from setting.written_out(place)
 
     def search(self) -> Verdicts | None:
         """Evidence for all goals or against one, with FLINT; ``None`` if it is not found."""

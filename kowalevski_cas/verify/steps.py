@@ -206,12 +206,12 @@ def _rank(goal: Rank, evidence: At) -> Step:
     where = point(evidence.point.values, setting)
     if len(goal.functions) == 1:
         others = " is independent of those of what is given" if goal.given else " does not vanish"
-        return Step(f"At this point its differential{others}: it is no constant.", point=where)
+        return Step(f"its differential{others}, so that it is not constant.", point=where)
     words = (
         f"{goal.rank} differentials are independent in the space of dimension {count}, so that "
         f"near this point the common level is a manifold of dimension {count - goal.rank}"
     )
-    words += "." if goal.given else ", and so they are on a dense part of the space."
+    words += "." if goal.given else "; so they are on a dense part of the space."
     return Step(words, point=where)
 
 

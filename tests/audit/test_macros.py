@@ -1,3 +1,4 @@
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -32,6 +33,8 @@ def test_macros_are_written_out(text, result):
 def test_a_macro_stays_apart_from_a_letter():
     assert written(r"\newcommand{\om}{\omega}$\om{}x$") == r"$\omega{}x$"
     assert written(r"\def\m#1{\omega}$\m1x$") == r"$\omega x$"
+    assert written(r"\newcommand{\y}{x}$\omega\y$") == r"$\omega x$"
+    assert written(r"\newcommand{\y}{x}\newcommand{\o}{\omega\y\y}$\o$") == r"$\omega xx$"
 
 
 def test_what_is_written_out_knows_where_it_came_from():
@@ -77,3 +80,33 @@ def test_definitions_that_are_not_understood_are_noted():
 def test_unclosed_definitions_take_no_time():
     expanded = expand(decode("paper.tex", rb"\def\a{" * 100_000))
     assert len(expanded.notes) == definitions.FAILURES
+
+
+STYLE = rb"""\ProvidesPackage{own}
+\newcommand{\mbf}[1]{\boldsymbol{#1}} \def\pl{\partial} \providecommand{\od}[2]{\frac{d#1}{d#2}}
+\DeclareMathOperator*{\Tr}{Tr} \newcommand{\twice}[2][x]{2#1#2}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "result"),
+    [
+        (r"$\mbf{r}\od{x}{t}$", r"$\boldsymbol{r}\frac{dx}{dt}$"),
+        (r"$\frac{\pl H}{\pl q}$", r"$\frac{\partial H}{\partial q}$"),
+        (r"$\Tr A \twice{y} \twice[z]{y}$", r"$\operatorname{Tr} A 2xy 2zy$"),
+        (r"\renewcommand{\pl}{d} $\pl x$", "$d x$"),
+        (r"\let\d\pl $\d x$", r"$\partial x$"),
+        (r"\newcommand{\pl}{d} $\pl x$", r"$\pl x$"),  # new twice: what holds cannot be told
+    ],
+)
+def test_macros_of_style_files_hold_before_those_of_the_source(text, result):
+    source = replace(decode("paper.tex", text.encode()), styles=(decode("own.sty", STYLE),))
+    assert expand(source).text.strip() == result
+
+
+def test_what_a_style_file_says_that_is_not_understood_is_noted():
+    style = decode("own.sty", rb"\def\a(#1){x} \newcommand{\b}{y}")
+    expanded = expand(replace(decode("paper.tex", rb"$\a\b$"), styles=(style,)))
+    assert expanded.text.strip() == r"$\a y$"
+    assert expanded.notes[0][1].startswith("in a style file: this")
+    assert r"\a" in expanded.definitions.unclear

@@ -30,15 +30,6 @@ def test_a_patch_changes_as_little_as_it_can():
     assert any("i^2=-1" in b for _, b in lines)
 
 
-@watched
-def test_macros_of_the_author_stay():
-    found = mended(
-        changed(r"({\bs \alpha},{\bs \alpha}) = a^2", r"({\bs \alpha},{\bs \beta}) = a^2")
-    )
-    assert r"({\bs \alpha}," in found
-    assert wrong(found) == []
-
-
 @pytest.mark.parametrize(
     ("old", "new"),
     [

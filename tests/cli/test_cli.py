@@ -12,7 +12,9 @@ import pytest
 
 from kowalevski_cas.cli import main
 from kowalevski_cas.library import available
+from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import Session
 
 ROOT = Path(__file__).parents[2]
@@ -443,6 +445,25 @@ def test_an_interrupt_between_two_files_leaves_all(cli, write, monkeypatch):
     monkeypatch.setattr("os.replace", second)
     assert cli("record", folder)[0] == 130
     assert {path: path.read_bytes() for path in Path(folder).rglob("*.json")} == before
+
+
+def test_what_the_checker_rejects_is_not_recorded(cli, write, monkeypatch):
+    check = checker.check
+
+    def strict(text):
+        if json.loads(text)["claim"] == "energy":
+            raise checker.Rejected("something is wrong with it")
+        return check(text)
+
+    monkeypatch.setattr(checker, "check", strict)
+    folder = write(TRUE + WRONG)
+    code, _, err = cli("record", folder)
+    assert code == 3
+    said = "energy is not recorded: error: no certificate: something is wrong with it\n"
+    assert err == said
+    assert load_record(Path(folder)).keys() == {"speed", "wrong"}
+    names = {path.name for path in Path(folder, "certificates").iterdir()}
+    assert names == {"speed.json", "wrong.json", "corrected"}
 
 
 def test_record_shows_what_changed(cli, write):

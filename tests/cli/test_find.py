@@ -87,8 +87,8 @@ def test_the_constants_for_which_a_polynomial_divides_its_derivative(capsys, tmp
     assert main(["find", "parameters", str(file), "x^2+Az"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert [line.split()[0] for line in lines] == ["proved"] * 4 + ["4"]
-    assert r"only where $\sigma = 0$, or $b = 2\sigma$" in lines[1]
-    assert r"with $K=-2\sigma$ where $A = -2\sigma, b = 2\sigma$" in lines[3]
+    assert "only where σ = 0, or b = 2σ" in lines[1]
+    assert "with K = −2σ where A = −2σ and b = 2σ" in lines[3]
     assert main(["find", "parameters", str(file), "x+y^2"]) == 0
     assert "only where never" in capsys.readouterr().out
 
@@ -115,3 +115,14 @@ scene = Scene("Lorenz", "").having(variables=("x", "y", "z"), constants=(r"\sigm
 section.states(Identity, motion[1], on=scene.moving(motion), says="the motion")
 derivation = Derivation("lorenz", "Lorenz", "", "", (section,))
 """
+
+
+def test_darboux_polynomials_and_the_constants_for_which_there_are_some(tmp_path, capsys):
+    (tmp_path / "lorenz").mkdir()
+    (tmp_path / "lorenz" / "__init__.py").write_text(LORENZ, encoding="utf-8")
+    assert main(["find", "darboux", str(tmp_path / "lorenz"), "--special"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert "proved  F' = KF with K = −2σ where b = 2σ:  d/dt(x² − 2zσ) = (−2σ)(x² − 2zσ)" in [
+        line.replace("K=", "K = ") for line in lines
+    ]
+    assert lines[-1] == "4 found"

@@ -22,13 +22,16 @@ UNSTABLE, RESTING, ASYMPTOTIC = (
 )
 
 
-OF_FIELDS = ("bifurcation", "atlas")
+OF_FIELDS = ("bifurcation", "atlas", "subsystems", "sections", "surfaces")
 """Pictures that look alike for all motions in the same fields."""
+
+
+SLOW = ("atlas", "subsystems", "sections", "surfaces")
 
 
 @pytest.mark.parametrize(
     ("name", "drawn"),
-    [(name, UNSTABLE) for name in PICTURES]
+    [pytest.param(n, UNSTABLE, marks=[pytest.mark.slow] * (n in SLOW)) for n in PICTURES]
     + [(name, one) for name in PICTURES if name not in OF_FIELDS for one in (RESTING, ASYMPTOTIC)],
 )
 def test_every_picture_can_be_drawn(name, drawn, tmp_path):

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from fractions import Fraction
 
 import pytest
 
 from kowalevski_cas.algebra import EXACT
+from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.library import load
-from kowalevski_cas.notation import Number, to_latex
+from kowalevski_cas.notation import Application, Formula, Negative, Number, to_latex
 from kowalevski_cas.paper.claims import Equilibria
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial, Roots
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.explain import counterexample
-from kowalevski_cas.verify.outcome import Counterexample, Verdict
+from kowalevski_cas.verify.outcome import Counterexample, Point, Verdict
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement, finder_of
 
@@ -39,7 +41,10 @@ def listed(found: Counterexample) -> list[tuple[Vector, Vector]]:
     """The fields at the states of rest that a counterexample lists."""
 
     def vector(tex: str) -> Vector:
-        return tuple(Fraction(x) for x in tex.strip("()").split(","))
+        return tuple(
+            Fraction(re.sub(r"\\frac\{(\d+)\}\{(\d+)\}", r"\1/\2", x).replace(" ", ""))
+            for x in tex.removeprefix(r"\left").strip("()").removesuffix(r"\right").split(",")
+        )
 
     values = {to_latex(name): to_latex(value) for name, value in found.point.values.items()}
     alpha = [vector(v) for name, v in values.items() if r"\alpha" in name]
@@ -68,12 +73,30 @@ def test_there_are_four_unless_the_fields_are_orthogonal_and_equal(outcome) -> N
     assert [to_latex(c.expression) for c in outcome.conditions] == ["(a^2 - b^2)^2 + 4c^2"]
 
 
-def test_on_the_exceptional_locus_there_are_five(outcome) -> None:
+def at_angle(found: Counterexample, t: Fraction) -> Counterexample:
+    """A circle of solutions at tan φ/2 = t."""
+    wave = {r"\cos": (1 - t * t) / (1 + t * t), r"\sin": 2 * t / (1 + t * t)}
+
+    def value(formula: Formula) -> Formula:
+        if isinstance(formula, Application):
+            return fraction_formula(wave[formula.function])
+        formula = formula.mapped(value)
+        if isinstance(formula, Negative) and isinstance(formula.argument, Negative):
+            return formula.argument.argument
+        return formula
+
+    values = {name: v.mapped(value) for name, v in found.point.values.items()}
+    return replace(found, point=Point(values))
+
+
+def test_on_the_exceptional_locus_there_is_a_circle(outcome) -> None:
     [condition] = outcome.conditions
-    assert condition.witness is not None
-    states = listed(condition.witness)
-    assert condition.witness.left == Number(5) == Number(len(set(states)))
-    assert condition.witness.right == Number(4)
+    found = condition.witness
+    assert found is not None and (found.left, found.right) == ("infinitely many", Number(4))
+    assert condition.words == "for $a=b$, $c=0$ there are infinitely many"
+    angles = [Fraction(0), Fraction(1), Fraction(-1), Fraction(1, 2), Fraction(7)]
+    states = [state for t in angles for state in listed(at_angle(found, t))]
+    assert len(set(states)) == len(angles)
     assert all(is_equilibrium(alpha, beta) for alpha, beta in states)
     [(a2, b2, c)] = {constants(alpha, beta) for alpha, beta in states}
     assert a2 == b2

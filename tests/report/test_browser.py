@@ -1,56 +1,76 @@
-"""The page in a browser: nothing is wider than the screen, nothing is cut off."""
+"""The page in a browser: nothing is wider than the screen, all links end, readers hear it all."""
 
-import html
-import json
-import re
-import shutil
-import subprocess
-from pathlib import Path
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
 
 import pytest
 
 from kowalevski_cas.report import render_html
+from kowalevski_cas.report.marks import MARKS
+from tests.report.browser import PROGRAM, Browser
 from tests.report.fixtures import document
 
-BROWSER = shutil.which("chromium") or shutil.which("google-chrome")
-OPTIONS = """--headless --no-sandbox --disable-gpu --disable-quic --no-first-run
---disable-background-networking --disable-component-update --disable-sync
---virtual-time-budget=5000 --dump-dom""".split()
-FRAME = """<!DOCTYPE html><title></title><iframe id="page" style="border:0" srcdoc="{page}"></iframe>
-<script>
-const page = document.getElementById("page");
-page.onload = () => {{
-  const inner = page.contentDocument, found = {{}};
-  inner.querySelectorAll("details").forEach(one => one.open = true);
-  for (const width of [380, 800, 1280]) {{
-    page.style.width = width + "px";
-    const wide = [...inner.querySelectorAll("body *")].filter(
-      one => one.getBoundingClientRect().right > width + 1 && !one.closest(".math, .graph"));
-    const cut = [...inner.querySelectorAll(".math")].filter(one => one.scrollWidth > one.clientWidth + 1);
-    found[width] = {{wide: wide.map(one => one.textContent.slice(0, 60)), cut: cut.length,
-      scrolls: inner.documentElement.scrollWidth > width}};
-  }}
-  found.heights = [...inner.querySelectorAll("math")].filter(one =>
-    one.getClientRects().length && one.getBoundingClientRect().height < 5).length;
-  document.title = JSON.stringify(found);
-}};
-</script>"""
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(PROGRAM is None, reason="there is no Chromium"),
+]
+
+WIDE = """[...document.querySelectorAll("main *, header *")].filter(one =>
+  one.getBoundingClientRect().right > innerWidth + 1 && !one.closest(".math, .graph"))
+  .map(one => one.textContent.slice(0, 60))"""
+CUT = """[...document.querySelectorAll(".math")].filter(one =>
+  one.getClientRects().length && one.scrollWidth > one.clientWidth + 1).length"""
+FLAT = """[...document.querySelectorAll("math")].filter(one =>
+  one.getClientRects().length && one.getBoundingClientRect().height < 5).length"""
+DEAD = """[...document.querySelectorAll("a[href^='#'], a[*|href^='#']")].map(one =>
+  one.getAttribute("href") || one.getAttribute("xlink:href"))
+  .filter(href => !document.getElementById(href.slice(1)))"""
 
 
-@pytest.mark.slow
-@pytest.mark.skipif(BROWSER is None, reason="there is no Chromium")
-def test_nothing_is_wider_than_the_screen(tmp_path: Path) -> None:
-    frame = tmp_path / "frame.html"
-    page = html.escape(render_html(document()), quote=True)
-    frame.write_text(FRAME.format(page=page), encoding="utf-8")
-    done = subprocess.run(
-        [BROWSER, *OPTIONS, f"--user-data-dir={tmp_path / 'user'}", frame.as_uri()],
-        capture_output=True, text=True, timeout=60, check=True,
-    )  # fmt: skip
-    title = re.search(r"<title>(.*?)</title>", done.stdout, re.DOTALL)
-    assert title is not None and title[1], "the page was not laid out"
-    found = json.loads(html.unescape(title[1]))
-    for width in ("380", "800", "1280"):
-        assert found[width]["wide"] == [] and not found[width]["scrolls"]
-    assert found["800"]["cut"] == found["1280"]["cut"] == 0  # a telephone may scroll a display
-    assert found["heights"] == 0  # every formula that is shown has been set
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
+    folder = tmp_path_factory.mktemp("browser")
+    page = folder / "page.html"
+    page.write_text(render_html(document()), encoding="utf-8")
+    with Browser(folder / "user") as browser:
+        browser.show(page)
+        browser.value("document.querySelectorAll('details').forEach(one => one.open = true)")
+        yield browser
+
+
+@pytest.mark.parametrize("pixels", [380, 768, 1280])
+@pytest.mark.parametrize("paper", [False, True], ids=["screen", "paper"])
+def test_nothing_is_wider_than_the_screen(browser: Browser, pixels: int, paper: bool) -> None:
+    browser.width(pixels, paper)
+    assert browser.value(WIDE) == []
+    assert browser.value("document.documentElement.scrollWidth <= innerWidth")
+    assert browser.value(FLAT) == 0  # every formula that is shown has been set
+    if pixels > 500:  # a telephone may scroll a display
+        assert browser.value(CUT) == 0
+
+
+def test_every_link_ends_somewhere(browser: Browser) -> None:
+    assert browser.value("document.querySelectorAll('a[href^=\"#\"]').length") > 50
+    assert browser.value(DEAD) == []
+
+
+def test_marks_and_formulas_are_in_the_accessibility_tree(browser: Browser) -> None:
+    browser.width(1280)
+    roles = browser.roles()
+    shown = browser.value(
+        "[...document.querySelectorAll('math')].filter(one => one.getClientRects().length).length"
+    )
+    counted = Counter(role for role, _ in roles)
+    assert counted["MathMLMath"] + counted["math"] == shown > 100
+    images = Counter(name for role, name in roles if role in ("image", "img"))
+    marks = browser.value(
+        "[...document.querySelectorAll('.mark')].filter(one => one.getClientRects().length).length"
+    )
+    assert sum(images[mark.word] for mark in MARKS.values()) == marks > 20
+
+
+def test_it_is_read_without_scripts_and_loads_nothing(browser: Browser) -> None:
+    assert browser.value("document.querySelectorAll('script, link, iframe').length") == 0
+    assert browser.value("performance.getEntriesByType('resource').length") == 0

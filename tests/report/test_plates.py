@@ -28,7 +28,7 @@ def offer(
         figure = new_figure(2, 1)
         figure.subplots().plot([0, 1], heights)
         save(figure, folder, "line")
-    (folder / "plates.json").write_text(json.dumps({"derivation": derivation, "plates": entries}))
+    (folder / "plates.json").write_text(json.dumps({derivation: entries}))
     return folder
 
 
@@ -39,7 +39,7 @@ def test_a_report_shows_the_pictures_of_its_derivation_that_are_there(tmp_path: 
     assert plates(tmp_path, "another2003") == (Plate("others/line", CAPTION),)
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", '{"derivation": "kharlamov2002", "plates": [1]}'])
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"kharlamov2002": [1]}'])
 def test_a_list_that_cannot_be_read_shows_nothing(tmp_path: Path, text: str) -> None:
     (offer(tmp_path / "motion") / "plates.json").write_text(text)
     assert plates(tmp_path, "kharlamov2002") == ()

@@ -109,6 +109,15 @@ def test_the_other_sign_is_an_error_that_names_the_file(derivation, certificates
     )
 
 
+@pytest.mark.parametrize("id", CLAIMS)
+def test_a_key_that_is_unknown_is_an_error_wherever_it_stands(derivation, certificates, id):
+    evidence = certificates[id].data["evidence"]
+    found = [path for path in places(evidence) if isinstance(at(evidence, path), dict)]
+    for path in random.Random(id).sample(found, min(len(found), 4)):
+        more = changed(evidence, path, {**at(evidence, path), "trust": "me"})
+        is_an_error(only(derivation, id, forged(certificates, id, more)), certificates, id)
+
+
 def numbers(data, choose):
     """The same evidence with one of its numbers changed."""
     paths = [p for p in places(data) if type(at(data, p)) is int and p[-1] not in ("goal", "inner")]

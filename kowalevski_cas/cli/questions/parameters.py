@@ -95,7 +95,7 @@ def _at_rest(scene: Scene) -> Scene:
 
 def _either(sets: Iterable[tuple[str, ...]]) -> str:
     """In words that one of several sets of equations holds."""
-    shown = (f"${', '.join(equations)}$" if equations else "always" for equations in sets)
+    shown = (" and ".join(f"${one}$" for one in given) or "always" for given in sets)
     return ", or ".join(shown) or "never"
 
 

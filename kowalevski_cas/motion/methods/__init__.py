@@ -15,8 +15,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from kowalevski_cas.motion.general import General
-    from kowalevski_cas.motion.motion import Motion
+    from kowalevski_cas.motion.general import AnyMotion
 
 METHODS = {
     "closed": "the closed form in floating point: any time, no accumulated error",
@@ -32,10 +31,10 @@ class MethodError(RuntimeError):
     """A method that gave up; the message says why."""
 
 
-def load(name: str) -> Callable[[Motion | General, NDArray[np.float64]], NDArray[np.float64]]:
+def load(name: str) -> Callable[[AnyMotion, NDArray[np.float64]], NDArray[np.float64]]:
     """The function ``states`` of the method with this name."""
     if name not in METHODS:
         raise ValueError(f"unknown method “{name}”; there are {', '.join(METHODS)}")
-    states: Callable[[Motion | General, NDArray[np.float64]], NDArray[np.float64]]
+    states: Callable[[AnyMotion, NDArray[np.float64]], NDArray[np.float64]]
     states = import_module(f"{__name__}.{name}").states
     return states

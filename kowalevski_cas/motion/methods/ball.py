@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 
 from kowalevski_cas.motion.frame import turned
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.ball import SolutionO4
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import ball, exact, precision
 from kowalevski_cas.motion.solution import PhasePoint, Variable
@@ -23,13 +25,13 @@ class Unresolved(ArithmeticError):
     """An enclosure that is still wide at the largest working precision."""
 
 
-def states(motion: Motion, times: NDArray[np.float64]) -> NDArray[np.float64]:
+def states(motion: Motion | MotionO4, times: NDArray[np.float64]) -> NDArray[np.float64]:
     """The states at these times, an array of shape (N, 9), to within rounding."""
     return enclosed(motion, times)[0]
 
 
 def enclosed(
-    motion: Motion, times: NDArray[np.float64]
+    motion: Motion | MotionO4, times: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """The states at these times (N, 9), and how far (N) a number in each can be from the exact one.
 
@@ -46,7 +48,9 @@ def enclosed(
     return np.array(rows).reshape(-1, 9), np.array(radii) * (1 + 2.0**-50)
 
 
-def enclosures(motion: Motion, times: Iterable[float | Fraction], bits: int) -> list[list[arb]]:
+def enclosures(
+    motion: Motion | MotionO4, times: Iterable[float | Fraction], bits: int
+) -> list[list[arb]]:
     """For each time nine balls that contain the state, of radii below 2^−bits times its size.
 
     Raises :class:`Unresolved` if the largest working precision does not suffice.
@@ -58,7 +62,7 @@ def enclosures(motion: Motion, times: Iterable[float | Fraction], bits: int) -> 
         if working > LARGEST_PRECISION:
             raise Unresolved(f"no enclosure of {bits} bits at t = {float(left[0]):g}")
         with precision(working):
-            solution = _Solution(motion)
+            solution = SolutionO4(motion) if isinstance(motion, MotionO4) else _Solution(motion)
             while left:
                 state = solution(left[0])
                 if not _narrow(state, bits):

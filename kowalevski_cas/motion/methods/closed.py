@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 from kowalevski_cas.motion.frame import turned
 from kowalevski_cas.motion.jacobi import Quadruple, jacobi
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.closed import ClosedO4
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.parameters import ball, precision
 from kowalevski_cas.motion.phases import LARGEST
 from kowalevski_cas.motion.solution import PhasePoint, Solved, Variable
@@ -72,7 +74,7 @@ class Closed:
         return variable_1(first), variable_2(second)
 
 
-def states(motion: Motion, times: Array) -> Array:
+def states(motion: Motion | MotionO4, times: Array) -> Array:
     """The states at these times, an array of shape (N, 9); the error does not grow with time.
 
     Raises ``ValueError`` for times that are not finite.
@@ -81,6 +83,8 @@ def states(motion: Motion, times: Array) -> Array:
     largest = float(np.max(np.abs(t), initial=0.0))
     if not largest <= LARGEST:
         raise ValueError(f"times have to be finite, up to {LARGEST:g}")
+    if isinstance(motion, MotionO4):
+        return ClosedO4(motion, largest)(t).T
     return Closed(motion, largest)(t).T
 
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kowalevski_cas.motion.general import General
+from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods.integrators import TOLERANCE, initial_state, integrate
-from kowalevski_cas.motion.motion import Motion
 
 
 def states(
-    motion: Motion | General, times: NDArray[np.float64], tolerance: float = TOLERANCE
+    motion: AnyMotion, times: NDArray[np.float64], tolerance: float = TOLERANCE
 ) -> NDArray[np.float64]:
     """The states at these times, an array of shape (N, 9)."""
     return integrate("DOP853", initial_state(motion), times, tolerance)

@@ -9,10 +9,9 @@ from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.compile import Function
-from kowalevski_cas.motion.general import General
+from kowalevski_cas.motion.general import AnyMotion, General
 from kowalevski_cas.motion.methods import MethodError
 from kowalevski_cas.motion.methods.closed import states as closed
-from kowalevski_cas.motion.motion import Motion
 
 Array = NDArray[np.float64]
 
@@ -20,11 +19,11 @@ TOLERANCE = 1e-12
 """The relative and absolute tolerance unless another is asked for."""
 
 
-def initial_state(motion: Motion | General) -> Array:
+def initial_state(motion: AnyMotion) -> Array:
     """The state at t = 0 from which integrators start."""
     if motion.point is not None:
         return np.array(motion.point)
-    assert isinstance(motion, Motion)
+    assert not isinstance(motion, General)
     start: Array = closed(motion, np.zeros(1))[0]
     return start
 

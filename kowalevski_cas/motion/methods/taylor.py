@@ -6,16 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
-from kowalevski_cas.motion.general import General
+from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods import MethodError
 from kowalevski_cas.motion.methods.integrators import initial_state
-from kowalevski_cas.motion.motion import Motion
 
 TOLERANCE = 1e-16
 
 
 def states(
-    motion: Motion | General, times: NDArray[np.float64], tolerance: float = TOLERANCE
+    motion: AnyMotion, times: NDArray[np.float64], tolerance: float = TOLERANCE
 ) -> NDArray[np.float64]:
     """The states at these times, an array of shape (N, 9).
 

@@ -1,5 +1,7 @@
 """Pictures of a motion, one module each: ``draw(motion)`` is the figure, ``CAPTION`` explains it.
 
+``ABOUT`` is the offer of the derivation whose report shows it, if not the closed form on N⁴.
+
 A new picture is one new module and one line in :data:`PICTURES`.
 """
 
@@ -8,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
+
+from kowalevski_cas.paper.closed_form import ClosedForm
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,14 +25,21 @@ PICTURES = {
     "rectangle": "of the separated variables, and the curve in it",
     "bifurcation": "diagrams in the planes of (m, h) and (m, ℓ)",
     "atlas": "of all regimes in these fields",
+    "subsystems": "diagrams of O⁴ and M⁴",
+    "sections": "of the diagram of the whole top",
+    "surfaces": "of critical values, that diagram in space",
 }
 
 
 class Picture(NamedTuple):
-    """How a picture is drawn, and what it shows: text with mathematics between dollars."""
+    """How a picture is drawn, what it shows, and which offer of a derivation it is about.
+
+    The caption is text with mathematics between dollars.
+    """
 
     draw: Callable[[Motion], Figure]
     caption: str
+    about: type
 
 
 def load(name: str) -> Picture:
@@ -36,4 +47,4 @@ def load(name: str) -> Picture:
     if name not in PICTURES:
         raise ValueError(f"there is no picture “{name}”; there are {', '.join(PICTURES)}")
     module = import_module(f"{__name__}.{name}")
-    return Picture(module.draw, module.CAPTION)
+    return Picture(module.draw, module.CAPTION, getattr(module, "ABOUT", ClosedForm))

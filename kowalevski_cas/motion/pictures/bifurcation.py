@@ -6,6 +6,7 @@ The regions are those of the regimes, and the separating curves are found where 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Parameters
+from kowalevski_cas.motion.pictures.regions import GRID, mesh, shade
 from kowalevski_cas.motion.regimes import FIELD_1, FIELD_2, PHI, Regime, all_regimes, coordinates
 from kowalevski_cas.motion.transverse import degenerate
 from kowalevski_cas.pictures import FAINT, INK, mark, new_figure
@@ -34,14 +36,8 @@ CAPTION = (
     "The cross is the motion of the other pictures."
 )
 
-GREYS = {1: "#efefef", 2: "#d6d6d6", 4: "#b0b0b0"}
-"""The shade of a region, by its number of tori."""
-
 STEPS = 60
 """Values of m for which λ = 0 is solved."""
-
-GRID = 501
-"""Points of the grid on which regions are found, along each axis."""
 
 
 def draw(motion: Motion) -> Figure:
@@ -56,23 +52,22 @@ def draw(motion: Motion) -> Figure:
     def energy(m: Array, ell: Array) -> Array:
         return (ell**2 - 1 - 2 * square * m**2) / (2 * m)
 
-    def ell_at(m: Array, h: Array) -> Array:
-        with np.errstate(invalid="ignore"):
-            return np.asarray(np.sqrt(2 * square * m**2 + 2 * h * m + 1))
-
     reach = 1.25 * max(abs(m), 1 / (2 * b) if b > a / 4 else 2 / a)
     top = 2 * a + (a * a - b * b) * reach
     curves = degenerate_curves(parameters, reach)
+    of_energy = partial(ell_at, parameters)
     figure = new_figure(height=3.9)
     left, right = figure.subplots(1, 2)
     for axes, unit, bottom, height, ell_of, ordinate, here in (
-        (left, "$h$", -0.9 * max(top, abs(h)), 1.1 * max(top, abs(h)), ell_at, energy, h),
+        (left, "$h$", -0.9 * max(top, abs(h)), 1.1 * max(top, abs(h)), of_energy, energy, h),
         (right, r"$\ell$", -0.03 * a, 1.2 * max(2 * a * reach, ell), _second, _absolute, ell),
     ):
         axes.set(xlim=(-reach, reach), ylim=(bottom, height), xlabel="$m$")
         axes.set_ylabel(unit, rotation=0)
         axes.grid(False)
-        _regions(axes, parameters, ell_of, (m, here))
+        mesh_m, mesh_y = mesh(axes)
+        kinds = regime_at(parameters, mesh_m, ell_of(mesh_m, mesh_y))
+        shade(axes, kinds, [regime.tori for regime in all_regimes()], (m, here))
         _curves(axes, parameters, ordinate)
         for place, ell_there in curves:
             one = mark(3)
@@ -93,6 +88,12 @@ def _second(m: Array, ell: Array) -> Array:
 
 def _absolute(m: Array, ell: Array) -> Array:
     return np.abs(ell)
+
+
+def ell_at(parameters: Parameters, m: Array, h: Array) -> Array:
+    """The ℓ ≥ 0 at an energy; not a number where there is none."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.sqrt(2 * float(parameters.p_square) * m**2 + 2 * h * m + 1))
 
 
 def regime_at(parameters: Parameters, m: Array, ell: Array) -> NDArray[np.int64]:
@@ -118,33 +119,6 @@ def _line(parameters: Parameters, m: Array, root: str) -> tuple[Array, Array]:
     with np.errstate(divide="ignore"):
         scale = 1 / m if root in PHI else np.ones_like(m)
     return slope * scale, constant * scale
-
-
-def _regions(axes: Axes, parameters: Parameters, ell_of: Map, taken: tuple[float, float]) -> None:
-    """Shade the regions, and write the number of tori into each, away from the place taken."""
-    from scipy.ndimage import distance_transform_edt, label
-
-    across, up = axes.get_xlim(), axes.get_ylim()
-    m, y = np.meshgrid(np.linspace(*across, GRID + 1), np.linspace(*up, GRID))
-    regime = regime_at(parameters, m, ell_of(m, y))
-    near = np.hypot((m - taken[0]) / np.ptp(across), (y - taken[1]) / np.ptp(up)) < 0.03
-    for number, kind in enumerate(all_regimes()):
-        here = regime == number
-        if not here.any():
-            continue
-        axes.contourf(m, y, here, levels=(0.5, 1.5), colors=[GREYS[kind.tori]], zorder=0)
-        pieces, count = label(here)
-        for piece in range(1, count + 1):
-            free = np.pad((pieces == piece) & ~near, 1)
-            depth = distance_transform_edt(free)[1:-1, 1:-1]
-            place = np.unravel_index(np.argmax(depth), depth.shape)
-            if depth[place] < 0.008 * GRID:
-                continue  # a sliver that the frame of the picture cuts off
-            small = depth[place] < 0.03 * GRID
-            axes.text(
-                m[place], y[place], str(kind.tori),
-                ha="center", va="center", size=6 if small else 9, zorder=4,
-            )  # fmt: skip
 
 
 def _curves(axes: Axes, parameters: Parameters, ordinate: Map) -> None:

@@ -10,6 +10,7 @@ from kowalevski_cas.notation import Formula, Name, Power, Relation
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import equations, members, rate, vanishes
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
+from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
@@ -21,9 +22,10 @@ from kowalevski_cas.problem.space import Meaningless
 class FirstIntegral(Claim):
     """The printed expression is constant along every motion on the invariant set ``given``.
 
-    All members of a printed chain are the same function, which is not constant by itself: its
-    differential is independent of those of the set at a real point. With a set, the claim
-    includes that the set is invariant, and that the function is not constant off the set.
+    All members of a printed chain are the same function, which is not constant by itself (nor is
+    any component of it, if it is a vector): its differential is independent of those of the set at
+    a real point. With a set, the claim includes that the set is invariant, and that the function
+    is not constant off the set.
     """
 
     given: tuple[Printed, ...] = ()
@@ -31,7 +33,14 @@ class FirstIntegral(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        same = [space.plain(member) for member in self.constants(on, space)]
+        chain = [parts(space.plain(member), space) for member in self.constants(on, space)]
+        for same in zip(*chain, strict=True):
+            yield from self._goals(on, space, same)
+
+    def _goals(
+        self, on: Elaborations, space: Elaboration, same: tuple[Formula, ...]
+    ) -> Iterator[Goal]:
+        """What is claimed of one function, or of a component of a vector."""
         still = tuple(vanishes(rate(member)) for member in same)
         given = equations(on, space, self.given)
         yield Follows(space, ((*still, *pairwise(same)),), given, self.main)

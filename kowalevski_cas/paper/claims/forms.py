@@ -18,7 +18,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.matrices import Rows, is_matrix, rows, sizes
+from kowalevski_cas.paper.matrices import Rows, alike, is_matrix, sizes
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Equation, Meaningless
@@ -63,11 +63,11 @@ def members(relation: Relation) -> list[Formula]:
 def chain(on: Elaborations, space: Elaboration, printed: Printed) -> list[Equation]:
     """The equations of a printed chain; ``= const`` says that the first member does not move.
 
-    Matrices are equal entry by entry.
+    Matrices are equal entry by entry; a zero may stand for one.
     """
     relation = on.texts.relation(printed)
-    if is_matrix(relation.members[0], space):
-        return [*_entries([rows(member, space) for member in relation.members])]
+    if any(is_matrix(member, space) for member in relation.members):
+        return [*_entries(alike(relation.members, space, only_zero=True))]
     found = [space.plain(member) for member in members(relation)]
     equations = list(pairwise(found))
     if isinstance(relation.members[-1], Constant):

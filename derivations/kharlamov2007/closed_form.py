@@ -1,0 +1,84 @@
+"""The formulas by which motions on O^4 are computed; none is typed here a second time."""
+
+from kowalevski_cas.paper.closed_form import HyperellipticForm, Member, Values
+from kowalevski_cas.paper.derivation import Scene
+
+from ..kharlamov2005.third_subsystem import with_constants
+from ..kharlamov2005.values import on_O4_values
+from ..kharlamov_savushkin2004.setting import complex_variables
+from .infinity import hats, hatted_fields, hatted_parts, hatted_velocity
+from .phase_point import radicals
+from .separation import root
+
+RADICALS = (
+    "\\mu_1",
+    "A_1",
+    "B_1",
+    "K_1",
+    "\\hat{\\mu}_2",
+    "\\hat{A}_2",
+    "\\hat{B}_2",
+    "\\hat{K}_2",
+)
+PARTS = tuple(rf"\hat{{{name}}}" for name in (r"\Pi", "Y", "V", "d", "T", r"\Lambda", "N"))
+COORDINATES = ("u_1", "n", "v")
+CONSTANTS = ("s", r"\tau_3", "p", "r")
+
+here = Scene(
+    "phase point on O⁴, supplied",
+    "the radicals, and parts of the formulas, as variables",
+    variables=(
+        *COORDINATES,
+        *RADICALS,
+        r"\hat{E}",
+        *PARTS,
+        *CONSTANTS,
+        r"\sigma",
+        r"\kappa",
+        "vu_1-n",
+    ),
+)
+
+values = Scene("constants of O⁴", "the constants as variables", variables=CONSTANTS)
+
+plane = Scene("X, ξ, q", "as variables", variables=("X", r"\xi", r"\tau_3", r"\sigma", "q"))
+
+
+def offer() -> HyperellipticForm:
+    """The closed form, with the constants of the third subsystem."""
+    squares = (*(radicals[k] for k in (1, 3, 4, 7)), *hats)
+    return HyperellipticForm(
+        constants=Values(
+            with_constants,
+            ("s", r"\tau_3", "x_1x_2", "x_1x_2+z_1z_2"),
+            complex_variables.variables,
+        ),
+        variables=Values(
+            plane,
+            (
+                Member(root[1], 1),
+                r"\tau_3\xi+q",
+                r"\tau_3\xi-q",
+                r"\tau_3-X",
+                r"\tau_3\xi^2+\sigma X",
+            ),
+            plane.variables,
+        ),
+        integrals=Values(values, tuple(Member(printed, 1) for printed in on_O4_values), CONSTANTS),
+        squares=Values(
+            here,
+            tuple(Member(printed, 1) for printed in squares),
+            (*COORDINATES, r"\mu_1", r"\hat{\mu}_2", "s", r"\tau_3", "r", r"\sigma", r"\kappa"),
+        ),
+        parts=Values(
+            here,
+            tuple(Member(printed, 1) for printed in hatted_parts),
+            (*COORDINATES, *RADICALS, *CONSTANTS, r"\hat{d}"),
+        ),
+        phase_point=Values(
+            here,
+            tuple(Member(printed, 1) for printed in (*hatted_velocity, *hatted_fields)),
+            (*RADICALS, r"\hat{E}", *PARTS, "s", r"\tau_3", "r", "vu_1-n"),
+            ("vu_1-n",),
+        ),
+    )

@@ -1,0 +1,172 @@
+r"""The bifurcation diagram of the whole top: the critical values of H, K, G, and where motions are.
+
+It is the image of M⁴, N⁴, O⁴ and of the rotations about the third axis under (H, K, G). The
+values come from the formulas of the derivations, the tori from the regimes. The image of all
+states has a part of the diagram as its boundary: so a piece between its curves is filled with
+motions if there is one in it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.o4.parameters import ParametersO4
+from kowalevski_cas.motion.o4.regimes import Regime, regime_of
+from kowalevski_cas.motion.parameters import Inadmissible
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+
+NEAR = 1e-7
+"""How far beside a separating curve motions are looked for."""
+
+POINTS = 1500
+"""Values of s between two where regimes meet."""
+
+
+@dataclass(frozen=True)
+class Fields:
+    """Fields of lengths a > b > 0 at right angles; the critical values in them."""
+
+    a: Fraction
+    b: Fraction
+
+    def __post_init__(self) -> None:
+        """Refuse a single field, for which the regimes of O⁴ are not known."""
+        if self.b == 0:
+            raise Inadmissible("b = 0: the diagrams of the whole top are those of two fields")
+
+    @cached_property
+    def _pr(self) -> tuple[float, float]:
+        """The constants p and r."""
+        a, b = float(self.a), float(self.b)
+        return float(np.hypot(a, b)), float(np.sqrt(a * a - b * b))
+
+    def on_M4(self, h: Array, j: Array) -> tuple[Array, Array]:
+        """The values of K and G on M⁴ at the energy h, where J₃ = j."""
+        k, gap = formulas.critical_values()[0](j)
+        return k + 0 * h, (self._pr[0] ** 2 * h - gap) / 2
+
+    def on_N4(self, h: Array, m: Array) -> tuple[Array, Array]:
+        """The values of K and G on N⁴ at the energy h."""
+        p, r = self._pr
+        k, gap = formulas.critical_values()[1](m, r)
+        return k, (p**2 * h + gap) / 2
+
+    def on_O4(self, s: Array, tau: Array) -> tuple[Array, Array, Array]:
+        """The values of H, K and G on O⁴."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            h, k, g = formulas.hyperelliptic("integrals")(s, tau, *self._pr)
+        return h, k, g
+
+    def tau(self, s: Array, h: Array) -> Array:
+        """The τ₃ on O⁴ at the energy h, which is linear in it."""
+        start, end = self.on_O4(s, 0 * s)[0], self.on_O4(s, 0 * s + 1)[0]
+        with np.errstate(invalid="ignore"):
+            return (h - start) / (end - start)
+
+    def squares(self, s: Array, tau: Array) -> tuple[Array, Array]:
+        """The constants σ and κ² = 4s²k on O⁴."""
+        sigma = 4 * (self.on_O4(1 + 0 * s, tau)[1] - tau)
+        return sigma, sigma + 4 * s**2 * tau
+
+    def regimes(self, s: Array, tau: Array) -> tuple[Integers, list[Regime]]:
+        """The regime of O⁴ at each s and τ₃, by its place in a list; −1 where there is no motion.
+
+        The regimes meet where these expressions vanish, and the roots are in one order where all
+        have the same signs: so one place of each kind tells it for all.
+        """
+        a, b, r_square = float(self.a), float(self.b), self._pr[1] ** 2
+        signs = np.sign([
+            s, tau, *self.squares(s, tau), s**2 - a**2, s**2 - b**2, tau - r_square, tau + r_square,
+        ]).reshape(8, -1)  # fmt: skip
+        signs[~np.isfinite(signs)] = 0
+        _, places, which = np.unique(signs, axis=1, return_index=True, return_inverse=True)
+        known: list[Regime] = []
+        numbers = []
+        for place in places:
+            regime = self._regime(s.flat[place], tau.flat[place]) if signs[:, place].all() else None
+            if regime is not None and regime not in known:
+                known.append(regime)
+            numbers.append(-1 if regime is None else known.index(regime))
+        found: Integers = np.array(numbers)[which].reshape(s.shape)
+        return found, known
+
+    def _regime(self, s: float, tau: float) -> Regime | None:
+        try:
+            return regime_of(ParametersO4(self.a, self.b, Fraction(s), Fraction(tau)))
+        except Inadmissible:
+            return None
+
+    def where_k_vanishes(self, s: Array) -> list[Array]:
+        """The two τ₃ for which κ = 0, where O⁴ has common points with M⁴, for each s.
+
+        The equation is quadratic in τ₃; not a number where it has no real roots.
+        """
+        below, constant, above = (self.squares(s, 0 * s + tau)[1] for tau in (-1, 0, 1))
+        return _roots((above - below) / 2, constant)
+
+    def where_sigma_vanishes(self) -> list[float]:
+        """The two τ₃ for which σ = 0."""
+        below, constant, above = (self.squares(np.zeros(1), np.array([t]))[0] for t in (-1.0, 0, 1))
+        return [float(root[0]) for root in _roots((above - below) / 2, constant)]
+
+    def is_real(self, s: Array, tau: Array) -> Mask:
+        """Whether there are motions on O⁴ as near as can be to values on a separating curve."""
+        found = np.zeros(np.shape(s), dtype=bool)
+        for step_s in (-NEAR, NEAR):
+            for step_tau in (-NEAR, NEAR):
+                beside = s * (1 + step_s) + step_s, tau * (1 + step_tau) + step_tau
+                found |= self.regimes(*beside)[0] >= 0
+        return found
+
+    def j(self, h: Array, g: Array) -> Array:
+        """The absolute value of J₃ on M⁴ by those of H and G."""
+        _, unit = formulas.critical_values()[0](1.0)
+        with np.errstate(invalid="ignore"):
+            square = np.array(self._pr[0] ** 2 * h - 2 * g) / unit
+            square[abs(square) < 1e-12 * (1 + abs(g))] = 0.0
+            found: Array = np.sqrt(square)
+        return found
+
+    def M4_and_O4(self) -> list[tuple[Array, Array]]:
+        """The curves (|J₃|, H) of the common points of M⁴ and O⁴."""
+        found = []
+        for s in self.parts():
+            for tau in self.where_k_vanishes(s):
+                h, _, g = self.on_O4(s, np.where(self.is_real(s, tau), tau, np.nan))
+                found.append((self.j(h, g), h))
+        return found
+
+    def parts(self, reach: float = 30.0) -> list[Array]:
+        """Values of s between those where regimes meet, denser towards these."""
+        a, b = float(self.a), float(self.b)
+        ends = np.array([-reach * a, -a, -b, 0, b, a, reach * a])
+        share = (1 - np.cos(np.linspace(0, np.pi, POINTS))) / 2
+        return [low + (high - low) * share for low, high in pairwise(ends)]
+
+    def states(self, count: int) -> Array:
+        """So many directions of the fields by chance, as states (N, 9) at rest."""
+        random = np.random.default_rng(1)
+        first, second = random.normal(size=(2, count, 3))
+        first /= np.linalg.norm(first, axis=1)[:, None]
+        second -= np.sum(first * second, axis=1)[:, None] * first
+        second /= np.linalg.norm(second, axis=1)[:, None]
+        return np.hstack([0 * first, float(self.a) * first, float(self.b) * second])
+
+
+def _roots(linear: Array, constant: Array) -> list[Array]:
+    """The roots of x² + linear·x + constant, not a number where they are not real."""
+    half = linear / 2
+    square = half**2 - constant
+    square[abs(square) < 1e-12 * half**2] = 0.0  # a double root, but for rounding
+    with np.errstate(invalid="ignore"):
+        return [-half + sign * np.sqrt(square) for sign in (1, -1)]

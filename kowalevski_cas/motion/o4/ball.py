@@ -1,0 +1,87 @@
+"""Balls: a rigorous enclosure of the closed form on O⁴."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+import numpy as np
+from flint import arb, arb_mat
+
+from kowalevski_cas.motion.frame import turned
+from kowalevski_cas.motion.o4.motion import MotionO4
+from kowalevski_cas.motion.o4.point import PhasePoint
+from kowalevski_cas.motion.o4.quadrature import Quadratures
+from kowalevski_cas.motion.o4.series import Series, matrix
+from kowalevski_cas.motion.o4.variable import Variable, cosines
+from kowalevski_cas.motion.parameters import ball
+
+
+class SolutionO4:
+    """The closed form at one working precision."""
+
+    def __init__(self, motion: MotionO4) -> None:
+        self._motion, known = motion, motion.parameters
+        self._variables = [Variable(known, arc, lambda x: x) for arc in motion.arcs]
+        self._point = PhasePoint(known, motion.regime, motion.signs, lambda x: x, arb.sqrt)
+        series = [Series(variable) for variable in self._variables]
+        self._means = matrix(series, motion.orientations)
+        self._sines = [one.sines() for one in series]
+        self._floats = Quadratures(motion, series)
+        self._origin = self._integrals([ball(angle) for angle in motion.angles])
+
+    def __call__(self, time: Fraction) -> list[arb]:
+        """The state; balls that are not finite where no enclosure is found."""
+        aim = self._origin - arb_mat([[0], [ball(time)]])
+        phases, turn = self._means.solve(aim, nonstop=True).entries(), 2 * arb.pi()
+        turns = [(phase / turn).mid().floor() for phase in phases]
+        aim -= self._means * arb_mat([[turn * count] for count in turns])
+        near = [[float(phase - turn * k)] for phase, k in zip(phases, turns, strict=True)]
+        angles = self._enclosed(self._floats.angles(np.array(near))[:, 0].tolist(), aim)
+        # After a turn the functions of half the angle have the other sign.
+        (sin_1, cos_1), (sin_2, cos_2) = (
+            ((angle + turn * count) / 2).sin_cos()
+            for angle, count in zip(angles, turns, strict=True)
+        )
+        state = list(self._point((cos_1, sin_1), (cos_2, sin_2)))
+        cos, sin = self._motion.turn
+        return turned(state, ball(cos), ball(-sin)) if sin else state
+
+    def _integrals(self, angles: Sequence[arb]) -> arb_mat:
+        """Both integrals, a column."""
+        found = self._means * arb_mat([[angle] for angle in angles])
+        for sign, series, angle in zip(self._motion.orientations, self._sines, angles, strict=True):
+            found += arb_mat([[sign * value] for value in series(angle)])
+        return found
+
+    def _slopes(self, angles: Sequence[arb]) -> arb_mat:
+        """The matrix of the differentials at these angles."""
+        columns = []
+        for sign, variable, angle in zip(
+            self._motion.orientations, self._variables, angles, strict=True
+        ):
+            values = variable.differentials(cosines(angle, arb.cos), arb.sqrt)
+            columns.append([sign * value for value in values])
+        return arb_mat(columns).transpose()
+
+    def _enclosed(self, start: Sequence[float], aim: arb_mat) -> list[arb]:
+        """The angles where the integrals are those aimed at.
+
+        Newton's method, as long as its steps shrink, and then an interval Newton step: if it
+        leads into the interior of a box, the box has exactly one solution, and that is where it
+        leads.
+        """
+        angles, before = [arb(x) for x in start], arb("inf")
+        while True:
+            missing = aim - self._integrals(angles)
+            steps = self._slopes(angles).solve(missing, nonstop=True).entries()
+            size = max((abs(step).upper() for step in steps), key=float)
+            if not 4 * size < before:
+                break
+            before = size
+            angles = [(angle + step).mid() for angle, step in zip(angles, steps, strict=True)]
+        box = [angle + arb(0, 2 * size) for angle in angles]
+        steps = self._slopes(box).solve(missing, nonstop=True).entries()
+        if all(abs(step) < 2 * size for step in steps):
+            return [angle + step for angle, step in zip(angles, steps, strict=True)]
+        return [arb("nan"), arb("nan")]

@@ -1,0 +1,63 @@
+"""A motion on O⁴: its constants, its regime, and where it is at t = 0."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+from kowalevski_cas.motion.frame import fields
+from kowalevski_cas.motion.o4.parameters import ParametersO4
+from kowalevski_cas.motion.o4.regimes import Arc, Regime, regime_of
+from kowalevski_cas.motion.parameters import Inadmissible
+
+
+@dataclass(frozen=True)
+class MotionO4:
+    """A motion by its constants, two angles, and the signs of radicals.
+
+    The angles say where u1 and u2 are on their arcs at t = 0 (see
+    :mod:`~kowalevski_cas.motion.o4.variable`). The ``signs`` are those of K1, μ2, A2, B2, K2 where
+    both angles are between 0 and π, the other radicals being positive; they choose the torus, and
+    the point on it. ``turn`` is (cos χ, sin χ) of the rotation that brings (α, β) = c to zero.
+    ``point`` is the state at t = 0 from which integrators start, where it is not that of the closed
+    form, which is ``off`` it by so much of its size.
+
+    Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` where there is no motion.
+    """
+
+    parameters: ParametersO4
+    angles: tuple[Fraction, Fraction] = (Fraction(0), Fraction(0))
+    signs: tuple[int, ...] = (1, -1, 1, 1, 1)
+    turn: tuple[Fraction, Fraction] = (Fraction(1), Fraction(0))
+    point: tuple[float, ...] | None = None
+    off: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Refuse constants that leave no real motion, and signs for which E² is negative."""
+        if not self.regime.signs[2] and self.signs[1] > 0:
+            raise Inadmissible("σ < 0: μ1 and μ2 have opposite signs, for E² is positive")
+
+    @cached_property
+    def regime(self) -> Regime:
+        """The regime of its constants."""
+        return regime_of(self.parameters)
+
+    @property
+    def arcs(self) -> tuple[Arc, Arc]:
+        """The arcs of u1 and u2."""
+        return self.regime.u1, self.regime.u2
+
+    @property
+    def orientations(self) -> tuple[int, int]:
+        """The signs with which the differentials of u1 and of u2 go into the quadratures."""
+        K1, mu2, A2, B2, K2 = self.signs
+        return K1, -mu2 * A2 * B2 * K2
+
+    @property
+    def constants(self) -> dict[str, float]:
+        """The lengths a, b of the fields and their scalar product c, the integrals, s and τ."""
+        known = self.parameters
+        values = (*fields(known.p_square, known.r_square, self.turn), *known.integrals)
+        named = dict(zip("abchkg", values, strict=True))
+        return {**named, "s": float(known.s), "tau": float(known.tau)}

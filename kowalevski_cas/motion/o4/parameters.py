@@ -1,0 +1,98 @@
+r"""The constants of a motion on O⁴: the fields a, b and the partial integrals s, τ = τ₃, all exact.
+
+The radicands of the phase point vanish where a variable is one of
+:math:`\pm\sqrt\sigma,\ \pm\kappa,\ -\tau\pm r^2`. Each of these roots is told by its square with
+its own sign, a rational number; as these are in the order of the roots, all that decides is exact.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+
+from flint import arb
+
+from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, usable
+
+MU, KAPPA, LOW, HIGH = ("-√σ", "√σ"), ("-κ", "κ"), "-τ-r²", "-τ+r²"
+"""The roots of μ², of K², of A² and of B²."""
+
+
+@dataclass(frozen=True)
+class ParametersO4:
+    """The constants of a motion on O⁴ in fields of lengths a > b > 0 at right angles."""
+
+    a: Fraction
+    b: Fraction
+    s: Fraction
+    tau: Fraction
+
+    def __post_init__(self) -> None:
+        """Refuse lengths that do not separate, and constants that vanish."""
+        if not 0 < self.b < self.a:
+            raise Inadmissible(f"a = {float(self.a):g}, b = {float(self.b):g}; a > b > 0 is needed")
+        for name, value in (("s", self.s), ("τ", self.tau), ("σ", self.sigma)):
+            if value == 0:
+                raise Inadmissible(f"{name} = 0: the tori of O⁴ degenerate; {name} ≠ 0 is needed")
+
+    @staticmethod
+    def of(a: Real, b: Real, s: Real, tau: Real) -> ParametersO4:
+        """The constants as they are given; raises ``ValueError`` for what is no finite number."""
+        return ParametersO4(usable(a), usable(b), usable(s), usable(tau))
+
+    @property
+    def r_square(self) -> Fraction:
+        """r² = a² − b²."""
+        return self.a**2 - self.b**2
+
+    @property
+    def p_square(self) -> Fraction:
+        """p² = a² + b²."""
+        return self.a**2 + self.b**2
+
+    @cached_property
+    def sigma(self) -> Fraction:
+        """σ = τ² − 2p²τ + r⁴."""
+        return self.tau**2 - 2 * self.p_square * self.tau + self.r_square**2
+
+    @cached_property
+    def kappa_square(self) -> Fraction:
+        """κ² = σ + 4s²τ."""
+        return self.sigma + 4 * self.s**2 * self.tau
+
+    @cached_property
+    def integrals(self) -> tuple[float, float, float]:
+        """The values of H, K and G."""
+        p, r = (float(ball(square).sqrt()) for square in (self.p_square, self.r_square))
+        h, k, g = formulas.hyperelliptic("integrals")(float(self.s), float(self.tau), p, r)
+        return h, k, g
+
+    @cached_property
+    def roots(self) -> tuple[str, ...]:
+        """The names of the real roots in their order upwards."""
+        return tuple(sorted(self.keys, key=self.keys.__getitem__))
+
+    @cached_property
+    def keys(self) -> dict[str, Fraction]:
+        """The square of each real root with the sign of the root."""
+        found: dict[str, Fraction] = {}
+        for (low, high), square in ((MU, self.sigma), (KAPPA, self.kappa_square)):
+            if square >= 0:
+                found |= {low: -square, high: square}
+        for name, root in ((LOW, -self.tau - self.r_square), (HIGH, self.r_square - self.tau)):
+            found[name] = root * abs(root)
+        return found
+
+    def root(self, name: str) -> arb:
+        """The value of a root at the precision of FLINT's context."""
+        key = self.keys[name]
+        return ball(abs(key)).sqrt() * (-1 if key < 0 else 1)
+
+    def gap(self, left: str, right: str) -> arb:
+        """One root minus another, to full relative precision."""
+        if self.keys[left] * self.keys[right] <= 0:
+            return self.root(left) - self.root(right)
+        difference = ball(abs(self.keys[left]) - abs(self.keys[right]))
+        return difference / (self.root(left) + self.root(right))

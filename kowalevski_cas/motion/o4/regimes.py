@@ -1,0 +1,155 @@
+r"""The regimes of O⁴: where the radicands of the phase point are positive.
+
+A motion is real where the squares of :math:`\mu_1, A_1, B_1, K_1`, of
+:math:`\hat\mu_2, \hat A_2, \hat B_2, \hat K_2`, and of :math:`\hat E` are positive. The first eight
+change their signs at the roots alone. As
+:math:`(\sigma+u_1u_2)^2-\tau^2\mu_1^2\mu_2^2=\sigma(u_1+u_2)^2`, the last has the sign of
+:math:`\hat n u_1+\sigma v` for σ > 0, and for σ < 0 the opposite one of :math:`\mu_1\hat\mu_2`. So
+:math:`u_1` runs over an arc between two neighbouring roots, and :math:`u_2` over another one, which
+may pass through infinity.
+
+The squares leave 32 points above :math:`(u_1, u_2)`, 16 for σ < 0, told apart by the signs of
+:math:`\mu_1\mu_2, EA_1A_2, EB_1B_2, \mu_1K_1A_2B_2, \mu_1K_2A_1B_1`. Passing the end of an arc
+changes some of these; the classes that stay apart are the tori.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise
+
+from kowalevski_cas.motion.o4.parameters import HIGH, KAPPA, LOW, MU, ParametersO4
+from kowalevski_cas.motion.parameters import Inadmissible
+
+PRODUCTS = (
+    ("mu1", "mu2"),
+    ("A1", "A2"),
+    ("B1", "B2"),
+    ("mu1", "K1", "A2", "B2"),
+    ("mu1", "K2", "A1", "B1"),
+)
+"""The products of radicals, with E > 0, whose signs tell the points above (u1, u2) apart."""
+
+LEAST_GAP = 2.0**-40
+"""Between two roots, relative to the largest: with less floats do not tell a motion."""
+
+RADICAL = {**dict.fromkeys(MU, "mu"), **dict.fromkeys(KAPPA, "K"), LOW: "A", HIGH: "B"}
+"""The radical that vanishes at a root."""
+
+
+@dataclass(frozen=True)
+class Arc:
+    """The arc of one variable: from a root upwards to the next one, perhaps through infinity.
+
+    ``roots`` are its ends, and ``neighbours`` the next root below and the next above it.
+    """
+
+    roots: tuple[str, str]
+    neighbours: tuple[str, str]
+    infinite: bool
+
+    def __str__(self) -> str:
+        """The arc in the letters of the paper."""
+        first, last = self.roots
+        return f"[{first}, ∞] ∪ [-∞, {last}]" if self.infinite else f"[{first}, {last}]"
+
+
+@dataclass(frozen=True)
+class Regime:
+    """The arcs of both variables, for certain signs of s, τ and σ."""
+
+    signs: tuple[bool, bool, bool]
+    u1: Arc
+    u2: Arc
+
+    @property
+    def tori(self) -> int:
+        """The number of tori on which the constants have their values."""
+        known = PRODUCTS if self.signs[2] else PRODUCTS[1:]
+        changes = {
+            sum(
+                1 << place
+                for place, product in enumerate(known)
+                if f"{RADICAL[end]}{number}" in product
+            )
+            for number, arc in ((1, self.u1), (2, self.u2))
+            for end in arc.roots
+        }
+        return 1 << len(known) - _rank(changes)
+
+    def __str__(self) -> str:
+        """The signs, and the arcs."""
+        signs = ", ".join(
+            f"{name} {'>' if sign else '<'} 0" for name, sign in zip("sτσ", self.signs, strict=True)
+        )
+        return f"{signs}, u1 in {self.u1}, u2 in {self.u2}"
+
+
+def regime_of(constants: ParametersO4) -> Regime:
+    """The regime of given constants.
+
+    Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if there is no real motion, and
+    where two roots coincide, but for rounding: there the tori degenerate.
+    """
+    largest = max(abs(constants.root(name)) for name in constants.roots)
+    for left, right in pairwise(constants.roots):
+        if constants.gap(right, left) <= LEAST_GAP * largest:
+            raise Inadmissible(
+                f"{left} = {right}, or almost: the tori of O⁴ degenerate; another s or τ would do"
+            )
+    signs = (constants.s > 0, constants.tau > 0, constants.sigma > 0)
+    for first, at_1 in _arcs(constants, 1):
+        for second, at_2 in _arcs(constants, 2):
+            if not signs[2] or _positive(constants, at_1, at_2):
+                return Regime(signs, first, second)
+    a, b, s, tau = map(float, (constants.a, constants.b, constants.s, constants.tau))
+    raise Inadmissible(
+        f"no real motion on O⁴ has s = {s:.6g}, τ = {tau:.6g} in fields of lengths {a:.6g}, "
+        f"{b:.6g}: one of the radicands is negative everywhere"
+    )
+
+
+def _arcs(constants: ParametersO4, number: int) -> Iterator[tuple[Arc, Fraction]]:
+    """The arcs on which the radicands of u1 or u2 are positive, and a point of each.
+
+    The point is told by its square with its own sign, like the roots.
+    """
+    roots, keys = constants.roots, constants.keys
+    outside = 2 * max(map(abs, keys.values()))
+    for place in range(len(roots)):
+        after = (place + 1) % len(roots)
+        point = outside if after == 0 else (keys[roots[place]] + keys[roots[after]]) / 2
+        if all(_radicands(constants, number, point)):
+            ends = roots[place], roots[after]
+            yield Arc(ends, (roots[place - 1], roots[(place + 2) % len(roots)]), after == 0), point
+
+
+def _radicands(constants: ParametersO4, number: int, key: Fraction) -> tuple[bool, ...]:
+    """Whether the squares of μ, A, B, K are positive at a point."""
+    low, high = constants.keys[LOW], constants.keys[HIGH]
+    mu = (abs(key) > constants.sigma) == (constants.tau > 0)
+    inside = abs(key) < constants.kappa_square
+    if number == 1:
+        return mu, key > low, key < high, inside == (constants.s > 0)
+    # Of n + (τ ± r²)v either sign will do: the sign of v is free.
+    return mu, (key > low) == (key > high), inside != (constants.s > 0)
+
+
+def _positive(constants: ParametersO4, first: Fraction, second: Fraction) -> bool:
+    """Whether nu1 + σv is positive, for n + τv > 0, where σ is; both points by their squares."""
+    beyond = 1 if second > constants.keys[LOW] else -1  # the sign of v
+    square = first * second + constants.sigma * abs(constants.sigma)
+    return square * beyond > 0
+
+
+def _rank(vectors: set[int]) -> int:
+    """The rank over the field of two elements of vectors, each a number by its binary digits."""
+    basis: list[int] = []
+    for vector in vectors:
+        for known in basis:
+            vector = min(vector, vector ^ known)
+        if vector:
+            basis.append(vector)
+    return len(basis)

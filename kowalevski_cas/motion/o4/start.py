@@ -1,0 +1,120 @@
+r"""The motion through a point of O⁴: its constants, its angles, its signs.
+
+A given state is exact for us, but hardly ever on O⁴ exactly. The constants are those of the
+printed formulas at the state, to many more digits than any float has; the angles are those of the
+variables there, moved to where the phase point fits best. A state to which the closed form does
+not return has no motion here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import product
+
+import numpy as np
+from flint import acb, arb
+from numpy.typing import NDArray
+
+from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.critical import TOLERANCE, residuals
+from kowalevski_cas.motion.formulas import exactly
+from kowalevski_cas.motion.frame import BITS, turn_of, turned
+from kowalevski_cas.motion.methods.closed import states
+from kowalevski_cas.motion.o4.motion import MotionO4
+from kowalevski_cas.motion.o4.parameters import ParametersO4
+from kowalevski_cas.motion.o4.point import PhasePoint
+from kowalevski_cas.motion.o4.variable import Variable
+from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root, usable
+from kowalevski_cas.motion.phases import as_fraction
+from kowalevski_cas.motion.point import distance
+
+Array = NDArray[np.float64]
+
+SIGNS = np.array(list(product((1.0, -1.0), repeat=5))).T
+"""All signs that a phase point can have, a column each."""
+
+STEP, STEPS = 1e-7, 4
+"""The difference of angles that gives derivatives, and how many Newton steps are made."""
+
+
+def on_O4(state: Sequence[Real]) -> MotionO4:
+    """The motion that is at the state (ω, α, β), nine numbers, at t = 0.
+
+    Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if the state is not on O⁴, or the
+    tori of its constants degenerate. What is left of the distance is the ``off`` of the motion.
+    """
+    given = [usable(value) for value in state]
+    if len(given) != 9:
+        raise ValueError(f"a state has nine numbers, ω, α, β; {len(given)} are given")
+    residual = float(residuals(np.array([given], dtype=float))["O4"][0])
+    if not residual <= TOLERANCE:
+        raise Inadmissible(
+            f"the state is not on O⁴: its equations leave {residual:.3g} of what they can be there"
+        )
+    with precision(BITS):
+        _, _, a_square, b_square, c, *_ = exactly(formulas.integrals(), given)
+        turn = turn_of(a_square, b_square, c)
+        straight = turned(given, *turn)
+        constants, pairs = _separated(straight)
+        motion = MotionO4(constants, turn=turn, point=tuple(map(float, given)))
+        # Either quotient may be u1.
+        angles = [
+            [float(Variable(constants, arc, lambda x: x).angle(pair)) for pair in order]
+            for arc, order in zip(motion.arcs, (pairs, pairs[::-1]), strict=True)
+        ]
+        motion = _fitted(motion, np.array(angles), np.array(straight, dtype=float))
+    off = distance(states(motion, np.zeros(1))[0], given)
+    if not off <= TOLERANCE:
+        raise Inadmissible(
+            f"the closed form with the constants of the state is {off:.3g} of its size away "
+            "from it: the state is not on O⁴"
+        )
+    return replace(motion, off=off)
+
+
+def _separated(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb]]]:
+    """The constants at a state in fields at right angles, and both variables as quotients."""
+    if not any(state[:2]):
+        raise Inadmissible("ω1 = ω2 = 0 at the state: it does not tell the constant s of O⁴")
+    known = formulas.complex_variables()(*(acb(ball(x)) for x in state), acb(0, 1))
+    found = [acb(value).real for value in formulas.hyperelliptic("constants")(*known)]
+    s, tau, X, total = map(as_fraction, found)
+    _, _, a_square, b_square, *_ = exactly(formulas.integrals(), state)
+    constants = ParametersO4(root(a_square), root(b_square), s, tau)
+    xi = total - tau
+    given = [X, xi, tau, constants.sigma]
+    variables = formulas.hyperelliptic("variables")
+    square, *_ = exactly(variables, [*given, Fraction(0)])
+    q = root(max(square, Fraction(0)))
+    _, *ends, v, both = exactly(variables, [*given, q])
+    larger = max(ends, key=abs)  # the other is both / larger, where nothing cancels
+    return constants, [(ball(n), ball(d)) for n, d in ((larger, v), (both, larger))]
+
+
+def _fitted(motion: MotionO4, angles: Array, state: Array) -> MotionO4:
+    """The motion with the signs, and angles near a column of these, that fit the state best."""
+    weights = np.repeat([max(abs(state[:3])) ** 2 + max(abs(state[3:]))], 9)
+    weights[:3] **= 0.5
+
+    def missing(signs: Array, angles: Array) -> Array:
+        point = PhasePoint(motion.parameters, motion.regime, list(signs), float, np.sqrt)
+        one, two = ((np.cos(angle / 2), np.sin(angle / 2)) for angle in angles)
+        with np.errstate(invalid="ignore", divide="ignore"):  # signs for which E is not real
+            found = np.array(np.broadcast_arrays(*point(one, two)))
+        wanted: Array = (state[:, None] - found) / weights[:, None]
+        return wanted
+
+    signs, starts = np.tile(SIGNS, angles.shape[1]), np.repeat(angles, SIGNS.shape[1], axis=1)
+    errors = np.linalg.norm(missing(signs, starts), axis=0)
+    best = np.argmin(np.nan_to_num(errors, nan=np.inf))
+    signs, found = signs[:, best], starts[:, best]
+    for _ in range(STEPS):
+        columns = missing(signs, found[:, None] + STEP * np.array([[0, 1, 0], [0, 0, 1]]))
+        if not np.isfinite(columns).all():
+            raise Inadmissible("the state is not on O⁴: no phase point with its constants is near")
+        slopes = (columns[:, :1] - columns[:, 1:]) / STEP
+        found = found + np.linalg.lstsq(slopes, columns[:, 0], rcond=None)[0]
+    first, second = map(Fraction, found.tolist())
+    return replace(motion, angles=(first, second), signs=tuple(map(int, signs)))

@@ -1,0 +1,161 @@
+r"""The equations of motion of a scene: what they are equations for, and their solution.
+
+An equation :math:`f\,\dot x=g` is a row of the vector field as it stands. All others, as those of
+Lagrange, are solved together for the highest derivatives, in which they have to be linear: by
+Cramer's rule, so that the determinant is all that is divided by. A variable of which higher
+derivatives are printed has velocities, which are variables too: with :math:`\ddot x=-x` the pair
+:math:`x,\dot x` moves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import reduce
+from operator import add, mul
+
+from kowalevski_cas.algebra.derivation import along
+from kowalevski_cas.algebra.linear import determinant
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Derivative, Formula, Name, Number, Partial, Product, Vector
+from kowalevski_cas.notation.errors import dotted
+from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.space import Equation, Meaningless, Motion
+
+
+def velocities(
+    equations: Sequence[Formula],
+    variables: Sequence[str],
+    vectors: Mapping[str, tuple[str, ...]],
+) -> dict[str, str]:
+    """The variables of which equations print higher derivatives, and those derivatives' names."""
+    found: dict[str, str] = {}
+    for equation in equations:
+        for name, order in _orders(equation):
+            for one in vectors.get(name, (name,)):
+                rate = one
+                if one in variables and order > 3:
+                    raise Meaningless(f"{one} is derived {order} times: at most three are read")
+                for _ in range(order - 1 if one in variables else 0):
+                    found[rate] = rate = dotted(rate)
+    return found
+
+
+def _orders(formula: Formula, above: int = 0) -> Iterator[tuple[str, int]]:
+    """The names in a formula, and how often they are derived by the time, there and above it."""
+    if isinstance(formula, Name):
+        yield formula.name, above
+    elif isinstance(formula, Partial) and formula.by.startswith(r"\dot{"):
+        letter, index = formula.by[len(r"\dot{") :].split("}", 1)
+        yield letter + index, above + 1
+    for child in formula.children():
+        yield from _orders(child, above + isinstance(formula, Derivative))
+
+
+def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[Motion]:
+    """The rows of the field of a scene; raises :class:`Meaningless` if there is no such field."""
+    _check_marks(setting)
+    rows = [Motion((x,), Number(1), Name(rate)) for x, rate in setting.velocities.items()]
+    found: dict[str, Printed] = {}
+    others: list[Equation] = []
+    for printed in places:
+        left, right = setting.texts.sides(printed)
+        row, force = _row(left, setting), setting.plain(right)
+        if row is None or _has_rate(force):
+            others.append((setting.plain(left), force))
+            continue
+        rows.append(Motion(row.names, setting.plain(row.factor), force))
+        for name in row.names:
+            if found.setdefault(name, printed) != printed:
+                raise Meaningless(
+                    f"on the scene “{setting.scene.name}” {name} moves by two equations, at "
+                    f"{found[name].place} and at {printed.place}: leave one out",
+                    name,
+                )
+    yield from rows
+    if others:
+        known = {name for row in rows for name in row.names}
+        yield from _solved(others, [n for n in setting.variables if n not in known], rows, setting)
+
+
+def _check_marks(setting: Meaning) -> None:
+    """Refuse equations in which derivatives by the time are printed in more than one way."""
+    scene, printed = setting.scene, marks(setting.printed_field)
+    if scene.clock is not None:
+        return
+    if others := sorted(printed - {"dot", "prime", scene.time}):
+        raise Meaningless(f"the time of “{scene.name}” is {scene.time}, and not {others[0]}")
+    if {"dot", "prime"} <= printed:
+        raise Meaningless("dots and primes in the same equations: print one of them")
+
+
+def _row(left: Formula, setting: Meaning) -> Motion | None:
+    """The left side of a row of the field, with 0 on the right; ``None`` if it is none."""
+    factors = left.factors if isinstance(left, Product) else (left,)
+    rates = [factor for factor in factors if isinstance(factor, Derivative)]
+    if len(rates) != 1 or any(_has_rate(factor) for factor in factors if factor is not rates[0]):
+        return None
+    inner, order = rates[0].argument, 0
+    while isinstance(inner, Derivative):
+        inner, order = inner.argument, order + 1
+    if not isinstance(inner, Name):
+        return None
+    names = setting.scene.vectors.get(inner.name, (inner.name,))
+    for _ in range(order):
+        names = tuple(setting.velocities[one] for one in names)
+    ones: Formula = Vector((Number(1),) * len(names)) if len(names) > 1 else Number(1)
+    rest = tuple(ones if factor is rates[0] else factor for factor in factors)
+    return Motion(names, Product(rest) if len(rest) > 1 else ones, Number(0))
+
+
+def _has_rate(formula: Formula) -> bool:
+    """Whether something is derived by the time in a formula."""
+    return isinstance(formula, Derivative) or any(map(_has_rate, formula.children()))
+
+
+def marks(equations: Sequence[Formula]) -> set[str]:
+    """How the derivatives in equations are printed: with dots, with primes, by a variable."""
+    found = {formula.mark for formula in equations if isinstance(formula, Derivative)}
+    return found.union(*(marks([*formula.children()]) for formula in equations))
+
+
+def _solved(
+    equations: Sequence[Equation],
+    unknown: Sequence[str],
+    known: Sequence[Motion],
+    setting: Meaning,
+) -> Iterator[Motion]:
+    """The rows for variables whose rates stand in equations, with those that are known.
+
+    Raises :class:`Meaningless` for equations that are not linear in the rates, or do not determine
+    them.
+    """
+    rates = {name: dotted(name) for name in unknown}
+    at = setting.free([*rates.values()])
+    generators = {name: at.ring.generator(rate) for name, rate in rates.items()}
+    values = at.moving(generators, known).differences(equations)
+    if len(values) != len(unknown):
+        raise Meaningless(
+            f"{len(values)} equations of motion for the {len(unknown)} rates of "
+            f"{', '.join(unknown)}: print one for each"
+        )
+    matrix = [[_partial(value, rate) for rate in rates.values()] for value in values]
+    constant = [
+        value - reduce(add, map(mul, line, generators.values()))
+        for value, line in zip(values, matrix, strict=True)
+    ]
+    for entry in (*constant, *(entry for line in matrix for entry in line)):
+        if not all(_partial(entry, rate).is_zero for rate in rates.values()):
+            raise Meaningless("the equations of motion are not linear in the highest derivatives")
+    whole = determinant(matrix)
+    if whole.is_zero:
+        raise Meaningless(f"the equations do not determine the rates of {', '.join(unknown)}")
+    for k, name in enumerate(unknown):
+        pairs = zip(matrix, constant, strict=True)
+        changed = [[*line[:k], -value, *line[k + 1 :]] for line, value in pairs]
+        yield Motion((name,), formula_in(whole), formula_in(determinant(changed)))
+
+
+def _partial(element: Element, name: str) -> Element:
+    return along(element, {name: element.ring.one})

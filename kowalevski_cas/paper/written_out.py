@@ -1,0 +1,59 @@
+"""What is written out where it is used, and leaves no name in a space: on what places it rests."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from kowalevski_cas.notation import Application, Formula, Name, PoissonBracket, Root
+from kowalevski_cas.paper.matrices import is_matrix
+from kowalevski_cas.paper.plain import Plain
+from kowalevski_cas.paper.scene import BRACKET, head
+from kowalevski_cas.paper.texts import Printed
+
+
+class WrittenOut:
+    """The places of the functions, brackets, matrices and values of roots that a place prints.
+
+    Those that stand in their definitions are among them.
+    """
+
+    def __init__(self, plain: Plain) -> None:
+        self.plain = plain
+        self.setting = plain.setting
+        self._known: dict[Printed, frozenset[Printed]] = {}
+
+    def __call__(self, place: Printed) -> frozenset[Printed]:
+        """What a printed formula writes out."""
+        if place not in self._known:
+            self._known[place] = frozenset(self._of(self.setting.texts.formula(place)))
+        return self._known[place]
+
+    def _of(self, formula: Formula) -> Iterator[Printed]:
+        found: set[Printed] = set()
+        waiting = [formula]
+        while waiting:
+            one = waiting.pop()
+            waiting += one.children()
+            for name, place in self._meant(one):
+                if place not in found:
+                    found.add(place)
+                    waiting.append(self.setting.definition(name))
+                    yield place
+
+    def _meant(self, formula: Formula) -> Iterator[tuple[str, Printed]]:
+        """The definitions of what stands on top of a formula."""
+        definitions = self.setting.scene.definitions
+        match formula:
+            case Application(function):
+                heads = {name: head(name) for name in definitions}
+                named = [n for n, (own, sides) in heads.items() if sides and own == function]
+            case PoissonBracket():
+                named = [name for name in definitions if head(name)[0] == BRACKET]
+            case Name(name) if name in definitions and is_matrix(formula, self.setting):
+                named = [name]
+            case Root() if (value := self.plain.printed_root(formula)) is not None:
+                yield value
+                return
+            case _:
+                return
+        yield from ((name, definitions[name]) for name in named)

@@ -1,0 +1,75 @@
+"""Derivations as tests of pytest, one a claim: files called ``derivation_*.py``.
+
+With ``--derivations`` those of installed packages too, which name their modules as entry points of
+the group ``kowalevski_cas.derivations``. A test fails if the verdict is another one than the
+recorded or expected one; what cannot be loaded is a test that fails, and hides no other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from importlib.metadata import entry_points
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+GROUP = "kowalevski_cas.derivations"
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """The option for installed packages."""
+    parser.addoption("--derivations", action="store_true", help="test those that are installed")
+
+
+def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
+    """A file of a derivation."""
+    found = file_path.match("derivation_*.py")
+    return Derivation.from_parent(parent, path=file_path) if found else None
+
+
+def pytest_collection_modifyitems(session: pytest.Session, items: list[pytest.Item]) -> None:
+    """Add the derivations of installed packages."""
+    for entry in entry_points(group=GROUP) if session.config.option.derivations else ():
+        one = Derivation.from_parent(session, path=session.path, name=entry.value)
+        items += session.genitems(one)
+
+
+class Derivation(pytest.File):
+    """A derivation in a file, or in a module by its name."""
+
+    def collect(self) -> Iterator[Claim]:
+        """A test for each claim, or for what is wrong with all."""
+        from kowalevski_cas.cli import session
+        from kowalevski_cas.cli.exits import CommandError
+        from kowalevski_cas.cli.verify import told
+
+        try:
+            ((folder, derivation),) = session.derivations(
+                [str(self.path) if self.path.is_file() else self.name]
+            )
+            begun = session.begun(folder, derivation)
+        except CommandError as error:
+            yield Claim.from_parent(self, name="loading", said=partial(str, error))
+            return
+        for claim in derivation.claims:
+            said = partial(told, folder, derivation, begun, claim.id)
+            yield Claim.from_parent(self, name=claim.id, said=said)
+
+
+class Claim(pytest.Item):
+    """A test, by what is said if it fails."""
+
+    def __init__(self, said: Callable[[], str], **options: Any) -> None:
+        super().__init__(**options)
+        self.said = said
+
+    def runtest(self) -> None:
+        """Decide the claim."""
+        if said := self.said():
+            pytest.fail(said, pytrace=False)
+
+    def reportinfo(self) -> tuple[Path, None, str]:
+        """The place of the test."""
+        return self.path, None, self.name

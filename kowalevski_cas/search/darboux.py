@@ -1,0 +1,299 @@
+"""Darboux polynomials: polynomials F with F′ = KF, where neither F nor K is known.
+
+The coefficients of both are unknowns of quadratic equations. If a leading monomial of F has the
+coefficient 1, some equation is linear as a rule; else one splits into factors (:mod:`branches`).
+Weights of the variables leave few monomials for K: in no weight is it heavier than the motion. If
+the motion is homogeneous, so is K, and the parts of F are Darboux polynomials: F is homogeneous.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import product
+from random import Random
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from kowalevski_cas.algebra.kernels import PRIME, TooLarge
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.algebra.weights import whole_solutions
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.kernel import Residues, product_of, residues
+from kowalevski_cas.problem.polynomial_fields import (
+    Exponents,
+    PolynomialField,
+    Terms,
+    monomials,
+    number_of_monomials,
+    primitive,
+)
+from kowalevski_cas.search.branches import Branch, branches
+from kowalevski_cas.search.integrals import Span
+
+LARGEST = 500
+"""The largest number of unknown coefficients."""
+
+
+@dataclass(frozen=True)
+class Darboux:
+    """A polynomial F with F′ = KF where the equations for constants hold, by both sides."""
+
+    polynomial: Element
+    cofactor: Element
+    equations: tuple[tuple[Element, Element], ...] = ()
+
+
+def darboux_polynomials(at: Evaluation, degree: int, special: bool = False) -> Iterator[Darboux]:
+    """Real Darboux polynomials up to a degree, the lowest first.
+
+    They do not split over the rational numbers, and combinations of products of those before are
+    left out; so are those whose coefficients are no rational functions of the constants.
+
+    Args:
+        at: the evaluation of a space, with FLINT.
+        degree: the largest degree of a polynomial.
+        special: whether the constants may have special values; else they are in general position.
+
+    Raises:
+        Meaningless: the motion is no polynomial in the variables.
+        TooLarge: what comes next has too many unknowns.
+    """
+    search = _Search(at, special)
+    for size in range(1, degree + 1):
+        if (count := number_of_monomials((1,) * search.field.size, size)) > LARGEST:
+            raise TooLarge(f"{count} unknown coefficients up to degree {size}")
+        for leading in monomials((1,) * search.field.size, size):
+            yield from search.led_by(leading)
+
+
+class _Search:
+    """Darboux polynomials found so far, in a field."""
+
+    def __init__(self, at: Evaluation, special: bool) -> None:
+        self.at, self.field, self.special = at, PolynomialField(at), special
+        self.field.polynomial(self.field.multiple.inverse())  # else variables stand below
+        self.found: list[Darboux] = []
+        self.cofactors = [*_lighter(self.field)]
+        self.gradings = _gradings(self.field)
+
+    def led_by(self, leading: Exponents) -> Iterator[Darboux]:
+        """Those with a leading monomial, by degree and then in the order of the variables."""
+        ansatz = _Ansatz(self.field, self._below(leading), self.cofactors)
+        places = ansatz.places if self.special else ansatz.places[: ansatz.unknowns]
+        granted = [self.field.polynomial(e) for e in self.at.granted if self._is_constant(e)]
+        nonzero = [ansatz.in_constants(terms) for terms in granted]
+        for branch in branches(ansatz.equations(), places, nonzero):
+            one = None if branch.rest else self._irreducible(ansatz.solution(branch))
+            if one is not None and self._is_new(one):
+                self.found.append(one)
+                yield one
+
+    def _below(self, leading: Exponents) -> list[Exponents]:
+        """A monomial, and those below it with the same weights."""
+        size = (1,) * self.field.size
+        lower = (e for degree in range(sum(leading) + 1) for e in monomials(size, degree))
+        same = [_weight(w, leading) for w in self.gradings]
+        others = (e for e in lower if [_weight(w, e) for w in self.gradings] == same)
+        return [leading, *(e for e in others if (sum(e), e) < (sum(leading), leading))]
+
+    def _is_constant(self, element: Element) -> bool:
+        """Whether no variable and no root stands in an element."""
+        if element.parts.keys() - {0} or element.denominator:
+            return False
+        return not any(any(e[: self.field.size]) for e in self.field.polynomial(element))
+
+    def _irreducible(self, one: Darboux) -> Darboux | None:
+        """The polynomial without factors that are constant, if it does not split and is right."""
+        field = self.field
+        context = fmpq_mpoly_ctx.get(field.names, Ordering.degrevlex)
+        terms = field.polynomial(one.polynomial)
+        polynomial = context.from_dict({e: _rational(v) for e, v in terms.items()})
+        factors = [
+            (factor, power)
+            for factor, power in polynomial.factor()[1]
+            if any(factor.degrees()[: field.size])
+        ]
+        if len(factors) != 1 or factors[0][1] != 1:
+            return None
+        found = {tuple(map(int, e)): _fraction(v) for e, v in factors[0][0].to_dict().items()}
+        return Darboux(field.element(primitive(found)), one.cofactor, one.equations)
+
+    def _is_new(self, one: Darboux) -> bool:
+        """Whether it is no combination of products of those found, for the same constants."""
+        values = self._values(one)
+        known = [other for other in self.found if self._holds(other, values)]
+        own = [(self._at(f.polynomial, values), self._at(f.cofactor, values)) for f in known]
+        target, cofactor = self._at(one.polynomial, values), self._at(one.cofactor, values)
+        degree = _degree(target)
+        span = Span()
+        waiting: list[tuple[Residues, Residues, int]] = [({(0,) * self.field.size: 1}, {}, 0)]
+        while waiting:
+            left, total, first = waiting.pop()
+            if total == cofactor:
+                span.extended(left)
+            for k in range(first, len(own)):
+                if _degree(left) + _degree(own[k][0]) <= degree:
+                    waiting.append((product_of(left, own[k][0]), _added(total, own[k][1]), k))
+        return span.extended(target)
+
+    def _values(self, one: Darboux) -> list[int]:
+        """Residues of constants in general position among those that obey the equations."""
+        random, names = Random(1), self.field.names[self.field.size :]
+        values = {name: random.randrange(PRIME) for name in names}
+        for left, right in reversed(one.equations):
+            (name,) = (n for n in names if (left - self.at.ring.generator(n)).is_zero)
+            values[name] = self._at(right, [*values.values()]).get((0,) * self.field.size, 0)
+        return [*values.values()]
+
+    def _holds(self, one: Darboux, values: Sequence[int]) -> bool:
+        return not any(self._at(left - right, values) for left, right in one.equations)
+
+    def _at(self, element: Element, values: Sequence[int]) -> Residues:
+        """An element whose denominators are constant, at values of the constants."""
+        below = 1
+        for index, exponent in element.denominator.items():
+            divisor = Element(element.ring, {0: element.ring.divisors[index]}, {})
+            (value,) = residues(self.field.polynomial(divisor), values).values()
+            below = below * pow(value, exponent, PRIME) % PRIME
+        found = residues(self.field.polynomial(element), values)
+        over = pow(below, -1, PRIME)
+        return {exponents: value * over % PRIME for exponents, value in found.items()}
+
+
+class _Ansatz:
+    """The coefficients of F and K as unknowns, in the names c, k, and those of the constants."""
+
+    def __init__(
+        self,
+        field: PolynomialField,
+        powers: Sequence[Exponents],
+        cofactors: Sequence[Exponents],
+    ) -> None:
+        self.field, self.monomials, self.cofactors = field, powers, cofactors
+        constants = field.names[field.size :]
+        self.unknowns = len(self.monomials) - 1 + len(cofactors)
+        self.width = self.unknowns + len(constants)
+        names = [*(f":{k}" for k in range(self.unknowns)), *constants]
+        self.context = fmpq_mpoly_ctx.get(names, Ordering.degrevlex)
+        self.places = [*range(self.unknowns), *reversed(range(self.unknowns, self.width))]
+
+    def in_constants(self, terms: Terms) -> fmpq_mpoly:
+        """A polynomial in the constants."""
+        before = (0,) * self.unknowns
+        found = {(*before, *e[self.field.size :]): _rational(v) for e, v in terms.items()}
+        return self.context.from_dict(found)
+
+    def equations(self) -> list[fmpq_mpoly]:
+        """The coefficients of F′ − KF, those of the leading monomials first."""
+        found: dict[Exponents, dict[Exponents, Fraction]] = {}
+        size, others = self.field.size, (0,) * (self.width - self.unknowns)
+        for place, own in enumerate(self.monomials, -1):
+            for exponents, value in self.field.derivative((*own, *others)).items():
+                key = (*self._unit(place)[: self.unknowns], *exponents[size:])
+                self._add(found, exponents[:size], key, value)
+            for k, factor in enumerate(self.cofactors, len(self.monomials) - 1):
+                key = tuple(a + b for a, b in zip(self._unit(place), self._unit(k), strict=True))
+                total = tuple(a + b for a, b in zip(own, factor, strict=True))
+                self._add(found, total, key, Fraction(-1))
+        in_order = sorted(found, key=lambda e: (sum(e), e), reverse=True)
+        return [
+            self.context.from_dict({e: _rational(v) for e, v in found[key].items()})
+            for key in in_order
+        ]
+
+    def _unit(self, place: int) -> Exponents:
+        return tuple(int(k == place) for k in range(self.width))
+
+    @staticmethod
+    def _add(
+        found: dict[Exponents, dict[Exponents, Fraction]],
+        place: Exponents,
+        key: Exponents,
+        value: Fraction,
+    ) -> None:
+        terms = found.setdefault(place, {})
+        terms[key] = terms.get(key, Fraction(0)) + value
+
+    def solution(self, branch: Branch) -> Darboux:
+        """What a branch says of F, K and the constants; what it leaves open of F and K is zero."""
+        field, ring = self.field, self.field.at.ring
+        values = {k: ring.zero for k in range(self.unknowns)} | {-1: ring.one}
+        equations = []
+        for place, equation in branch.solved:
+            slope = equation.derivative(place)
+            value = self._element(slope * self.context.gens()[place] - equation)
+            value = value / self._element(slope)
+            if place < self.unknowns:
+                values[place] = value
+            else:
+                name = field.names[field.size + place - self.unknowns]
+                equations.append((ring.generator(name), value))
+        terms = [values[k] * self._monomial(e) for k, e in enumerate(self.monomials, -1)]
+        later = enumerate(self.cofactors, len(self.monomials) - 1)
+        factor = [values[k] * self._monomial(e) for k, e in later]
+        cofactor = sum(factor, ring.zero) / field.multiple
+        return Darboux(sum(terms, ring.zero), cofactor, tuple(equations))
+
+    def _monomial(self, exponents: Exponents) -> Element:
+        others = (0,) * (self.width - self.unknowns)
+        return self.field.element({(*exponents, *others): Fraction(1)})
+
+    def _element(self, polynomial: fmpq_mpoly) -> Element:
+        """A polynomial in the constants, with zero for all unknowns."""
+        before = (0,) * self.field.size
+        return self.field.element(
+            {
+                (*before, *map(int, exponents[self.unknowns :])): _fraction(value)
+                for exponents, value in polynomial.to_dict().items()
+                if not any(exponents[: self.unknowns])
+            }
+        )
+
+
+def _lighter(field: PolynomialField) -> Iterator[Exponents]:
+    """The monomials that are in no weight heavier than the motion of some variable over it."""
+    size = field.size
+    motion = {
+        tuple(e - (j == k) for j, e in enumerate(exponents[:size]))
+        for k, rate in enumerate(field.rates)
+        for exponents in rate
+    }
+    reach = 2 if size <= 4 else 1 if size <= 7 else 0
+    weights = [*product(range(-reach, reach + 1), repeat=size), (1,) * size]
+    heaviest = [max((_weight(w, e) for e in motion), default=0) for w in weights]
+    for degree in reversed(range(heaviest[-1] + 1)):
+        for one in monomials((1,) * size, degree):
+            if all(_weight(w, one) <= most for w, most in zip(weights, heaviest, strict=True)):
+                yield one
+
+
+def _gradings(field: PolynomialField) -> list[Exponents]:
+    """The weights of the variables for which the motion is homogeneous."""
+    rows = []
+    for k, rate in enumerate(field.rates):
+        for exponents in rate:
+            rows.append([*(e - (j == k) for j, e in enumerate(exponents[: field.size])), -1])
+    return [weights[:-1] for weights in whole_solutions(rows, field.size + 1)]
+
+
+def _weight(weights: Sequence[int], exponents: Sequence[int]) -> int:
+    return sum(w * e for w, e in zip(weights, exponents, strict=True))
+
+
+def _degree(terms: Residues) -> int:
+    return max(map(sum, terms), default=0)
+
+
+def _added(left: Residues, right: Residues) -> Residues:
+    total = {e: (left.get(e, 0) + right.get(e, 0)) % PRIME for e in left.keys() | right.keys()}
+    return {exponents: value for exponents, value in total.items() if value}
+
+
+def _rational(value: Fraction) -> fmpq:
+    return fmpq(value.numerator, value.denominator)
+
+
+def _fraction(value: fmpq) -> Fraction:
+    return Fraction(int(value.p), int(value.q))

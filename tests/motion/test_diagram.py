@@ -1,0 +1,127 @@
+"""The bifurcation diagram of the whole top: its values, its regions, and real points in them."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from kowalevski_cas.motion import Inadmissible, load
+from kowalevski_cas.motion.diagram import Fields
+from kowalevski_cas.motion.formulas import INTEGRALS, integrals
+from kowalevski_cas.motion.o4.parameters import ParametersO4
+from kowalevski_cas.motion.o4.regimes import regime_of
+from kowalevski_cas.motion.pictures.regions import filled
+from kowalevski_cas.motion.pictures.sections import rotations, section, values
+from kowalevski_cas.motion.pictures.subsystems import separating, states_on_M4
+from kowalevski_cas.pictures import new_figure
+from tests.motion.test_closed import motions
+from tests.motion.test_critical import state_of
+
+FIELDS = Fields(Fraction(6, 5), Fraction(7, 10))
+OTHERS = [FIELDS, Fields(Fraction(1), Fraction(2, 5)), Fields(Fraction(2), Fraction(19, 10))]
+
+
+def at(states):
+    return dict(zip(INTEGRALS, integrals()(*np.atleast_2d(states).T), strict=True))
+
+
+def points_on_O4(count, seed):
+    """Real states of O⁴ with s, by its rational formulas."""
+    random = np.random.default_rng(seed)
+    w = random.normal(size=(count, 2)) @ (1, 1j)
+    z = random.normal(size=(count, 2)) @ (1, 1j)
+    omega3, eta, s = random.normal(size=(3, count))
+    both, product = omega3 * abs(z) ** 2 / 2, omega3 * s * abs(w) ** 2
+    x = (1j * eta - both + product) / (w * z).conj()
+    y = (1j * eta - both - product) / (w.conj() * z) - 2 * s
+    return s, [state_of(*numbers) for numbers in zip(x, y, z, w, omega3, strict=True)]
+
+
+@given(motions())
+def test_states_of_N4_have_the_values_on_N4(motion):
+    known = motion.parameters
+    assume(known.b > 0)
+    found = at(load("closed")(motion, np.array([0.3])))
+    k, g = Fields(known.a, known.b).on_N4(found["H"], float(known.m))
+    size = 1 + abs(found["K"]) + abs(found["G"]) + float(known.p_square) * abs(found["H"])
+    assert np.all(abs(k - found["K"]) < 1e-11 * size)
+    assert np.all(abs(g - found["G"]) < 1e-11 * size)
+
+
+def test_states_of_M4_have_the_values_on_M4():
+    j, h = states_on_M4(FIELDS, 100)
+    k, _ = FIELDS.on_M4(h, j)
+    assert np.all(k == 0) and np.all(np.isfinite(j)) and np.ptp(j) > 1
+
+
+def test_states_of_O4_have_the_values_on_O4_and_lie_in_its_regimes():
+    for s, state in zip(*points_on_O4(300, 1), strict=True):
+        found = at(state)
+        p_square = found["a^2"] + found["b^2"]
+        r_square = np.sqrt((found["a^2"] - found["b^2"]) ** 2 + 4 * found["c"] ** 2)
+        a, b = np.sqrt((p_square + r_square) / 2), np.sqrt((p_square - r_square) / 2)
+        fields = Fields(Fraction(float(a[0])), Fraction(float(b[0])))
+        s = np.array([s])
+        tau = fields.tau(s, found["H"])
+        _, k, g = fields.on_O4(s, tau)
+        assert k == pytest.approx(found["K"], rel=1e-6, abs=1e-6 * float(p_square[0]) ** 2)
+        assert g == pytest.approx(found["G"], rel=1e-6, abs=1e-6 * float(p_square[0]) ** 2)
+        assert fields.regimes(s, tau)[0] >= 0
+
+
+@pytest.mark.parametrize("fields", OTHERS)
+def test_the_regimes_of_a_grid_are_those_of_each_place(fields):
+    random = np.random.default_rng(7)
+    s, tau = random.normal(size=(2, 400)) * [[float(fields.a)], [2 * float(fields.a) ** 2]]
+    kinds, regimes = fields.regimes(s, tau)
+    for place, kind in enumerate(kinds):
+        known = ParametersO4(fields.a, fields.b, Fraction(s[place]), Fraction(tau[place]))
+        try:
+            assert regimes[kind] == regime_of(known) and kind >= 0
+        except Inadmissible:
+            assert kind == -1
+
+
+def test_the_curves_are_where_roots_coincide():
+    for words, _, s, tau in separating(FIELDS, (-5.0, 5.0)):
+        sigma, kappa_square = FIELDS.squares(s, tau)
+        inner = np.isfinite(tau) & (abs(tau) < 50)
+        if words == "$k=0$":
+            assert np.nanmax(abs(kappa_square[inner]) / (1 + s[inner] ** 2)) < 1e-9
+        if words == r"$\sigma=0$":
+            assert np.nanmax(abs(sigma[inner])) < 1e-9
+
+
+@pytest.mark.parametrize("fields", OTHERS)
+@pytest.mark.parametrize("share", [-0.6, 0.1, 0.95, 1.7])
+def test_the_critical_values_enclose_those_of_all_states(fields, share):
+    h = share * float(fields.a + fields.b)
+    g, root = values(fields, h)
+    axes = new_figure().subplots()
+    width, height = np.ptp(g), root.max()
+    axes.set(
+        xlim=(g.min() - 0.1 * width, g.max() + 0.1 * width), ylim=(-0.1 * height, 1.1 * height)
+    )
+    curves = [curve for some in section(fields, h) for curve in some]
+    inside = filled(axes, curves, (g, root))
+    assert not inside[[0, 0, -1, -1], [0, -1, 0, -1]].any()
+    assert 0.1 < inside.mean() < 0.8
+
+
+@pytest.mark.parametrize("fields", OTHERS)
+@given(st.floats(0.01, 4))
+def test_rotations_are_off_O4_where_the_energy_is_small(fields, share):
+    # y1y2 − x1x2 = 4ab where the fields turn the same way as the axes, −4ab where not.
+    a, b = float(fields.a), float(fields.b)
+    h = -a - b + share * (a + b)
+    assume(abs(h**2 - 4 * a * b) > 1e-3)
+    alone = [off for _, _, off in rotations(fields, h)]
+    assert alone[0] == (h**2 < 4 * a * b)
+    assert not any(alone[1:])
+
+
+def test_one_field_is_refused():
+    with pytest.raises(Inadmissible, match="those of two fields"):
+        Fields(Fraction(1), Fraction(0))

@@ -1,0 +1,94 @@
+"""Darboux polynomials of which neither the polynomial nor the cofactor is given."""
+
+import pytest
+
+from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.notation import to_plain
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.search.darboux import darboux_polynomials
+from tests.laws.systems import (
+    EULER,
+    HENON_HEILES,
+    KEPLER,
+    LORENZ,
+    LOTKA_VOLTERRA,
+    NAHM,
+    PENDULUM,
+    SPECIAL_LORENZ,
+    VOLTERRA,
+)
+
+
+def shown(element):
+    return to_plain(formula_in(element))
+
+
+def found(system, degree, special=False):
+    """Polynomials with cofactors and equations, each checked."""
+    derivation = system.derivation()
+    at = Elaborations(derivation.texts())(derivation.scenes()[0]).finder
+    for one in darboux_polynomials(at, degree, special):
+        rest = at.derivative(one.polynomial) - one.cofactor * one.polynomial
+        for left, right in one.equations:
+            name = shown(left)
+            names = {n: at.ring.generator(n) for n in at.names} | {_name(at, name): right}
+            rest = at.image(rest, names.__getitem__)
+        assert rest.is_zero
+        yield shown(one.polynomial), shown(one.cofactor), [f"{shown(a)} = {shown(b)}" for a, b in one.equations]  # fmt: skip
+
+
+def _name(at, shown_name):
+    return next(n for n in at.names if shown(at.ring.generator(n)) == shown_name)
+
+
+@pytest.mark.parametrize(
+    ("system", "degree", "expected"),
+    [
+        (SPECIAL_LORENZ, 2, {"x² − 2zσ": "−2σ"}),
+        (LORENZ, 2, {}),
+        (LOTKA_VOLTERRA, 3, {"x": "−yb + a", "y": "xm − n"}),
+        (VOLTERRA, 2, {"x": "y − z", "y": "−x + z", "z": "x − y", "x + y + z": "0"}),
+        (NAHM, 1, {"x + y": "z", "x − y": "−z", "x + z": "y", "x − z": "−y", "y + z": "x", "y − z": "−x"}),
+        (PENDULUM, 2, {"c² + s²": "0", "2c − w²": "0"}),
+        (HENON_HEILES, 2, {}),
+    ],
+    ids=lambda value: getattr(value, "name", None),
+)  # fmt: skip
+def test_all_that_are_known(system, degree, expected):
+    assert {f: k for f, k, _ in found(system, degree)} == expected
+
+
+def test_what_splits_is_left_out():
+    assert len([*found(VOLTERRA, 3)]) == 4  # neither xyz nor (x + y + z)² is listed
+    assert all(k == "0" for _, k, _ in found(EULER, 2))
+
+
+LOW = {
+    ("b = 2σ",): ("x² − 2zσ", "−2σ"),
+    ("b = 1", "ρ = 0"): ("y² + z²", "−2"),
+    ("b = 1", "σ = 1"): ("x²ρ − y² − z²", "−2"),
+}
+HIGH = {
+    ("b = 4", "σ = 1"): "−4",
+    ("b = 6σ − 2", "ρ = 2σ − 1"): "−4σ",
+    ("b = 0", "σ = 1/3"): "−4/3",
+}
+
+
+def test_the_values_of_constants_for_which_the_system_of_lorenz_has_one_of_degree_2():
+    cases = {tuple(sorted(e)): (f, k) for f, k, e in found(LORENZ, 2, special=True)}
+    assert cases.pop(("σ = 0",)) == ("x", "0")
+    assert cases == LOW
+
+
+@pytest.mark.slow
+def test_the_six_classes_of_the_system_of_lorenz_up_to_degree_4():
+    cases = {tuple(sorted(e)): (f, k) for f, k, e in found(LORENZ, 4, special=True)}
+    moving = {e: value for e, value in cases.items() if "σ = 0" not in e}
+    assert {e: k for e, (_, k) in moving.items()} == {e: k for e, (_, k) in LOW.items()} | HIGH
+
+
+def test_a_field_with_roots_or_quotients_is_refused():
+    with pytest.raises(Meaningless, match="a root stands"):
+        [*found(KEPLER, 1)]

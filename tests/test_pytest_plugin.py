@@ -1,0 +1,68 @@
+"""Derivations as tests of pytest: one a claim, and a broken one hides no other."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+
+CIRCLE = r"""
+from kowalevski_cas import System
+circle = System(r"\dot x=y, \dot y=-x")
+circle.integral("x^2+y^2")
+circle.integral("x^2-y^2"{})
+"""
+
+
+@pytest.fixture
+def run(tmp_path):
+    """Let pytest test files in a folder of their own; the exit code, and what it prints."""
+
+    def run(files, *options):
+        for name, text in files.items():
+            (tmp_path / name).parent.mkdir(exist_ok=True)
+            (tmp_path / name).write_text(text, encoding="utf-8")
+        done = subprocess.run(
+            [sys.executable, "-m", "pytest", "-p", "kowalevski_cas.pytest_plugin", "-v", *options],
+            capture_output=True, text=True, cwd=tmp_path,
+            env={**os.environ, "PYTHONPATH": f"{ROOT}{os.pathsep}{tmp_path}"},
+        )  # fmt: skip
+        return done.returncode, done.stdout
+
+    return run
+
+
+def test_a_claim_is_a_test_and_its_failure_reads_like_the_terminal(run):
+    code, out = run({"derivation_circle.py": CIRCLE.format("")})
+    assert code == 1
+    assert "derivation_circle.py::integral-x-2-y-2 PASSED" in out
+    assert "derivation_circle.py::integral-x-2-y-2::2 FAILED" in out
+    assert "✓   x² + y²" in out and "expected that it is true, found refuted" in out
+    assert "Traceback" not in out
+
+
+def test_what_is_expected_passes(run):
+    assert run({"derivation_circle.py": CIRCLE.format(', expect="refuted"')})[0] == 0
+
+
+def test_a_broken_file_hides_no_other(run):
+    good = CIRCLE.format(', expect="refuted"')
+    files = {"derivation_a.py": "1 +", "derivation_b.py": good, "derivation_c.py": "x = 1"}
+    code, out = run(files)
+    assert code == 1 and "2 failed, 2 passed" in out
+    assert "derivation_a.py:1: SyntaxError" in out and "derivation_c.py states nothing" in out
+
+
+def test_installed_packages_name_their_derivations(run):
+    files = {
+        "circles.py": CIRCLE.format(""),
+        "circles-1.dist-info/METADATA": "Metadata-Version: 2.1\nName: circles\nVersion: 1\n",
+        "circles-1.dist-info/entry_points.txt": "[kowalevski_cas.derivations]\na = circles\nb = none\n",
+    }
+    assert run(files)[0] == 5
+    code, out = run(files, "--derivations")
+    assert code == 1 and "2 failed, 1 passed" in out
+    assert "there is no derivation “none”" in out
