@@ -325,11 +325,14 @@ class System:
 
     # -- questions ---------------------------------------------------------------
 
-    def find_integrals(self, degree: int) -> list[Stated]:
-        """The polynomial first integrals up to a degree, and that there are no others."""
+    def find_integrals(self, degree: int, weighted: bool = False) -> list[Stated]:
+        """The polynomial first integrals up to a degree, and that there are no others.
+
+        If it is ``weighted``, variables count by weights for which the motion is homogeneous.
+        """
         from kowalevski_cas.cli.questions import integrals
 
-        return self._found("integral", integrals.search, degree=degree)
+        return self._found("integral", integrals.search, degree=degree, weighted=weighted)
 
     def find_closure(self, seed: Tex, order: int = 4) -> list[Stated]:
         """Invariant sets from a function and its derivatives, up to an order."""

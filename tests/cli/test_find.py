@@ -29,6 +29,12 @@ def test_coefficients_in_the_constants(capsys):
     assert r"\omega_1^2A_1" in found[3]["formulas"][0]
 
 
+def test_a_degree_by_the_weights_of_the_motion(capsys):
+    assert main([*CASE, "--degree", "6", "--weighted"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 8 and "ω₁ counts 1, ω₂ counts 1, ω₃ counts 1, α₁ counts 2" in lines[6]
+
+
 def test_what_was_found_in_time_is_kept(capsys):
     assert main([*CASE, "--degree", "40", "--timeout", "2"]) == 3
     said = capsys.readouterr()
