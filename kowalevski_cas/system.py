@@ -44,6 +44,7 @@ from kowalevski_cas.notation import (
     to_plain,
     to_sympy,
 )
+from kowalevski_cas.notation.macros import FUNCTIONS
 from kowalevski_cas.paper.claims import (
     Casimir,
     Claim,
@@ -416,7 +417,7 @@ def _names(
     display: Display, vectors: Mapping[str, tuple[str, ...]]
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """The names in equations of motion: those that move, and the others."""
-    words = Vocabulary(vectors=frozenset(vectors), times=frozenset({"t"}))
+    words = Vocabulary(vectors=frozenset(vectors), functions=FUNCTIONS, times=frozenset({"t"}))
     rows = [read(place.tex, words, OpenParser) for place in display]
     found = [_moving(row) for row in rows]
     moving = dict.fromkeys(name for names in found for name in names)
