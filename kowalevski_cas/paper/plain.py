@@ -86,7 +86,7 @@ class Plain:
         """Sums over an index, lengths, squares of vectors and gradients; ``None`` for others."""
         match formula:
             case Summation():
-                return self(_written_out(formula))
+                return self(written_out(formula))
             case Power(base, Number(exponent)) if (square := self._square(base)) is not None:
                 half, odd = divmod(exponent, 2)
                 even = Power(square, Number(half)) if half > 1 else square
@@ -238,7 +238,7 @@ def _applies(formula: Formula, function: str) -> bool:
     return any(_applies(child, function) for child in formula.children())
 
 
-def _written_out(formula: Summation) -> Formula:
+def written_out(formula: Summation) -> Formula:
     """The terms of a sum; raises :class:`Meaningless` if its limits are no numbers."""
     match formula.first, formula.last:
         case Number(first), Number(last):

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
+from itertools import product
 from math import gcd, lcm
+from operator import mul
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.algebra.weights import whole_solutions
@@ -100,14 +102,33 @@ class PolynomialField:
         The weight of a component is that of its variable, and one more number that is the same
         for all of them, the weight of one over the time; it stands last.
         """
-        width = len(self.names) + 1
+        return self._gradings(len(self.names))
+
+    @cached_property
+    def weights(self) -> list[Exponents]:
+        """A basis of the weights of the variables, where constants have the weight 0."""
+        return [weights[:-1] for weights in self._gradings(self.size)]
+
+    @property
+    def positive_weights(self) -> Exponents | None:
+        """The smallest positive weights of the variables, if there are any with small factors."""
+        found = []
+        for factors in product(range(-2, 3), repeat=min(len(self.weights), 4)):
+            columns = zip(*self.weights, strict=True)
+            own = tuple(sum(map(mul, factors, column)) for column in columns)
+            if all(weight > 0 for weight in own):
+                found.append(own)
+        return min(found, key=lambda own: (sum(own), own), default=None)
+
+    def _gradings(self, width: int) -> list[Exponents]:
+        """The weights of the first names, and of one over the time."""
         rows = []
         for k, rate in enumerate(self.rates):
             for exponents in rate:
-                row = [*exponents, -1]
+                row = [*exponents[:width], -1]
                 row[k] -= 1
                 rows.append(row)
-        return whole_solutions(rows, width)
+        return whole_solutions(rows, width + 1)
 
     def grade(self, exponents: Exponents) -> Exponents:
         """The weights of a monomial in all gradings: the derivative keeps them together."""

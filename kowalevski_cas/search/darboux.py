@@ -18,7 +18,6 @@ from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.kernels import PRIME, TooLarge
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.algebra.weights import whole_solutions
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.kernel import Residues, product_of, residues
 from kowalevski_cas.problem.polynomial_fields import (
@@ -76,7 +75,7 @@ class _Search:
         self.field.polynomial(self.field.multiple.inverse())  # else variables stand below
         self.found: list[Darboux] = []
         self.cofactors = [*_lighter(self.field)]
-        self.gradings = _gradings(self.field)
+        self.gradings = self.field.weights
 
     def led_by(self, leading: Exponents) -> Iterator[Darboux]:
         """Those with a leading monomial, by degree and then in the order of the variables."""
@@ -267,15 +266,6 @@ def _lighter(field: PolynomialField) -> Iterator[Exponents]:
         for one in monomials((1,) * size, degree):
             if all(_weight(w, one) <= most for w, most in zip(weights, heaviest, strict=True)):
                 yield one
-
-
-def _gradings(field: PolynomialField) -> list[Exponents]:
-    """The weights of the variables for which the motion is homogeneous."""
-    rows = []
-    for k, rate in enumerate(field.rates):
-        for exponents in rate:
-            rows.append([*(e - (j == k) for j, e in enumerate(exponents[: field.size])), -1])
-    return [weights[:-1] for weights in whole_solutions(rows, field.size + 1)]
 
 
 def _weight(weights: Sequence[int], exponents: Sequence[int]) -> int:

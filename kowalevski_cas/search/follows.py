@@ -9,9 +9,9 @@ from operator import add, mul
 
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.problem.accept import is_real
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Proof, Shown
+from kowalevski_cas.problem.examine import is_real
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.place import Place
 from kowalevski_cas.search.cofactors import cofactors, vanishes_on

@@ -29,6 +29,12 @@ def test_coefficients_in_the_constants(capsys):
     assert r"\omega_1^2A_1" in found[3]["formulas"][0]
 
 
+def test_a_degree_by_the_weights_of_the_motion(capsys):
+    assert main([*CASE, "--degree", "6", "--weighted"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 8 and "ω₁ counts 1, ω₂ counts 1, ω₃ counts 1, α₁ counts 2" in lines[6]
+
+
 def test_what_was_found_in_time_is_kept(capsys):
     assert main([*CASE, "--degree", "40", "--timeout", "2"]) == 3
     said = capsys.readouterr()
@@ -126,3 +132,16 @@ def test_darboux_polynomials_and_the_constants_for_which_there_are_some(tmp_path
         line.replace("K=", "K = ") for line in lines
     ]
     assert lines[-1] == "4 found"
+
+
+def test_what_is_written_to_the_file_is_proved_there(tmp_path, capsys):
+    file = tmp_path / "special.py"
+    field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-2sz"
+    file.write_text(f"from kowalevski_cas import System\nspecial = System(r'{field}')\n")
+    for question in ("darboux", "integrals"):
+        assert main(["find", question, str(file), "--write"]) == 0
+    capsys.readouterr()
+    assert main(["verify", str(file), "--arithmetic", "flint"]) == 0
+    assert "2 claims: 2 proved" in capsys.readouterr().out
+    assert main([*CASE, "--degree", "1", "--write"]) == 2
+    assert "--write needs a file in which a System" in capsys.readouterr().err

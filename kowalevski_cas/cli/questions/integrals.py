@@ -14,6 +14,8 @@ from kowalevski_cas.notation import to_latex
 from kowalevski_cas.paper.claims import AllIntegrals, FirstIntegral
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.found import Finding
 
 
@@ -22,19 +24,37 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--degree", type=natural, default=2, metavar="N", help="the highest degree (2)"
     )
+    parser.add_argument(
+        "--weighted",
+        action="store_true",
+        help="a variable counts in the degree by its weight, for which the motion is homogeneous",
+    )
 
 
 def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
     """The integrals, the lowest degrees first, and that these are all."""
     from kowalevski_cas.search.integrals import first_integrals
 
-    found: list[str] = []
-    for element in first_integrals(on(scene).finder, arguments.degree):
+    at, degree, found = on(scene).finder, arguments.degree, list[str]()
+    weights = _weights(at) if arguments.weighted else ()
+    for element in first_integrals(at, degree, weights):
         found.append(to_latex(formula_of(element, on.texts.vocabulary)))
         yield Finding(FirstIntegral, scene, "it is constant along every motion", found[-1])
     known = "a polynomial in these" if found else "a constant"
-    words = f"each polynomial first integral up to degree {arguments.degree} is {known}"
+    words = f"each polynomial first integral up to degree {degree} is {known}"
     if scene.constants:
         words += ", for almost all values of the constants"
-    attributes = {"integrals": tuple(found), "degree": arguments.degree}
+    if weights:
+        counted = zip(at.setting.variables, weights, strict=True)
+        words += f", where {', '.join(f'${name}$ counts {weight}' for name, weight in counted)}"
+    attributes = {"integrals": tuple(found), "degree": degree, "weights": weights}
     yield Finding(AllIntegrals, scene, words, attributes=attributes)
+
+
+def _weights(at: Evaluation) -> tuple[int, ...]:
+    from kowalevski_cas.problem.polynomial_fields import PolynomialField
+
+    weights = PolynomialField(at).positive_weights
+    if weights is None:
+        raise Meaningless("the motion is homogeneous for no positive weights: leave --weighted out")
+    return weights
