@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion import Motion, Parameters, load
+from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods import taylor
 from kowalevski_cas.motion.methods.integrators import integrate
 from study.charts import digit, shown
@@ -43,7 +44,7 @@ def tolerances(of: Mapping[str, float]) -> str:
     return ", ".join(f"{digit(tolerance)} ({shown(name)})" for name, tolerance in of.items())
 
 
-def relative_error(motion: Motion, found: Array, times: Array) -> float:
+def relative_error(motion: AnyMotion, found: Array, times: Array) -> float:
     """The largest error of states (N, 9), each relative to the state, as rigorous balls have it."""
     exact = load("ball")(motion, times)
     return float(np.max(np.linalg.norm(found - exact, axis=1) / np.linalg.norm(exact, axis=1)))

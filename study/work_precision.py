@@ -9,11 +9,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from kowalevski_cas.motion import load
+from kowalevski_cas.motion import MotionO4, ParametersO4, load
+from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.pictures import new_figure
-from study.charts import curve, digit, seconds
-from study.motions import INTEGRATORS, MOTIONS, parameters, relative_error, timed, tolerances
+from study.charts import curve, digit, legend_below, seconds
+from study.motions import (
+    INTEGRATORS,
+    MOTIONS,
+    Array,
+    parameters,
+    relative_error,
+    timed,
+    tolerances,
+)
 from study.step import Measured, Row, Task
 
 if TYPE_CHECKING:
@@ -21,7 +30,19 @@ if TYPE_CHECKING:
 
 TITLE = "work against precision"
 
-NAME, AT = "m > 0", 1000.0
+AT = 1000.0
+
+ON_O4 = ("1.2", "0.7", "-0.9", "0.6")
+"""The constants a, b, s, τ of a motion on O⁴."""
+
+CASES: dict[str, tuple[str, AnyMotion]] = {
+    "N⁴": (parameters("m > 0"), MOTIONS["m > 0"]),
+    "O⁴": (
+        "$a={}$, $b={}$, $s={}$, $\\tau_3={}$".format(*ON_O4),
+        MotionO4(ParametersO4.of(*ON_O4)),
+    ),
+}
+"""What the panels are about: the constants in words, and the motion."""
 
 TOLERANCES = {
     "dop853": (1e-5, 1e-7, 1e-9, 1e-11, 1e-13),
@@ -33,48 +54,70 @@ TOLERANCES = {
 ROUNDS = 9
 MANY, LATEST, CHECKED = 1_000_000, 1e6, 200
 
+WINDOW, DENSE = 100.0, {"dop853": 1e-12, "taylor": 1e-16}
+"""A short time that is filled with states, and who does that, at which tolerance."""
+
 CAPTION = (
-    f"What the state at $t={AT:g}$ of the motion with {parameters(NAME)} costs, in seconds of "
-    "processor time, and how exact it is. The integrators at tolerances down to "
+    f"What the state at $t={AT:g}$ costs, in seconds of processor time, and how exact it is: on "
+    f"$N^4$, {CASES['N⁴'][0]}, and on $O^4$, {CASES['O⁴'][0]}. The integrators at tolerances down "
+    "to "
     + tolerances({name: min(found) for name, found in TOLERANCES.items()})
-    + f"; the closed form and the balls as the median of {ROUNDS} runs; and the closed form for "
-    f"{digit(MANY)} states at random times, $|t|$ up to {digit(LATEST)}, for one of them. Errors "
-    "are against rigorous balls, whose own is drawn at the roundoff."
+    + f"; the closed form and the balls as the median of {ROUNDS} runs. Hollow marks: one of "
+    f"{digit(MANY)} states, by the closed form at random times, $|t|$ up to {digit(LATEST)}, by "
+    f"integrators, {tolerances(DENSE)}, at equal steps from $t=0$ to ${WINDOW:g}$, where dense "
+    "output makes them cheap. Errors are against rigorous balls; their own are drawn at the "
+    "roundoff."
 )
 
 
 def measure(quick: bool) -> Iterator[Task]:
     """The methods that know the motion, then the integrators at their tolerances."""
-    case, count = f"t = {AT:g}", MANY // 10 if quick else MANY
-    for method in ("closed", "ball"):
-        yield Task(method, case, partial(_known, method))
-    yield Task("closed", f"{count} states", partial(_many, count))
-    for method, found in TOLERANCES.items():
-        yield Task(method, case, partial(_integrated, method, found[:1] if quick else found))
+    count = MANY // 10 if quick else MANY
+    for name, (_, motion) in CASES.items():
+        one, many = f"{name}: t = {AT:g}", f"{name}: {count} states"
+        for method in ("closed", "ball"):
+            yield Task(method, one, partial(_known, method, motion))
+        yield Task("closed", many, partial(_many, count, motion))
+        for method, tolerance in DENSE.items():
+            yield Task(method, many, partial(_dense, method, tolerance, count, motion))
+        for method, found in TOLERANCES.items():
+            few = found[:1] if quick else found
+            yield Task(method, one, partial(_integrated, method, few, motion))
 
 
-def _known(method: str) -> Measured:
-    motion, times, states = MOTIONS[NAME], np.array([AT]), load(method)
+def _known(method: str, motion: AnyMotion) -> Measured:
+    times, states = np.array([AT]), load(method)
     spent = median(timed(lambda: states(motion, times))[0] for _ in range(ROUNDS))
     found = relative_error(motion, states(motion, times), times)
     return {"times": [spent], "errors": [max(found, 2.0**-53)]}
 
 
-def _many(count: int) -> Measured:
+def _many(count: int, motion: AnyMotion) -> Measured:
     """States at random times on both sides of zero; the time for one of them."""
-    random, motion = np.random.default_rng(2004), MOTIONS[NAME]
-    times = random.uniform(-LATEST, LATEST, count)
-    spent, states = timed(lambda: load("closed")(motion, times))
-    chosen = random.choice(count, CHECKED, replace=False)
+    times = np.random.default_rng(2004).uniform(-LATEST, LATEST, count)
+    return _each(motion, times, *timed(lambda: load("closed")(motion, times)))
+
+
+def _dense(method: str, tolerance: float, count: int, motion: AnyMotion) -> Measured:
+    """States at equal steps of a short time; the time for one of them."""
+    times = np.linspace(0.0, WINDOW, count)
+    run = partial(INTEGRATORS[method], initial_state(motion))
+    run(times[1:2], tolerance)  # whatever is prepared once
+    return _each(motion, times, *timed(partial(run, times, tolerance)))
+
+
+def _each(motion: AnyMotion, times: Array, spent: float, states: Array) -> Measured:
+    """The time for one state, and the largest error of some."""
+    chosen = np.random.default_rng(2004).choice(len(times), CHECKED, replace=False)
     error = relative_error(motion, states[chosen], times[chosen])
-    return {"times": [spent / count], "errors": [error]}
+    return {"times": [spent / len(times)], "errors": [error]}
 
 
-def _integrated(method: str, found: Sequence[float]) -> Measured:
-    motion, times = MOTIONS[NAME], np.array([AT])
-    run = partial(INTEGRATORS[method], initial_state(motion), times)
-    run(max(found))  # whatever is prepared once
-    runs = [timed(partial(run, tolerance)) for tolerance in found]
+def _integrated(method: str, found: Sequence[float], motion: AnyMotion) -> Measured:
+    times, run = np.array([AT]), partial(INTEGRATORS[method], initial_state(motion))
+    for tolerance in found:
+        run(np.array([1e-3]), tolerance)  # whatever is prepared once
+    runs = [timed(partial(run, times, tolerance)) for tolerance in found]
     return {
         "tolerances": list(found),
         "times": [spent for spent, _ in runs],
@@ -86,20 +129,20 @@ def draw(rows: Sequence[Row]) -> Figure:
     """Seconds against the relative error: down is cheaper, to the right is more exact."""
     from matplotlib.ticker import FuncFormatter
 
-    figure = new_figure(height=3.6)
-    axes = figure.subplots()
-    for row in rows:
-        if "errors" in row:
-            many = row["case"].endswith("states")
-            label = "closed form, many states at once" if many else ""
-            curve(axes, row, "errors", "times", label)
-            if many:
-                axes.lines[-1].set(markerfacecolor="white", linestyle="none")
-    axes.set(xscale="log", yscale="log", xlim=(10, 1e-17))
-    axes.minorticks_off()
-    axes.yaxis.set_major_formatter(FuncFormatter(seconds))
-    axes.set_xlabel(f"relative error of the state at $t={AT:g}$")
-    axes.set_ylabel("processor time")
-    axes.set_title(parameters(NAME), size=8.5)
-    axes.legend(loc="lower left")
+    figure = new_figure(height=3.9)
+    panels = figure.subplots(1, len(CASES), sharex=True, sharey=True)
+    for axes, (name, (words, _)) in zip(panels, CASES.items(), strict=True):
+        for row in rows:
+            if "errors" in row and row["case"].startswith(name):
+                many = row["case"].endswith("states")
+                curve(axes, row, "errors", "times", "_one of many" if many else "")
+                if many:
+                    axes.lines[-1].set(markerfacecolor="white", linestyle="none")
+        axes.set_title(f"${name[0]}^4$: {words}", size=8.5)
+        axes.set_xlabel(f"relative error of the state at $t={AT:g}$")
+    panels[0].set(xscale="log", yscale="log", xlim=(10, 1e-17))
+    panels[0].minorticks_off()
+    panels[0].yaxis.set_major_formatter(FuncFormatter(seconds))
+    panels[0].set_ylabel("processor time")
+    legend_below(figure, panels[0], len(TOLERANCES) + 2)
     return figure

@@ -13,10 +13,18 @@ def test_an_error_is_relative_to_the_state():
     assert relative_error(motion, exact * (1 + 1e-8), times) == pytest.approx(1e-8)
 
 
-def test_the_closed_form_is_exact_at_late_times_and_an_integrator_by_its_tolerance():
-    assert work_precision._many(1000)["errors"][0] < 1e-13
-    coarse, fine = work_precision._integrated("dop853", [1e-5, 1e-9])["errors"]
+@pytest.mark.parametrize("name", work_precision.CASES)
+def test_the_closed_form_is_exact_at_late_times_and_an_integrator_by_its_tolerance(name):
+    _, motion = work_precision.CASES[name]
+    assert work_precision._many(1000, motion)["errors"][0] < 1e-13
+    coarse, fine = work_precision._integrated("dop853", [1e-5, 1e-9], motion)["errors"]
     assert fine < coarse / 100
+
+
+@pytest.mark.parametrize("name", work_precision.CASES)
+def test_dense_output_is_exact_in_a_short_window(name):
+    _, motion = work_precision.CASES[name]
+    assert work_precision._dense("dop853", 1e-12, 1000, motion)["errors"][0] < 1e-8
 
 
 def test_errors_across_a_hyperbolic_torus_grow_at_the_predicted_rate():
