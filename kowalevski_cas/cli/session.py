@@ -12,7 +12,7 @@ from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.library import LibraryError, available, find, load
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.problem.accept import Unproved
+from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import ProcessDied, each, tell, time_limit

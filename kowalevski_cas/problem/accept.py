@@ -7,11 +7,10 @@ believed before it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import reduce
 from itertools import combinations, product
-from operator import add, mul
+from operator import mul
 from typing import Any
 
 from kowalevski_cas.algebra.linear import determinant
@@ -27,7 +26,6 @@ from kowalevski_cas.problem.evidence import (
     Found,
     Further,
     Minors,
-    Point,
     Proof,
     Regardless,
     Roots,
@@ -35,6 +33,7 @@ from kowalevski_cas.problem.evidence import (
     Solutions,
     Squares,
 )
+from kowalevski_cas.problem.examine import Examiner, Unproved, Vacuous, is_real, need_point
 from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import (
     Count,
@@ -49,69 +48,13 @@ from kowalevski_cas.problem.goals import (
 )
 from kowalevski_cas.problem.kernel import check_complete, check_further, check_no_solution
 from kowalevski_cas.problem.place import Misplaced, Place
-from kowalevski_cas.problem.space import Adjoined, Equation, Meaningless, Setting, generators
-
-Of = Callable[[Setting], Evaluation]
-Names = Callable[[Setting], Sequence[str]]
-
-
-def all_names(setting: Setting) -> Sequence[str]:
-    """All names of a setting to which a point can give values."""
-    return (*generators(setting), *setting.roots)
-
+from kowalevski_cas.problem.space import Equation, Meaningless
 
 ZERO = Number(0)
 
-LARGEST_POWER = 16
-"""The largest power of a goal that a proof combines."""
 
-
-class Unproved(ValueError):
-    """Evidence that does not prove what it should; the message says why."""
-
-
-class Vacuous(Unproved):
-    """Evidence without a point: what it shows may be about nothing."""
-
-
-@dataclass
-class Accepted:
-    """What was accepted: elements with their denominators, by the space in which they live.
-
-    ``divided`` are those of each simple goal and its evidence, in order, and ``away`` those of the
-    evidence. ``places`` are the points of the evidence; ``differs`` the two
-    values that differ at the last one.
-    """
-
-    divided: list[tuple[Simple, list[Element]]] = field(default_factory=list)
-    away: list[list[Element]] = field(default_factory=list)
-    places: list[Place] = field(default_factory=list)
-    differs: tuple[Element, Element] | None = None
-
-    def starts(self, goal: Simple) -> None:
-        """Begin with a simple goal."""
-        self.divided.append((goal, []))
-        self.away.append([])
-
-    def divides(self, elements: Sequence[Element]) -> None:
-        """Enter elements that stand in the statement or in its evidence."""
-        self.divided[-1][1].extend(e for e in elements if e.denominator)
-
-    def uses(self, elements: Sequence[Element]) -> None:
-        """Enter elements of the evidence for the simple goal at hand."""
-        self.divides(elements)
-        self.away[-1].extend(e for e in elements if e.denominator)
-
-
-class Judge:
-    """Decides whether evidence proves or denies goals.
-
-    ``of`` evaluates their spaces, ``names`` are those to which a point of a space gives values.
-    """
-
-    def __init__(self, of: Of, names: Names = all_names) -> None:
-        self.of, self.names = of, names
-        self.accepted = Accepted()
+class Judge(Examiner):
+    """Decides whether evidence proves or denies goals."""
 
     def holds(self, goal: Goal, evidence: Evidence) -> None:
         """Accept that a goal holds, or raise :class:`Unproved`."""
@@ -164,19 +107,10 @@ class Judge:
         self._follows(goal, evidence, at, sign)
         self._unconditional(at)
 
-    def _unconditional(self, at: Evaluation) -> None:
-        """Refuse evidence that divides by what may vanish: it would show nothing there."""
-        granted = [at.scalar(formula).inverse() for formula in at.setting.nonzero]
-        away = {id(element) for element in self.accepted.away[-1]}
-        stated = [e for e in self.accepted.divided[-1][1] if id(e) not in away]
-        known = {index for element in (*granted, *stated) for index in element.denominator}
-        if any(element.denominator.keys() - known for element in self.accepted.away[-1]):
-            raise Unproved("it divides by what may be zero")
-
     def _follows(self, goal: Follows, evidence: Shown, at: Evaluation, sign: bool) -> None:
         if not all(goal.conclusions):
             raise Unproved("nothing is stated")
-        _need_point(evidence.point)
+        need_point(evidence.point)
         known = at.differences(goal.given)
         pairs = [at.pairs(one) for one in goal.conclusions]
         sides = [e for one in pairs for pair in one for e in pair]
@@ -188,46 +122,6 @@ class Judge:
         if not goal.conclusions:
             self._unconditional(at)
         self._point(at, evidence.point, known if goal.conclusions else ())
-
-    def _settle(
-        self, goals: Sequence[Element], known: Sequence[Element], proof: Proof, at: Evaluation
-    ) -> Iterator[Element]:
-        """Check a proof; what stands in it is yielded."""
-        groups = [[at.scalar(entry) for entry in group] for group in proof.product]
-        if groups:
-            if not is_real(at.setting):
-                raise Unproved("cases need real names")
-            for group, case in zip(groups, proof.cases, strict=True):
-                yield from group
-                yield from self._settle(goals, [*known, *group], case, at)
-            goals = [reduce(mul, (_group(group) for group in groups))]
-        if not 1 <= proof.power <= LARGEST_POWER:
-            raise Unproved("it is no power that is taken")
-        rows = proof.rows or ((),) * len(goals)
-        if len(rows) != len(goals):
-            raise Unproved("there is not a row for each goal")
-        for goal, row in zip(goals, rows, strict=True):
-            goal = goal**proof.power
-            entries = [at.scalar(entry) for entry in row]
-            if row and len(row) != len(known):
-                raise Unproved("a row does not fit what is known")
-            for entry, element in zip(entries, known, strict=False):
-                goal = goal - entry * element
-            if not goal.is_zero:
-                raise Unproved("the two sides are not equal")
-            yield from entries
-
-    def _point(self, at: Evaluation, point: Point | None, known: Sequence[Element]) -> Place:
-        """The point, where known elements vanish and nothing that the goal divides by does."""
-        place = Place(at, _need_point(point))
-        if place.point.values.keys() != {*self.names(at.setting)}:
-            raise Unproved("the point leaves a value out, or has one too many")
-        if not place.vanish(known):
-            raise Unproved("the point is not where it should be")
-        if not place.defines(self.accepted.divided[-1][1]):
-            raise Unproved("something is divided by that vanishes at the point")
-        self.accepted.places.append(place)
-        return place
 
     def _fails(self, goal: Follows, evidence: At, at: Evaluation, sign: bool) -> None:
         place = self._point(at, evidence.point, at.differences(goal.given))
@@ -400,33 +294,8 @@ _RULES: dict[tuple[type, type, bool], Rule] = {
 """What checks a kind of evidence for a kind of goal, or against it."""
 
 
-def _need_point(point: Point | None) -> Point:
-    if point is None:
-        raise Vacuous("no real point is known that satisfies the hypotheses")
-    return point
-
-
-def _group(group: Sequence[Element]) -> Element:
-    """What the checker makes of a group: its one element, or the sum of squares."""
-    if len(group) == 1:
-        return group[0]
-    return reduce(add, (entry * entry for entry in group))
-
-
 def _names(formula: Formula) -> Iterator[str]:
     if isinstance(formula, Name):
         yield formula.name
     for child in formula.children():
         yield from _names(child)
-
-
-def is_real(setting: Setting) -> bool:
-    """Whether all names of a setting are real: no conjugate pairs, no root of −1."""
-    if setting.conjugates:
-        return False
-    return not any(_is_imaginary(setting, name) for name in setting.roots)
-
-
-def _is_imaginary(setting: Setting, name: str) -> bool:
-    step = setting.step(name)
-    return isinstance(step, Adjoined) and step.square == Negative(Number(1))

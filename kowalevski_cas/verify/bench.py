@@ -12,9 +12,10 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.accept import Accepted, Judge, Unproved, Vacuous
+from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Denial
+from kowalevski_cas.problem.examine import Accepted, Unproved, Vacuous
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.verify.certificate import CORRECTED, Stored
 from kowalevski_cas.verify.outcome import Outcome, Screened, Verdict

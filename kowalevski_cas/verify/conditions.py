@@ -9,7 +9,7 @@ from kowalevski_cas.algebra.present import divided
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Product
 from kowalevski_cas.paper.elaborate import Elaboration
-from kowalevski_cas.problem.accept import Accepted
+from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.cofactors import vanishes_on

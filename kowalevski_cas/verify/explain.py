@@ -21,7 +21,7 @@ from kowalevski_cas.paper.claims import Dimension
 from kowalevski_cas.paper.claims.forms import ZERO, times, total
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
-from kowalevski_cas.problem.accept import Accepted, Judge, Unproved
+from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
@@ -34,6 +34,7 @@ from kowalevski_cas.problem.evidence import (
     Shown,
     Solutions,
 )
+from kowalevski_cas.problem.examine import Accepted, Unproved
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Place, number_formula
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies, same
@@ -103,7 +104,7 @@ def _where_it_fails(
     witness = _against(statement, goal, evidence, judge.accepted)
     words = f"it fails for {locus.words}"
     if isinstance(goal, Fails) and say_nothing_on(setting, goal.given, locus):
-        words = f"for {locus.words} the equations hold by themselves, and motions leave the set"
+        words = f"for {locus.words} the equations hold identically, and motions leave the set"
     if witness is not None and witness.left == MANY:
         words = f"for {locus.words} there are {MANY}"
     return Condition(condition.expression, words, witness)
@@ -127,7 +128,7 @@ def _singular(statement: Statement, explain: bool) -> Iterator[Condition]:
             said = f"for {locus.words} the set has dimension {own}"
             yield Condition(expression, said, against)
         elif explain and (dropped := drop_on(statement, goal, goal.space, locus)) is not None:
-            words = "the number of independent differentials at this point, and the one needed"
+            words = "the number of independent differentials, and the number needed"
             there = point(dropped[1].values, goal.space)
             against = Counterexample(there, Number(dropped[0]), Number(goal.rank), words)
             yield Condition(expression, f"for {locus.words} the set is singular", against)

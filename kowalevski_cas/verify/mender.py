@@ -14,7 +14,7 @@ from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Texts
-from kowalevski_cas.problem.accept import Unproved
+from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.bench import Decided

@@ -17,7 +17,11 @@ from kowalevski_cas.verify.certificate import load_certificates
 from tests.problem.tampering import mutants, names_in, places, seal
 
 CERTIFICATES = {name: one.data for name, one in load_certificates(find("kharlamov2002")).items()}
-HANDWRITTEN = sorted(Path(__file__).parents[1].glob("problem/handwritten/*.json"))
+HANDWRITTEN = [
+    pytest.param(path, id=path.stem, marks=pytest.mark.slow if place % 4 else [])
+    for place, path in enumerate(sorted(Path(__file__).parents[1].glob("problem/handwritten/*")))
+]
+"""Of the small certificates of each kind, a quick run looks at one in four."""
 
 
 @pytest.fixture(params=["singular", "pari", "maxima"])
@@ -62,7 +66,7 @@ def test_every_certificate_is_confirmed(language, derivation, tmp_path):
     assert {claim: words for claim, words in found.items() if words} == {}
 
 
-@pytest.mark.parametrize("path", HANDWRITTEN, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", HANDWRITTEN)
 def test_evidence_and_denials_of_each_kind_are_confirmed(language, path, tmp_path):
     data = json.loads(path.read_text(encoding="utf-8"))
     assert objection(language, data, tmp_path) == ""
@@ -72,7 +76,8 @@ def test_evidence_and_denials_of_each_kind_are_confirmed(language, path, tmp_pat
 def test_a_changed_statement_is_confirmed_only_if_it_is_true(language, blind, many, tmp_path):
     random.seed(1)
     denied = 0
-    for claim in ("eq7", "eq16.2", "eq20.1", "M4-independence", "reality"):
+    claims = ("eq7", "reality", "eq16.2", "eq20.1", "M4-independence")[:many]
+    for claim in claims:
         data = CERTIFICATES[claim]
         assert objection(language, data, tmp_path) == ""
         names = sorted(names_in(data["spaces"][-1]["variables"]))
@@ -90,7 +95,7 @@ def test_a_changed_statement_is_confirmed_only_if_it_is_true(language, blind, ma
             denied += bool(words)
             if not words:
                 checker.check(seal(changed))
-    assert denied > 1.5 * many
+    assert denied > 0.3 * many * len(claims)
 
 
 @pytest.mark.parametrize("many", [4, pytest.param(12, marks=pytest.mark.slow)])

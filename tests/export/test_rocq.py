@@ -18,6 +18,11 @@ ROCQ = load("rocq")
 needs_rocq = pytest.mark.skipif(shutil.which("coqc") is None, reason="Rocq is not installed")
 
 
+def slow_rocq(test):
+    """A test that waits for Rocq: a quick run has one of what is true, and one of what is not."""
+    return needs_rocq(pytest.mark.slow(test))
+
+
 def certificate(claim, derivation="kharlamov2002"):
     return deepcopy(load_certificates(find(derivation))[claim].data)
 
@@ -44,8 +49,7 @@ def rocq(tmp_path_factory):
 # -- what is true ---------------------------------------------------------------
 
 
-@needs_rocq
-@pytest.mark.slow
+@slow_rocq
 def test_the_exported_theories_are_built_by_coq_makefile(small, tmp_path):
     assert main(["export", "rocq", str(small), "-o", str(tmp_path / "out")]) == 0
     folder = tmp_path / "out" / "kharlamov2002"
@@ -56,14 +60,13 @@ def test_the_exported_theories_are_built_by_coq_makefile(small, tmp_path):
 
 @needs_rocq
 @pytest.mark.parametrize(
-    "claim", ["eq7", "eq21", pytest.param("N4-dimension", marks=pytest.mark.slow)]
+    "claim", ["eq7", *(pytest.param(c, marks=pytest.mark.slow) for c in ("eq21", "N4-dimension"))]
 )
 def test_a_combination_a_misprint_and_a_rank(rocq, claim):
     assert rocq("true.v", ROCQ.translate(certificate(claim))) == ""
 
 
-@needs_rocq
-@pytest.mark.slow
+@slow_rocq
 def test_rocq_confirms_the_paper_save_what_needs_real_numbers(tmp_path, capsys):
     assert main(["witness", "rocq", "kharlamov2002", "-o", str(tmp_path)]) == 0
     said = json.loads((tmp_path / "kharlamov2002" / "rocq.json").read_text(encoding="utf-8"))
@@ -73,7 +76,7 @@ def test_rocq_confirms_the_paper_save_what_needs_real_numbers(tmp_path, capsys):
     assert left_out == {"corrected/critical-set", "equilibria", "redundant-integral"}
 
 
-@needs_rocq
+@slow_rocq
 @pytest.mark.parametrize("claim", ["solution.2", "psi.1"])
 def test_what_divides_by_a_polynomial_is_multiplied_by_it(rocq, claim):
     text = ROCQ.translate(certificate(claim, "kharlamov_savushkin2004"))
@@ -81,17 +84,14 @@ def test_what_divides_by_a_polynomial_is_multiplied_by_it(rocq, claim):
     assert rocq("multiplied.v", text) == ""
 
 
-KINDS = (
-    "alternatives", "denied-fails", "denied-rank",
-    *(pytest.param(name, marks=pytest.mark.slow) for name in (
-        "denied-alternatives", "denied-empty", "denied-independence", "denied-minors",
-        "exponents", "invariant-relation", "last-multiplier",
-    )),
+@slow_rocq
+@pytest.mark.parametrize(
+    "name",
+    [
+        "alternatives", "denied-alternatives", "denied-empty", "denied-fails", "denied-independence",
+        "denied-minors", "denied-rank", "exponents", "invariant-relation", "last-multiplier",
+    ],
 )  # fmt: skip
-
-
-@needs_rocq
-@pytest.mark.parametrize("name", KINDS)
 def test_evidence_and_denials_of_each_kind(rocq, name):
     path = Path(__file__).parents[1] / f"problem/handwritten/{name}.json"
     data = json.loads(path.read_text(encoding="utf-8"))
@@ -116,7 +116,7 @@ def test_what_cannot_be_said_is_named(name, reason):
 # -- what is false --------------------------------------------------------------
 
 
-@needs_rocq
+@slow_rocq
 def test_multiplying_by_a_polynomial_makes_nothing_true(rocq):
     data = certificate("solution.2", "kharlamov_savushkin2004")
     (equations,) = data["goals"][0]["conclusions"]
@@ -125,7 +125,7 @@ def test_multiplying_by_a_polynomial_makes_nothing_true(rocq):
     assert "Unable to unify" in rocq("multiplied_statement.v", ROCQ.translate(data))
 
 
-@needs_rocq
+@slow_rocq
 def test_without_its_condition_a_polynomial_has_no_inverse(rocq):
     text = ROCQ.translate(certificate("solution.2", "kharlamov_savushkin2004"))
     (condition,) = (line for line in text.splitlines() if "Hypothesis nonzero_goal_1_0" in line)
@@ -133,7 +133,7 @@ def test_without_its_condition_a_polynomial_has_no_inverse(rocq):
     assert "Unable to unify" in rocq("condition.v", text.replace(condition, weaker))
 
 
-@needs_rocq
+@slow_rocq
 def test_what_the_derivative_of_a_root_is_divided_by_is_a_condition(rocq):
     text = ROCQ.translate(certificate("involution.2", "kharlamov_savushkin2004"))
     conditions = [line for line in text.splitlines() if "Hypothesis nonzero_goal_1_" in line]
@@ -158,7 +158,7 @@ def test_a_changed_statement_is_refused(rocq):
     assert "Unable to unify" in rocq("statement.v", ROCQ.translate(data))
 
 
-@needs_rocq
+@slow_rocq
 def test_a_changed_vector_field_is_refused(rocq):
     data = certificate("eq6")
     field = data["spaces"][0]["field"]
@@ -166,7 +166,7 @@ def test_a_changed_vector_field_is_refused(rocq):
     assert "Unable to unify" in rocq("field.v", ROCQ.translate(data))
 
 
-@needs_rocq
+@slow_rocq
 def test_a_changed_cofactor_is_refused(rocq):
     data = certificate("eq16.2")
     row = data["evidence"][0]["cofactors"][0]
@@ -175,7 +175,7 @@ def test_a_changed_cofactor_is_refused(rocq):
     assert "Unable to unify" in rocq("cofactor.v", ROCQ.translate(data))
 
 
-@needs_rocq
+@slow_rocq
 def test_a_point_where_both_sides_are_equal_refutes_nothing(rocq):
     data = certificate("eq21")
     for equation in data["goals"][0]["conclusions"][0]:
@@ -183,15 +183,14 @@ def test_a_point_where_both_sides_are_equal_refutes_nothing(rocq):
     assert "incomplete proof" in rocq("equal.v", ROCQ.translate(data))
 
 
-@needs_rocq
+@slow_rocq
 def test_rocq_does_not_believe_the_derivative_that_is_printed(rocq):
     text = ROCQ.translate(certificate("eq6"))
     wrong = text.replace("along (each [", "along (each [1 + ", 1)
     assert "Unable to unify" in rocq("derivative.v", wrong)
 
 
-@pytest.mark.slow
-@needs_rocq
+@slow_rocq
 def test_an_axiom_does_not_go_unnoticed(rocq):
     text = ROCQ.translate(certificate("eq4.1"))
     lemma = "Axiom believed : 1%nat = 2%nat.\nDefinition proved := (believed, "

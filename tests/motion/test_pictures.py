@@ -32,7 +32,12 @@ SLOW = ("atlas", "subsystems", "sections", "surfaces")
 @pytest.mark.parametrize(
     ("name", "drawn"),
     [pytest.param(n, UNSTABLE, marks=[pytest.mark.slow] * (n in SLOW)) for n in PICTURES]
-    + [(name, one) for name in PICTURES if name not in OF_FIELDS for one in (RESTING, ASYMPTOTIC)],
+    + [
+        pytest.param(name, one, marks=pytest.mark.slow)
+        for name in PICTURES
+        if name not in OF_FIELDS
+        for one in (RESTING, ASYMPTOTIC)
+    ],
 )
 def test_every_picture_can_be_drawn(name, drawn, tmp_path):
     with style():

@@ -11,8 +11,9 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import load
 from kowalevski_cas.notation import Name, edits, to_latex
 from kowalevski_cas.paper.claims import CriticalSet
-from kowalevski_cas.problem.accept import Judge, Unproved
+from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial, Proof, Shown
+from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement, finder_of

@@ -16,8 +16,9 @@ from kowalevski_cas.paper.claims import (
     Implication,
     InvariantRelations,
 )
-from kowalevski_cas.problem.accept import Judge, Unproved
+from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Found
+from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.goals import Exists
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.run import Session

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from kowalevski_cas.algebra import load
-from kowalevski_cas.problem.accept import Judge, Unproved
+from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
     At,
@@ -21,6 +21,7 @@ from kowalevski_cas.problem.evidence import (
     Solutions,
     Squares,
 )
+from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.goals import (
     Count,
     Exists,

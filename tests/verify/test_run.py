@@ -8,7 +8,7 @@ import pytest
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.paper.claims import Identity
-from kowalevski_cas.problem.accept import Accepted
+from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import Session

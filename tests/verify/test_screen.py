@@ -14,7 +14,10 @@ BEYOND = {
 """Claims that say what no point can show, or on which no random points are found."""
 
 
-@pytest.fixture(scope="module", params=POINTS)
+@pytest.fixture(
+    scope="module",
+    params=[pytest.param(p, marks=pytest.mark.slow if p == "ball" else []) for p in POINTS],
+)
 def screening(request, derivation, certificates, record):
     return verify(derivation, (request.param,), certificates=certificates, record=record)
 

@@ -1,0 +1,151 @@
+"""What all evidence is made of: proofs, and points where what they are about is defined."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import reduce
+from operator import add, mul
+
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Negative, Number
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence import Point, Proof
+from kowalevski_cas.problem.goals import Simple
+from kowalevski_cas.problem.place import Place
+from kowalevski_cas.problem.space import Adjoined, Setting, generators
+
+Of = Callable[[Setting], Evaluation]
+Names = Callable[[Setting], Sequence[str]]
+
+
+def all_names(setting: Setting) -> Sequence[str]:
+    """All names of a setting to which a point can give values."""
+    return (*generators(setting), *setting.roots)
+
+
+LARGEST_POWER = 16
+"""The largest power of a goal that a proof combines."""
+
+
+class Unproved(ValueError):
+    """Evidence that does not prove what it should; the message says why."""
+
+
+class Vacuous(Unproved):
+    """Evidence without a point: what it shows may be about nothing."""
+
+
+@dataclass
+class Accepted:
+    """What was accepted: elements with their denominators, by the space in which they live.
+
+    ``divided`` are those of each simple goal and its evidence, in order, and ``away`` those of the
+    evidence. ``places`` are the points of the evidence; ``differs`` the two
+    values that differ at the last one.
+    """
+
+    divided: list[tuple[Simple, list[Element]]] = field(default_factory=list)
+    away: list[list[Element]] = field(default_factory=list)
+    places: list[Place] = field(default_factory=list)
+    differs: tuple[Element, Element] | None = None
+
+    def starts(self, goal: Simple) -> None:
+        """Begin with a simple goal."""
+        self.divided.append((goal, []))
+        self.away.append([])
+
+    def divides(self, elements: Sequence[Element]) -> None:
+        """Enter elements that stand in the statement or in its evidence."""
+        self.divided[-1][1].extend(e for e in elements if e.denominator)
+
+    def uses(self, elements: Sequence[Element]) -> None:
+        """Enter elements of the evidence for the simple goal at hand."""
+        self.divides(elements)
+        self.away[-1].extend(e for e in elements if e.denominator)
+
+
+class Examiner:
+    """Checks proofs and points, and notes what was accepted.
+
+    ``of`` evaluates spaces, ``names`` are those to which a point of a space gives values.
+    """
+
+    def __init__(self, of: Of, names: Names = all_names) -> None:
+        self.of, self.names = of, names
+        self.accepted = Accepted()
+
+    def _unconditional(self, at: Evaluation) -> None:
+        """Refuse evidence that divides by what may vanish: it would show nothing there."""
+        granted = [at.scalar(formula).inverse() for formula in at.setting.nonzero]
+        away = {id(element) for element in self.accepted.away[-1]}
+        stated = [e for e in self.accepted.divided[-1][1] if id(e) not in away]
+        known = {index for element in (*granted, *stated) for index in element.denominator}
+        if any(element.denominator.keys() - known for element in self.accepted.away[-1]):
+            raise Unproved("it divides by what may be zero")
+
+    def _settle(
+        self, goals: Sequence[Element], known: Sequence[Element], proof: Proof, at: Evaluation
+    ) -> Iterator[Element]:
+        """Check a proof; what stands in it is yielded."""
+        groups = [[at.scalar(entry) for entry in group] for group in proof.product]
+        if groups:
+            if not is_real(at.setting):
+                raise Unproved("cases need real names")
+            for group, case in zip(groups, proof.cases, strict=True):
+                yield from group
+                yield from self._settle(goals, [*known, *group], case, at)
+            goals = [reduce(mul, (_group(group) for group in groups))]
+        if not 1 <= proof.power <= LARGEST_POWER:
+            raise Unproved("it is no power that is taken")
+        rows = proof.rows or ((),) * len(goals)
+        if len(rows) != len(goals):
+            raise Unproved("there is not a row for each goal")
+        for goal, row in zip(goals, rows, strict=True):
+            goal = goal**proof.power
+            entries = [at.scalar(entry) for entry in row]
+            if row and len(row) != len(known):
+                raise Unproved("a row does not fit what is known")
+            for entry, element in zip(entries, known, strict=False):
+                goal = goal - entry * element
+            if not goal.is_zero:
+                raise Unproved("the two sides are not equal")
+            yield from entries
+
+    def _point(self, at: Evaluation, point: Point | None, known: Sequence[Element]) -> Place:
+        """The point, where known elements vanish and nothing that the goal divides by does."""
+        place = Place(at, need_point(point))
+        if place.point.values.keys() != {*self.names(at.setting)}:
+            raise Unproved("the point leaves a value out, or has one too many")
+        if not place.vanish(known):
+            raise Unproved("the point is not where it should be")
+        if not place.defines(self.accepted.divided[-1][1]):
+            raise Unproved("something is divided by that vanishes at the point")
+        self.accepted.places.append(place)
+        return place
+
+
+def need_point(point: Point | None) -> Point:
+    """The point, if there is one; raises :class:`Vacuous`."""
+    if point is None:
+        raise Vacuous("no real point is known that satisfies the hypotheses")
+    return point
+
+
+def _group(group: Sequence[Element]) -> Element:
+    """What the checker makes of a group: its one element, or the sum of squares."""
+    if len(group) == 1:
+        return group[0]
+    return reduce(add, (entry * entry for entry in group))
+
+
+def is_real(setting: Setting) -> bool:
+    """Whether all names of a setting are real: no conjugate pairs, no root of −1."""
+    if setting.conjugates:
+        return False
+    return not any(_is_imaginary(setting, name) for name in setting.roots)
+
+
+def _is_imaginary(setting: Setting, name: str) -> bool:
+    step = setting.step(name)
+    return isinstance(step, Adjoined) and step.square == Negative(Number(1))
