@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
-from math import gcd, lcm
+from math import comb, gcd, lcm
 from operator import mul
 
 from kowalevski_cas.algebra.tower import Element
@@ -30,7 +30,7 @@ class PolynomialField:
 
     def __init__(self, at: Evaluation, factor: Element | None = None) -> None:
         self.at = at
-        variables, constants = at.setting.variables, at.setting.constants
+        variables, constants = at.setting.own_variables, at.setting.constants
         self.names = (*variables, *constants)
         self.size = len(variables)
         rates = [at.rates[name] if name in at.rates else at.ring.zero for name in variables]
@@ -151,6 +151,8 @@ def monomials(weights: Sequence[int], weight: int) -> Iterator[Exponents]:
 
 def number_of_monomials(weights: Sequence[int], weight: int) -> int:
     """How many monomials have at most this weight."""
+    if all(one == 1 for one in weights):
+        return comb(len(weights) + weight, weight)
     counts = [1] * (weight + 1)
     for one in weights:
         for k in range(one, weight + 1):

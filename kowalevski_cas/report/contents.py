@@ -157,7 +157,7 @@ class Contents:
                 many = "Each statement has a certificate"
             text = (
                 *text, f" {many}, accepted by a checker that shares no line of code with the "
-                "program.",
+                "program: ", Code(f"kowalevski-cas check {run.derivation}"), " lets it judge them.",
             )  # fmt: skip
         if self.programs:
             named = listed([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])
