@@ -369,4 +369,4 @@ def test_each_save_is_verified_until_an_interruption(tmp_path):
     watching.send_signal(SIGINT)
     out, err = watching.communicate()
     assert (watching.returncode, err) == (0, "")
-    assert re.findall(r"1 claims: 1 (\w+)", out) == ["refuted", "proved"]
+    assert re.findall(r"1 claim: 1 (\w+)", out) == ["refuted", "proved"]
