@@ -36,6 +36,7 @@ from kowalevski_cas.notation import (
     OpenParser,
     Partial,
     Relation,
+    Root,
     Summation,
     Vocabulary,
     from_sympy,
@@ -196,7 +197,7 @@ class System:
         constants = tuple(part for one in others for part in components.get(one, (one,)))
         words = "the equations of motion"
         scene = Scene(name or "the system", words, components, variables, constants, (*laws,))
-        self._stand_on(scene.defining(*definitions))
+        self._stand_on(_rooted(scene.defining(*definitions), display))
         self.section.title = _echo(variables, constants, "${}$".format)
 
     def __repr__(self) -> str:
@@ -225,8 +226,7 @@ class System:
         """
         tex = self._tex(formula)
         display = self.section.display(self._id("", tex), tex)
-        self._stand_on(self.scene.defining(display))
-        self._formulas(display)
+        self._stand_on(_rooted(self.scene.defining(display), display))
         return Function(self, display[1], display[1].heads.names[0])
 
     def where(self, *relations: Tex) -> System:
@@ -493,6 +493,17 @@ def _derived(formula: Formula) -> list[str]:
     if isinstance(formula, Partial) and isinstance(formula.argument, Name):
         return [formula.argument.name]
     return [name for child in formula.children() for name in _derived(child)]
+
+
+def _rooted(scene: Scene, display: Display) -> Scene:
+    """A scene with the square roots that are printed in a display of its names."""
+    waiting = [statement.formula for statement in read_display(display.tex, vocabulary((scene,)))]
+    while waiting:
+        formula = waiting.pop()
+        waiting += formula.children()
+        if isinstance(formula, Root) and (name := to_latex(formula)) not in scene.roots:
+            scene = scene.adjoining(name)
+    return scene
 
 
 def _restricted(scene: Scene, place: Printed) -> Scene:
