@@ -10,6 +10,7 @@ from pathlib import Path
 from types import ModuleType
 
 from kowalevski_cas.paper.derivation import Derivation, Section
+from kowalevski_cas.paper.scene import Scene
 
 
 class LibraryError(ValueError):
@@ -114,6 +115,15 @@ def load(name: str) -> Derivation:
         place = _place(error, folder if inside else file, file)
         kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
         raise LibraryError(f"{place}: {kind}{error}") from error
+
+
+def owner(scene: Scene) -> tuple[Path, str] | None:
+    """The file that was loaded last, and its name for the system that has this scene."""
+    for module in [m for name, m in sys.modules.items() if name.startswith(f"{SHELF}.")]:
+        for name, value in vars(module).items():
+            if getattr(value, "scene", None) is scene and module.__file__ is not None:
+                return Path(module.__file__), name
+    return None
 
 
 def _derivation(module: ModuleType, file: Path, name: str) -> Derivation:

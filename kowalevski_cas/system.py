@@ -15,12 +15,13 @@ from __future__ import annotations
 
 import re
 import sys
-from argparse import Namespace
-from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from argparse import ArgumentParser
+from collections.abc import Callable, Container, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from functools import cached_property, partial
 from html import escape
+from importlib import import_module
 from itertools import chain, count
 from pathlib import Path
 from typing import Any
@@ -32,7 +33,9 @@ from kowalevski_cas.notation import (
     Name,
     Number,
     OpenParser,
+    Partial,
     Relation,
+    Summation,
     Vocabulary,
     from_sympy,
     print_prose,
@@ -58,7 +61,8 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.scene import Scene, vocabulary
+from kowalevski_cas.paper.plain import written_out
+from kowalevski_cas.paper.scene import Scene, head, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.prune import mentions
 from kowalevski_cas.verify.found import Finding
@@ -69,7 +73,7 @@ LONGEST = 24
 """The signs of a formula by which a claim is called."""
 
 
-Search = Callable[[Elaborations, Scene, Namespace], Iterable[Finding]]
+QUESTIONS = "kowalevski_cas.cli.questions"
 
 Tex = Any
 """A formula: LaTeX, what was defined, or an expression of SymPy."""
@@ -157,9 +161,11 @@ class Stated(Shown):
 class System:
     r"""Equations of motion: what has a derivative moves, and all other names are constant.
 
+    They may be of higher order, and define names in passing: :math:`\dot q=\partial H/\partial p`,
+    :math:`\dot p=-\partial H/\partial q`, :math:`H=\frac12p^2+q^4`.
+
     Args:
-        field: a display of equations with derivatives on their left sides, or the right sides by
-            variables of SymPy.
+        field: a display of equations with derivatives, or the right sides by variables of SymPy.
         name: what the claims of a file with several systems are called after.
         vectors: the components of the names in bold type.
 
@@ -182,13 +188,13 @@ class System:
             field = r",\quad ".join(rows)
         self.section = Section(name or "1", "")
         display = self.section.display(f"{self.prefix}field", field)
-        moving, others = _names(display, vectors or {})
         components = vectors or {}
+        laws, definitions, moving, others = _names(display, components)
         variables = tuple(part for one in moving for part in components.get(one, (one,)))
         constants = tuple(part for one in others for part in components.get(one, (one,)))
         words = "the equations of motion"
-        scene = Scene(name or "the system", words, components, variables, constants, (*display,))
-        self._stand_on(scene)
+        scene = Scene(name or "the system", words, components, variables, constants, (*laws,))
+        self._stand_on(scene.defining(*definitions))
         self.section.title = _echo(variables, constants, "${}$".format)
 
     def __repr__(self) -> str:
@@ -330,27 +336,30 @@ class System:
 
         If it is ``weighted``, variables count by weights for which the motion is homogeneous.
         """
-        from kowalevski_cas.cli.questions import integrals
+        return self._found("integrals", degree=degree, weighted=weighted)
 
-        return self._found("integral", integrals.search, degree=degree, weighted=weighted)
+    def find_darboux(self, degree: int, special: bool = False) -> list[Stated]:
+        """The Darboux polynomials up to a degree, perhaps for ``special`` constants too."""
+        return self._found("darboux", degree=degree, special=special)
 
     def find_closure(self, seed: Tex, order: int = 4) -> list[Stated]:
         """Invariant sets from a function and its derivatives, up to an order."""
-        from kowalevski_cas.cli.questions import closure
-
-        return self._found("closure", closure.search, seed=self._tex(seed), order=order)
+        return self._found("closure", self._tex(seed), order=order)
 
     def conditions(self, polynomial: Tex) -> list[Stated]:
         """For which constants a polynomial divides its derivative: all cases, with cofactors."""
-        from kowalevski_cas.cli.questions import parameters
+        return self._found("parameters", self._tex(polynomial))
 
-        return self._found("conditions", parameters.search, polynomial=self._tex(polynomial))
-
-    def _found(self, name: str, search: Search, **arguments: Any) -> list[Stated]:
-        """What a search finds, as claims like any other."""
+    def _found(self, question: str, *words: str, **options: int) -> list[Stated]:
+        """What the command ``find`` finds, as claims like any other."""
+        module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
+        module.add_arguments(parser)
+        told = [f"--{name}={value}" for name, value in options.items() if type(value) is int]
+        told += [f"--{name}" for name, value in options.items() if value is True]
         on = Elaborations(Texts(vocabulary((self.scene,))))
-        found = search(on, self.scene, Namespace(**arguments))
-        return [self._state(one, name) for one in found]
+        told += ["--", *words] if words else []
+        found = module.search(on, self.scene, parser.parse_args(told))
+        return [self._state(one, question) for one in found]
 
     # -- formulas ----------------------------------------------------------------
 
@@ -417,26 +426,43 @@ def _math(formula: Formula) -> str:
 
 def _names(
     display: Display, vectors: Mapping[str, tuple[str, ...]]
-) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """The names in equations of motion: those that move, and the others."""
-    words = Vocabulary(vectors=frozenset(vectors), times=frozenset({"t"}))
-    rows = [read(place.tex, words, OpenParser) for place in display]
-    found = [_moving(row) for row in rows]
-    moving = dict.fromkeys(name for names in found for name in names)
-    for place, names in zip(display, found, strict=True):
-        if not names:
-            raise ValueError(f"no equation of motion: {place.tex} has no derivative of a name")
-    if len(rows) > len(moving):
+) -> tuple[list[Printed], list[Printed], tuple[str, ...], tuple[str, ...]]:
+    """The equations of motion, what is defined beside them, what moves, and the other names."""
+    words = replace(vocabulary(()), vectors=frozenset(vectors))
+    moving = dict.fromkeys(name for place in display for name in _moving(_open(place, words)))
+    words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
+    laws = [place for place in display if [*_moving(_open(place, words))]]
+    others = [place for place in display if place not in laws]
+    for place in others:
+        if not {*place.heads.names} - {*moving}:
+            raise ValueError(f"{place.tex} is no equation of motion, and defines no name")
+    if len(laws) > len(moving):
         raise ValueError(
-            f"{len(rows)} equations for {len(moving)} unknowns ({', '.join(moving)}): "
+            f"{len(laws)} equations for {len(moving)} unknowns ({', '.join(moving)}): "
             "leave one out, or claim it as an identity"
         )
-    mentioned = dict.fromkeys(
-        one.name for row in rows for one in mentions(row) if isinstance(one, Name)
-    )
+    mentioned = dict.fromkeys(name for place in display for name in _mentioned(place, words))
     if "t" in mentioned:
         raise ValueError("the time t stands in the equations: give it a name, with \\dot s=1")
-    return tuple(moving), tuple(name for name in mentioned if name not in moving)
+    defined = {*moving, *(head(name)[0] for place in others for name in place.heads.names)}
+    for name in (name for place in display for name in _derived(_open(place, words))):
+        if name not in defined:
+            raise ValueError(f"{name} is differentiated, and nothing defines it: add {name}=…")
+    return laws, others, tuple(moving), tuple(name for name in mentioned if name not in defined)
+
+
+def _open(place: Printed, words: Vocabulary) -> Formula:
+    """What stands at a place, where any letter is a name; sums are written out."""
+
+    def written(formula: Formula) -> Formula:
+        formula = written_out(formula) if isinstance(formula, Summation) else formula
+        return formula.mapped(written)
+
+    return written(read(place.tex, words, OpenParser))
+
+
+def _mentioned(place: Printed, words: Vocabulary) -> list[str]:
+    return [one.name for one in mentions(_open(place, words)) if isinstance(one, Name)]
 
 
 def _moving(formula: Formula) -> list[str]:
@@ -444,6 +470,13 @@ def _moving(formula: Formula) -> list[str]:
     if isinstance(formula, Derivative) and isinstance(formula.argument, Name):
         return [formula.argument.name]
     return [name for child in formula.children() for name in _moving(child)]
+
+
+def _derived(formula: Formula) -> list[str]:
+    """The names of which partial derivatives are printed."""
+    if isinstance(formula, Partial) and isinstance(formula.argument, Name):
+        return [formula.argument.name]
+    return [name for child in formula.children() for name in _derived(child)]
 
 
 def _restricted(scene: Scene, place: Printed) -> Scene:

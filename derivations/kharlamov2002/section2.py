@@ -311,7 +311,7 @@ all_constants = (
     .having(
         vectors=FRAME,
         loci=(
-            Locus("$c_1=c_2=0$, that is $a=b$, $c=0$", ("c_1=0", "c_2=0"), "c_1 c_2"),
+            Locus("$c_1=c_2=0$, that is, for $a=b$ and $c=0$,", ("c_1=0", "c_2=0"), "c_1 c_2"),
             PARALLEL,
         ),
     )
@@ -449,7 +449,7 @@ section.claim(
         "eq16.invariance",
         xi_variables,
         None,
-        "the system (16), read literally with (4), is an invariant set",
+        "the system (16), read literally with (4), defines an invariant set",
         relations=(*eq16,),
         main=((r"\omega_3",),),
         sentence=INITIAL,

@@ -206,7 +206,7 @@ section.states(
     CriticalSet,
     combined,
     on=reduced_space,
-    says="(18), (19) is exactly the set of its critical points on the reduced phase space",
+    says=r"the zeros of (18), (19) are exactly the critical points of $(2L^2-H)^2-K$",
     ids=("critical-set",),
     equations=(*eq18, *eq19),
     level=norm[1],

@@ -8,22 +8,21 @@ from __future__ import annotations
 
 import argparse
 import sys
-from dataclasses import replace
+from collections.abc import Sequence
 from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
 from typing import Final
 
 from kowalevski_cas import __version__
-from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.check import tell
 from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
-from kowalevski_cas.cli.report import certified
+from kowalevski_cas.cli.report import certified, explained
 from kowalevski_cas.files import write_all
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.problem import checker
-from kowalevski_cas.report import page
+from kowalevski_cas.report import Section, page
 from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.committed import Checked, certificate_files
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
@@ -50,8 +49,7 @@ def run(arguments: argparse.Namespace) -> int:
             raise CommandError(f"{target} is not empty: remove it, or write elsewhere")
 
     def written(found: tuple[Path, Derivation]) -> tuple[Checked, str]:
-        run = session.run(*found, EXACT, explain=True, timeout=arguments.timeout)
-        return _write(replace(run, versions=session.versions()), found[0], arguments.output)
+        return _write(*explained(*found, arguments.timeout), found[0], arguments.output)
 
     done = session.watched(written, chosen)
     for _, said in done:
@@ -59,10 +57,10 @@ def run(arguments: argparse.Namespace) -> int:
     return max(AS_RECORDED, *(tell([checked]) for checked, _ in done if checked.total))
 
 
-def _write(run: Run, folder: Path, output: Path) -> tuple[Checked, str]:
+def _write(run: Run, paper: Sequence[Section], folder: Path, output: Path) -> tuple[Checked, str]:
     """Write the bundle of a run; what the checker says of its certificates, and where it is."""
-    checked, sections, digests = certified(run, folder)
-    _, written = page(run, sections, digests)
+    checked, digests = certified(run, folder)
+    _, written = page(run, paper, digests)
     contents: dict[str, bytes] = {name: text.encode() for name, text in written.items()}
     for path in certificate_files(folder):
         contents[f"{FOLDER}/{path.relative_to(folder / FOLDER).as_posix()}"] = path.read_bytes()

@@ -12,10 +12,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
 from importlib import import_module
+from pathlib import Path
 from time import monotonic
 
 from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, UNDECIDED, CommandError
+from kowalevski_cas.files import write
+from kowalevski_cas.library import owner
 from kowalevski_cas.notation import NotationError, to_latex, to_plain
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -45,6 +48,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         one.add_argument("--scene", metavar="NAME", help="the scene, by its name")
         module.add_arguments(one)
         one.add_argument("--format", choices=("pretty", "json"), default="pretty")
+        one.add_argument(
+            "--write", action="store_true", help="append what is proved to the file, as claims"
+        )
         session.add_timeout(one, 60.0, "for the search, and for each claim")
 
 
@@ -53,7 +59,10 @@ def run(arguments: argparse.Namespace) -> int:
     ((_, derivation),) = session.derivations([arguments.derivation])
     scene = _scene(derivation, arguments.scene)
     _forecast(scene, getattr(arguments, "degree", 0))
-    (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments), [None])
+    file, name = _owner(scene) if arguments.write else (None, "")
+    (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments, name), [None])
+    if file is not None:
+        write(file, file.read_text(encoding="utf-8") + answer.claims)
     outcomes = answer.run.outcomes
     if arguments.format == "json":
         print(json.dumps([_data(outcome) for outcome in outcomes], indent=1))
@@ -74,9 +83,13 @@ class _Answer:
 
     run: Run
     unfinished: str
+    claims: str
+    """What is proved of the scene, in Python."""
 
 
-def _answer(derivation: Derivation, scene: Scene, arguments: argparse.Namespace) -> _Answer:
+def _answer(
+    derivation: Derivation, scene: Scene, arguments: argparse.Namespace, name: str
+) -> _Answer:
     """The answer to a question; what was found before it had to stop is kept."""
     from kowalevski_cas.algebra.kernels import TooLarge
 
@@ -98,7 +111,20 @@ def _answer(derivation: Derivation, scene: Scene, arguments: argparse.Namespace)
     except (Meaningless, NotationError) as error:
         raise CommandError(f"scene “{scene.name}”: {error}") from None
     claims = with_findings(derivation, findings)
-    return _Answer(verify(claims, ["flint"], timeout=arguments.timeout), unfinished)
+    run = verify(claims, ["flint"], timeout=arguments.timeout)
+    both = zip(findings, run.outcomes, strict=True)
+    kept = [one for one, outcome in both if outcome.verdict.green and one.on is scene]
+    kinds = ", ".join(sorted({one.kind.__name__ for one in kept}))
+    lines = [f"from kowalevski_cas.paper.claims import {kinds}"] if kept else []
+    lines += [one.python(name) for one in kept]
+    return _Answer(run, unfinished, "\n".join(["", *lines, ""]))
+
+
+def _owner(scene: Scene) -> tuple[Path, str]:
+    found = owner(scene)
+    if found is None:
+        raise CommandError("--write needs a file in which a System with this scene has a name")
+    return found
 
 
 def _forecast(scene: Scene, degree: int) -> None:

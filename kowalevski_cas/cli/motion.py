@@ -1,11 +1,13 @@
 """Follow a motion: the states at equal steps of time, the invariants, M⁴, N⁴, O⁴, the regime.
 
-A motion is given by a state, any one; or as one on N⁴, by the two fields with m and the energy
-or the constant ℓ. Then s1 and s2 are at the first root of their arcs at the times --origins.
+A motion is given by a state, any one; or by the two fields with m and the energy or ℓ as one on N⁴,
+with s and τ₃ as one on O⁴. Then it is at the first roots of the arcs at the times --origins, or
+by the angles --angles away from them.
 
   kowalevski-cas motion --a 1 --b 0.4 --m 0.8 --l 0.9 --until 1e6
   kowalevski-cas motion --a 1 --b 0.4 --m -0.3 --h 1.2 --method ball --format csv --output orbit
-  kowalevski-cas motion --a 1 --b 1 --c 0.2 --m -0.5 --l 0.3 --torus 2 --origins 0 1/3
+  kowalevski-cas motion --a 1 --b 1 --c 0.4 --m -0.5 --l 0.1 --torus 2 --origins 0 1/3
+  kowalevski-cas motion --a 1.2 --b 0.7 --s 0.4 --tau -0.5 --torus 2
   kowalevski-cas motion --point 0.1 0.2 0.3  1 0 0  0 0.4 0.2
 """
 
@@ -14,8 +16,9 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+from collections.abc import Collection
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, UNDECIDED, CommandError
@@ -28,13 +31,15 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from kowalevski_cas.motion import Motion, MotionO4
     from kowalevski_cas.motion.general import AnyMotion
     from kowalevski_cas.motion.result import Result
 
 LARGEST_COUNT = 10_000_000
 
-CONSTANTS = ("a", "b", "c", "m", "l", "h", "origins", "torus")
-"""The options that describe a motion on N⁴ by its constants and phases."""
+ON_N4, ON_O4 = ("m", "l", "h", "origins"), ("s", "tau", "angles")
+CONSTANTS = ("a", "b", "c", *ON_N4, *ON_O4, "torus")
+"""The options that describe a motion by its constants and phases."""
 
 ROUNDING = 1e-13
 """How far from a given state a motion may begin without a word, relative to its size."""
@@ -80,6 +85,11 @@ def add_motion(parser: argparse.ArgumentParser) -> None:
         metavar="T",
         help="when s1, s2 are at the first root, 0 0 if not given",
     )
+    parser.add_argument("--s", metavar="S", help="the constant s of a motion on O⁴, with τ₃")
+    parser.add_argument("--tau", metavar="T", help="the constant τ₃ of a motion on O⁴")
+    parser.add_argument(
+        "--angles", nargs=2, metavar="PHI", help="where u1, u2 are at t = 0, 0 0 if not given"
+    )
     parser.add_argument("--torus", type=int, metavar="N", help="which of the tori, 1 if not given")
     parser.add_argument(
         "--point",
@@ -109,6 +119,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _followed(arguments: argparse.Namespace) -> Result:
     import numpy as np
 
+    from kowalevski_cas.motion.formulas import source
     from kowalevski_cas.motion.general import General
     from kowalevski_cas.motion.methods import MethodError, load
     from kowalevski_cas.motion.methods.ball import Unresolved, enclosed
@@ -132,6 +143,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
             file=sys.stderr,
         )
     times = np.linspace(0.0, until, arguments.samples)
+    source()  # loaded here, the process that follows the motion has it as well
     limit = f"t = {until:g} within {arguments.timeout:g} s"
     if sys.stderr.isatty():
         print(f"{method} is to come to {limit} ...", file=sys.stderr)
@@ -159,25 +171,37 @@ def _followed(arguments: argparse.Namespace) -> Result:
 
 def motion_of(arguments: argparse.Namespace) -> AnyMotion:
     """The motion that the arguments describe; a message for every way in which they do not."""
-    from kowalevski_cas.motion import Motion, through
+    from kowalevski_cas.motion import through
 
-    given = {name: getattr(arguments, name) for name in CONSTANTS}
-    named = [f"--{name}" for name, value in given.items() if value is not None]
+    given = {name: value for name in CONSTANTS if (value := getattr(arguments, name)) is not None}
     try:
-        if arguments.point is not None:
-            if named:
-                raise CommandError(
-                    f"--point says it all; {', '.join(named)} cannot stand beside it"
-                )
-            return through([x for word in arguments.point for x in word.split(",") if x])
-        missing = [f"--{name}" for name in "abm" if given[name] is None]
-        if missing:
-            raise CommandError(f"{', '.join(missing)} missing; or give a state by --point")
-        if (given["l"] is None) == (given["h"] is None):
-            raise CommandError(
-                "one of --l and --h is needed" + ", not both" * (given["l"] is not None)
-            )
-        given["ell"] = given.pop("l")
-        return Motion.of(**{name: value for name, value in given.items() if value is not None})
+        if arguments.point is None:
+            return _by_constants(given)
+        _refuse(given, "--point says it all")
+        return through([x for word in arguments.point for x in word.split(",") if x])
     except ValueError as error:
         raise CommandError(str(error)) from None
+
+
+def _by_constants(given: dict[str, Any]) -> Motion | MotionO4:
+    """The motion on O⁴ or on N⁴ with these constants."""
+    from kowalevski_cas.motion import Motion, MotionO4
+
+    third = any(name in given for name in ON_O4)
+    needed = ("a", "b", *(("s", "tau") if third else ("m",)))
+    missing = [f"--{name}" for name in needed if name not in given]
+    if missing:
+        raise CommandError(f"{', '.join(missing)} missing; or give a state by --point")
+    if third:
+        _refuse([name for name in ON_N4 if name in given], "--s and --tau are those of O⁴")
+        return MotionO4.of(**given)
+    if ("l" in given) == ("h" in given):
+        raise CommandError("one of --l and --h is needed" + ", not both" * ("l" in given))
+    return Motion.of(**{"ell" if name == "l" else name: value for name, value in given.items()})
+
+
+def _refuse(given: Collection[str], why: str) -> None:
+    """Refuse options beside others."""
+    if given:
+        names = ", ".join(f"--{name}" for name in given)
+        raise CommandError(f"{why}; {names} cannot stand beside it")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -36,35 +37,44 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
 
     def written(found: tuple[Path, Derivation]) -> tuple[Checked, str]:
-        run = session.run(*found, EXACT, explain=True, timeout=arguments.timeout)
-        return write(replace(run, versions=session.versions()), arguments.output, found[0])
+        run, paper = explained(*found, arguments.timeout)
+        return write(run, paper, arguments.output, found[0])
 
     for _, said in session.watched(written, session.derivations(arguments.derivations)):
         print(said, file=sys.stderr)
     return AS_RECORDED
 
 
-def write(run: Run, folder: Path, derivation: Path) -> tuple[Checked, str]:
+def explained(
+    folder: Path, derivation: Derivation, timeout: float
+) -> tuple[Run, tuple[Section, ...]]:
+    """A run that tells its steps, and its outcomes in the order of the paper."""
+    from kowalevski_cas.report import sections
+
+    run = session.run(folder, derivation, EXACT, explain=True, timeout=timeout)
+    run = replace(run, versions=session.versions())
+    return run, sections(run, derivation, derivation.texts())
+
+
+def write(
+    run: Run, paper: Sequence[Section], folder: Path, derivation: Path
+) -> tuple[Checked, str]:
     """Write the report of a run; what the checker says of its certificates, and where it is."""
     from kowalevski_cas.report import ReportError, write_report
 
-    checked, found, digests = certified(run, derivation)
+    checked, digests = certified(run, derivation)
     try:
-        written = write_report(run, found, folder, digests)
+        written = write_report(run, paper, folder, digests)
     except ReportError as error:
         raise CommandError(f"the report: {error}") from None
     said = [*written.notes, f"{written.html} and {written.pdf} are written"]
     return checked, "\n".join(said)
 
 
-def certified(run: Run, folder: Path) -> tuple[Checked, tuple[Section, ...], dict[str, str]]:
-    """What the checker says of certificates, the paper in order, and the digests of its claims."""
-    from kowalevski_cas.library import load
-    from kowalevski_cas.report import sections
+def certified(run: Run, folder: Path) -> tuple[Checked, dict[str, str]]:
+    """What the checker says of certificates, and the digests of those about this run's claims."""
     from kowalevski_cas.verify.committed import check_committed
 
     checked = check_committed(folder, session.recorded(folder))
     own = {outcome.claim: outcome.digest for outcome in run.outcomes}
-    paper = load(str(folder))
-    found = sections(run, paper, paper.texts())
-    return checked, found, dict(own.items() & checked.digests.items())
+    return checked, dict(own.items() & checked.digests.items())

@@ -29,6 +29,7 @@ from kowalevski_cas.cli.exits import (
 from kowalevski_cas.cli.formats import EXPLAINED, FORMATS, Result, load_format
 from kowalevski_cas.library import READ, LibraryError, available, find, source
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.report import sections
 from kowalevski_cas.verify.outcome import Run, Verdict
 from kowalevski_cas.verify.record import (
     RecordError,
@@ -104,7 +105,8 @@ def compared(folder: Path, derivation: Derivation, found: Run, whole: bool) -> R
         differing = contradictions(found, record)
     else:
         differing = differences(found, record, whole)
-    return Result(folder, found, differing, record is not None, derivation.lines)
+    paper = sections(found, derivation, derivation.texts())
+    return Result(folder, found, paper, differing, record is not None, derivation.lines)
 
 
 def told(folder: Path, derivation: Derivation, begun: Session, claim: str) -> str:
@@ -160,7 +162,8 @@ def _verified(arguments: argparse.Namespace) -> int:
         from kowalevski_cas.cli.report import write
 
         work = session.watched(
-            lambda result: write(result.run, arguments.report, result.folder), results
+            lambda result: write(result.run, result.paper, arguments.report, result.folder),
+            results,
         )
         for _, said in work:
             print(said, file=sys.stderr)

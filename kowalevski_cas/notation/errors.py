@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 _WIDTH = 70
+_LETTER = re.compile(r"(?:[^_{]|\{[^{}]*\}|\{)*")
 
 # Letters that are taken for one another in print or in haste.
 _LOOKALIKES = tuple(
@@ -132,7 +134,8 @@ def letter_and_index(name: str) -> tuple[str, str]:
     >>> letter_and_index("U_{12}")
     ('U', '12')
     """
-    letter, _, index = name.partition("_")
+    letter = _LETTER.match(name)[0]  # type: ignore[index] # it matches anything
+    index = name[len(letter) + 1 :]
     return letter, index[1:-1] if index.startswith("{") else index
 
 

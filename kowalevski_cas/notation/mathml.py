@@ -126,8 +126,8 @@ class MathML(Printer):
 
 
 def stretched(bracket: str) -> str:
-    """A bracket that grows with what stands beside it."""
-    return bracket.replace(_AS_IT_IS, "", 1)
+    """A bracket that grows with what stands beside it; below a power it is tall by itself."""
+    return bracket.replace(_AS_IT_IS, ' minsize="2.4em"' if "<msup>" in bracket else "", 1)
 
 
 def _over(text: str, accent: str) -> str:

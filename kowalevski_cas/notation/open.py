@@ -2,25 +2,49 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import replace
+
+from kowalevski_cas.notation.cursor import Cursor
+from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Name
 from kowalevski_cas.notation.lexer import Token
 from kowalevski_cas.notation.macros import GREEK
 from kowalevski_cas.notation.parser import Parser
+from kowalevski_cas.notation.vocabulary import Vocabulary
 
 
 class OpenParser(Parser):
     r"""Takes every letter for a scalar; bold type has to be declared, and so have macros.
 
+    Each may be printed as a function of the time, if the vocabulary does not say which move.
+
     >>> from kowalevski_cas.notation.reader import read
-    >>> from kowalevski_cas.notation.vocabulary import Vocabulary
     >>> read(r"\sigma x", Vocabulary(), OpenParser).factors
     (Name(name='\\sigma'), Name(name='x'))
     """
 
+    def __init__(self, tex: str, tokens: list[Token], vocabulary: Vocabulary) -> None:
+        names = {*_names(Cursor(tex, tokens, vocabulary))} - {"d", *vocabulary.ranks}
+        scalars = vocabulary.scalars | names - vocabulary.functions
+        moving = vocabulary.moving or scalars
+        super().__init__(tex, tokens, replace(vocabulary, scalars=scalars, moving=moving))
+
     def declared(self, letter: str, index: str, token: Token) -> Name:
-        """The node of a name."""
-        name = letter + index
-        declared = name in self.vocabulary
-        if declared or not (letter in GREEK or letter.isalpha() or letter.startswith(r"\mathrm{")):
-            return super().declared(letter, index, token)
-        return Name(name)
+        """The node of a name; a d that belongs to no derivative is one."""
+        return Name("d" + index) if letter == "d" else super().declared(letter, index, token)
+
+
+def _names(cursor: Cursor) -> Iterator[str]:
+    """The letters of a statement with their indices."""
+    while cursor.at < len(cursor.tokens):
+        token = cursor.take()
+        plain = token.text in GREEK or token.text.isalpha() or token.text.startswith(r"\mathrm{")
+        if token.kind == "letter" and plain:
+            index = ""
+            if cursor.at < len(cursor.tokens) and cursor.tokens[cursor.at].kind == "_":
+                try:
+                    index = cursor.index()
+                except NotationError:
+                    continue
+            yield token.text + index

@@ -239,15 +239,19 @@ class Symbols(Cursor, ABC):
             return self.bracket()
         piece = self.factor()
         token = self.tokens[self.at]
-        function = token.kind == "operator" or self.upright(token.text)
+        function = self.ends_argument(token)
         if isinstance(piece[0], Number) and token.kind == "letter" and not function:
             other = self.factor()  # as in \sin 2x
             piece = (Product((piece[0], other[0])), piece[1], other[2], (piece, other))
             token = self.tokens[self.at]
-            function = token.kind == "operator" or self.upright(token.text)
+            function = self.ends_argument(token)
         if token.kind == "slash" or (self.starts() and not function):
             raise self.error(f"how far does {operator} reach? set brackets")
         return piece
+
+    def ends_argument(self, token: Token) -> bool:
+        """Whether no argument of a function goes on here: at another function, or at a rate."""
+        return token.kind == "operator" or token.text in _DOTS or self.upright(token.text)
 
 
 def _accented(piece: Piece, accents: tuple[str, ...], start: int, end: int) -> Piece:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from kowalevski_cas.notation.errors import letter_and_index
-from kowalevski_cas.notation.macros import GREEK
+from kowalevski_cas.notation.macros import FUNCTIONS, GREEK
 
 SIGNS = {
     "=": "=", r"\equiv": "≡", r"\ne": "≠", "<": "<", ">": ">", r"\le": "≤", r"\ge": "≥",
@@ -24,6 +24,7 @@ _STYLES = {
     r"\mathfrak": "FRAKTUR", r"\mathbb": "DOUBLE-STRUCK", r"\mathsf": "SANS-SERIF",
 }  # fmt: skip
 
+_PIECE_OF = re.compile(r"\\[A-Za-z]+|[^_]")
 _PIECE = re.compile(r"\\[A-Za-z]+(?:\{([^{}]*)\})?|.")
 
 
@@ -52,6 +53,10 @@ def symbol(name: str) -> Symbol:
         # A macro of its own, as \sin, is an upright word.
         upright = letter[0] == "\\" and letter not in _LETTERS
         return Symbol(_letter(letter), r"\mathrm" if upright else "", _index(index))
+    if font in FUNCTIONS or "^" in inner:  # the name of a value, as \sin{\theta_1}
+        value = "".join(map(_letter, _PIECE_OF.findall(inner[:-1].replace("}^{", "^"))))
+        word = f"{font[1:]} {value}" if font in FUNCTIONS else value
+        return Symbol(word, r"\mathrm", _index(index))
     return Symbol(_letter(inner[:-1]), font, _index(index))
 
 

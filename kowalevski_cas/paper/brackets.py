@@ -15,7 +15,6 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
-    Partial,
     Product,
     Quotient,
     Sum,
@@ -66,8 +65,9 @@ class Brackets:
     def _bracket(self, f: Formula, g: Formula) -> Formula:
         terms = []
         for (x, y), value in self.structure.items():
-            first = Product((Partial(f, x), Partial(g, y)))
-            second = Product((Partial(f, y), Partial(g, x)))
+            by = self.setting.partial
+            first = Product((by(f, x), by(g, y)))
+            second = Product((by(f, y), by(g, x)))
             terms.append(Product((value, Sum((first, Negative(second))))))
         return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else Number(0)
 

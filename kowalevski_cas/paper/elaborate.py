@@ -37,6 +37,7 @@ from kowalevski_cas.paper.roots import solved
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.scene import Scene, head, is_bold
 from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.paper.validation import check_time, validate
 from kowalevski_cas.paper.written_out import WrittenOut
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -70,10 +71,11 @@ class Elaboration(Meaning):
         named = {name for name in scene.roots if not name.startswith(r"\sqrt")}
         plain = (*scene.variables, *scene.constants, *scene.undefined)
         self._powers = {f"{b}^{{{e}}}": (b, e) for b, e in scene.powers}
-        moving = (*scene.variables, *self.velocities.values())
+        moving = (*map(self.transcendental.instead, scene.variables), *self.velocities.values())
         self.variables = tuple(n for n in moving if n not in named | self.zero)
         self.constants = tuple(n for n in plain[len(scene.variables) :] if n not in named)
         self.powers = tuple(self._powers)
+        self.turning: dict[str, Formula] | None = None
         self._steps: dict[str, Step | None] = {}
         self._open: list[str] = []
         self.places: dict[str, tuple[Printed, ...]] = {}
@@ -83,6 +85,7 @@ class Elaboration(Meaning):
     def _root_names(self) -> Iterator[str]:
         if self.scene.unit is not None or self.source is not None:
             yield "i"
+        yield from self.transcendental.roots
         for name, printed in self.scene.roots.items():
             if printed is None or not name.startswith(r"\sqrt"):
                 yield name
@@ -103,7 +106,8 @@ class Elaboration(Meaning):
     @cached_property
     def nonzero(self) -> tuple[Formula, ...]:  # type: ignore[override]
         """What the scene takes for granted not to vanish."""
-        return tuple(self.formula(tex) for tex in self.scene.nonzero)
+        exponents = (Name(self.transcendental.instead(n)) for n in self.transcendental.exponents)
+        return (*map(self.formula, self.scene.nonzero), *exponents)
 
     @cached_property
     def conjugates(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override]
@@ -173,7 +177,14 @@ class Elaboration(Meaning):
         if self.source is not None and name in self.inverse:
             assert isinstance(scene.field, ChangeOfScene)
             return self._let(name, self.inverse[name], *scene.field.formulas)
-        raise Meaningless(f"{name} has no meaning on the scene “{scene.name}”", name)
+        raise self._without_meaning(name)
+
+    def _without_meaning(self, name: str) -> Meaningless:
+        what = f"{name} has no meaning on the scene “{self.scene.name}”"
+        if name in self.transcendental:
+            what = f"{name} stands under a sine, a cosine or an exponential, and by itself as well"
+            what += ": nothing is known of both at once"
+        return Meaningless(what, name)
 
     def _head(self, name: str) -> str | None:
         """The head in which a name has variables for arguments, as H has in H(q,p)."""
@@ -216,6 +227,9 @@ class Elaboration(Meaning):
         return solved(self, "i", printed)
 
     def _root(self, name: str) -> Step:
+        if name in self.transcendental.roots:
+            self.places[name] = ()
+            return self.transcendental.roots[name]
         printed = self.scene.roots[name]
         if printed is not None:
             return solved(self, name, printed)
@@ -282,6 +296,28 @@ class Elaboration(Meaning):
             with suppress(NotationError):
                 found.append(self.texts.relation(place))
         return found
+
+    @cached_property
+    def transcendental(self) -> Transcendental:
+        """The variables that stand under sines, cosines and exponentials."""
+        formulas = list(self.printed_field)
+        for place in self.scene.definitions.values() if formulas else ():
+            with suppress(NotationError):
+                formulas.append(self.texts.formula(place))
+        return Transcendental(formulas, self.scene.variables)
+
+    @property
+    def together(self) -> tuple[tuple[str, ...], ...]:
+        angles = self.transcendental.angles
+        return tuple((self.transcendental.instead(n), rf"\cos{{{n}}}") for n in angles)
+
+    @property
+    def own_variables(self) -> tuple[str, ...]:
+        replaced = self.transcendental.angles + self.transcendental.exponents
+        if replaced:
+            what = f"{replaced[0]} stands under a sine, a cosine or an exponential"
+            raise Meaningless(f"{what}: degrees, volumes and numbers of solutions are not known")
+        return self.variables
 
     @cached_property
     def velocities(self) -> dict[str, str]:  # type: ignore[override]

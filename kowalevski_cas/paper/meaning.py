@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Setting
 
@@ -19,6 +20,8 @@ class Meaning(Setting):
     texts: Texts
     places: dict[str, tuple[Printed, ...]]
     velocities: dict[str, str]
+    turning: dict[str, Formula] | None
+    """The rates of variables in whose place others stand, when the field has been looked at."""
     printed_field: list[Formula]
 
     @property
@@ -30,6 +33,15 @@ class Meaning(Setting):
     @abstractmethod
     def plain(self) -> Callable[[Formula], Formula]:
         """What writes a formula out in the operations of a space."""
+
+    @property
+    @abstractmethod
+    def transcendental(self) -> Transcendental:
+        """The variables that stand under sines, cosines and exponentials."""
+
+    def partial(self, formula: Formula, name: str) -> Formula:
+        """The partial derivative of what is written out in the operations of a space."""
+        return self.transcendental.partial(formula, name, self.step)
 
     @abstractmethod
     def definition(self, name: str) -> Formula:

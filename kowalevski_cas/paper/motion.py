@@ -17,7 +17,16 @@ from kowalevski_cas.algebra.derivation import along
 from kowalevski_cas.algebra.linear import determinant
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Derivative, Formula, Name, Number, Partial, Product, Vector
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Partial,
+    Product,
+    Quotient,
+    Vector,
+)
 from kowalevski_cas.notation.errors import dotted
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
@@ -56,7 +65,10 @@ def _orders(formula: Formula, above: int = 0) -> Iterator[tuple[str, int]]:
 def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[Motion]:
     """The rows of the field of a scene; raises :class:`Meaningless` if there is no such field."""
     _check_marks(setting)
-    rows = [Motion((x,), Number(1), Name(rate)) for x, rate in setting.velocities.items()]
+    setting.turning = turning = dict[str, Formula]()
+    replaced = setting.transcendental.row
+    velocities = setting.velocities.items()
+    rows = [replaced(Motion((x,), Number(1), Name(rate))) for x, rate in velocities]
     found: dict[str, Printed] = {}
     others: list[Equation] = []
     for printed in places:
@@ -65,7 +77,9 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[Motion]:
         if row is None or _has_rate(force):
             others.append((setting.plain(left), force))
             continue
-        rows.append(Motion(row.names, setting.plain(row.factor), force))
+        row = Motion(row.names, setting.plain(row.factor), force)
+        turning[row.names[0]] = Quotient(row.force, row.factor)
+        rows.append(replaced(row))
         for name in row.names:
             if found.setdefault(name, printed) != printed:
                 raise Meaningless(
@@ -76,6 +90,9 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[Motion]:
     yield from rows
     if others:
         known = {name for row in rows for name in row.names}
+        for name in setting.transcendental.angles + setting.transcendental.exponents:
+            if setting.transcendental.instead(name) not in known:
+                raise Meaningless(f"solve the equations of motion for the rate of {name}", name)
         yield from _solved(others, [n for n in setting.variables if n not in known], rows, setting)
 
 

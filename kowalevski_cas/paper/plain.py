@@ -72,7 +72,8 @@ class Plain:
             case Application(function, (argument,)) if function in OF_MATRICES:
                 return OF_MATRICES[function](rows(argument, self.setting))
             case Application():
-                return self(self._applied(formula))
+                known = self.setting.transcendental(formula)
+                return self(self._applied(formula)) if known is None else known
             case Root() if (value := self._printed_value(formula)) is not None:
                 return value
             case Power(Name(base), exponent) if not _is_whole(exponent):
@@ -85,7 +86,7 @@ class Plain:
         """Sums over an index, lengths, squares of vectors and gradients; ``None`` for others."""
         match formula:
             case Summation():
-                return self(_written_out(formula))
+                return self(written_out(formula))
             case Power(base, Number(exponent)) if (square := self._square(base)) is not None:
                 half, odd = divmod(exponent, 2)
                 even = Power(square, Number(half)) if half > 1 else square
@@ -94,9 +95,12 @@ class Plain:
                 square = self._square(formula)
                 assert square is not None
                 return self(Root(square))
-            case Partial(argument, by) if (names := self.setting.scene.vectors.get(by)) is not None:
-                inner = self(argument)
-                return Vector(tuple(Partial(inner, name) for name in names))
+            case Partial(argument, by):
+                inner, derived = self(argument), self.setting.partial
+                names = self.setting.scene.vectors.get(by)
+                if names is None:
+                    return derived(inner, by)
+                return Vector(tuple(derived(inner, name) for name in names))
         return None
 
     def _derivative(self, argument: Formula, mark: str) -> Formula:
@@ -117,9 +121,19 @@ class Plain:
         velocities, vectors = self.setting.velocities, self.setting.scene.vectors
         if isinstance(argument, Name) and argument.name in velocities:
             return Name(velocities[argument.name])
+        if isinstance(argument, Name) and argument.name in self.setting.transcendental:
+            return self._turning(argument.name)
         if isinstance(argument, Name) and velocities.keys() & {*vectors.get(argument.name, ())}:
             return Vector(tuple(self._rate(Name(name)) for name in vectors[argument.name]))
         return Derivative(argument, MARK)
+
+    def _turning(self, name: str) -> Formula:
+        """The rate of a variable in whose place another one stands."""
+        if self.setting.turning is None:
+            _ = self.setting.field
+        if name not in (self.setting.turning or {}):
+            raise Meaningless(f"print the equation for the rate of {name} first", name)
+        return (self.setting.turning or {})[name]
 
     def _square(self, formula: Formula) -> Formula | None:
         """The square of a vector, or of what stands between bars; ``None`` for anything else."""
@@ -224,7 +238,7 @@ def _applies(formula: Formula, function: str) -> bool:
     return any(_applies(child, function) for child in formula.children())
 
 
-def _written_out(formula: Summation) -> Formula:
+def written_out(formula: Summation) -> Formula:
     """The terms of a sum; raises :class:`Meaningless` if its limits are no numbers."""
     match formula.first, formula.last:
         case Number(first), Number(last):

@@ -93,7 +93,7 @@ def _is_real(setting: Meaning, name: str) -> bool:
 def _assumptions(setting: Meaning) -> None:
     """What is taken for granted not to vanish does not vanish by the relations."""
     product = setting.finder.ring.one
-    for tex, formula in zip(setting.scene.nonzero, setting.nonzero, strict=True):
+    for tex, formula in zip(setting.scene.nonzero, setting.nonzero, strict=False):
         product = product * setting.finder.scalar(formula)
         if product.is_zero:
             what = f"{tex} is taken for granted not to vanish, and the relations make it vanish"

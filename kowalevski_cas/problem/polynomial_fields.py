@@ -30,7 +30,7 @@ class PolynomialField:
 
     def __init__(self, at: Evaluation, factor: Element | None = None) -> None:
         self.at = at
-        variables, constants = at.setting.variables, at.setting.constants
+        variables, constants = at.setting.own_variables, at.setting.constants
         self.names = (*variables, *constants)
         self.size = len(variables)
         rates = [at.rates[name] if name in at.rates else at.ring.zero for name in variables]

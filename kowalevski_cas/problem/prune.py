@@ -121,11 +121,11 @@ class Reach:
             self.name(name)
 
     def close(self) -> None:
-        """Reach the partners of conjugates, and what is taken for granted."""
+        """Reach the partners of conjugates, what belongs together, and what is granted."""
         before = -1
         while before != len(self.names):
             before = len(self.names)
-            for pair in self.setting.conjugates:
+            for pair in (*self.setting.conjugates, *self.setting.together):
                 if self.names & {*pair}:
                     for name in pair:
                         self.name(name)

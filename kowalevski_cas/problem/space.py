@@ -110,6 +110,19 @@ class Setting(ABC):
         """The roots that are variables: a point gives them values of their own."""
 
     @property
+    def together(self) -> tuple[tuple[str, ...], ...]:
+        """Names of which each says something about the others, as the sine about the cosine."""
+        return ()
+
+    @property
+    def own_variables(self) -> tuple[str, ...]:
+        """The variables, for statements that depend on which they are: degrees, volumes, counts.
+
+        Raises :class:`Meaningless` if others stand in the place of some.
+        """
+        return self.variables
+
+    @property
     def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
         """Declared places of degeneracy: equations, and what does not vanish elsewhere."""
         return ()

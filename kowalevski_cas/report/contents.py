@@ -154,10 +154,10 @@ class Contents:
             known = sum(outcome.claim in self.certified for outcome in run.outcomes)
             many = f"{known} of {len(run.outcomes)} have certificates"
             if known == len(run.outcomes):
-                many = "Each has a certificate"
+                many = "Each statement has a certificate"
             text = (
                 *text, f" {many}, accepted by a checker that shares no line of code with the "
-                "program.",
+                "program: ", Code(f"kowalevski-cas check {run.derivation}"), " lets it judge them.",
             )  # fmt: skip
         if self.programs:
             named = listed([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])

@@ -84,7 +84,7 @@ class Evidence:
         for claims, ones in alike(having, lambda one: (one.words, one.verdict, one.conditions)):
             one = ones[0]
             formulas = tuple(formula for each in ones for formula in each.formulas)
-            what = "What was meant" if one.edit else "The nearest true statement"
+            what = "Correction" if one.edit else "The nearest true statement"
             said: Text = (
                 Emphasis((what,)),
                 *self._of(claims),

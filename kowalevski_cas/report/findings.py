@@ -76,7 +76,7 @@ class Findings:
         wrong = []
         if spoiled:
             slips = counted(len(self.slips), "misprint")
-            wrong.append(f"{slips} {_verb('spoil', len(self.slips))} {in_words(spoiled)} of them")
+            wrong.append(f"{in_words(spoiled)} {_is(spoiled)} spoiled by {slips}")
         if self.false:
             wrong.append(f"{in_words(len(self.false))} {_is(len(self.false))} false")
         for verdict, what in _OPEN.items():

@@ -100,7 +100,9 @@ def names(sections: Sequence[Section]) -> dict[str, str]:
         above: list[Outcome] = []
         for item in section.items:
             if item.label:
-                found.update({o.claim: f"above {item.label}" for o in above if len(above) == 1})
+                found.update(
+                    {o.claim: f"the formula above {item.label}" for o in above if len(above) == 1}
+                )
                 found.update(item.names())
                 above = []
             elif item.display:

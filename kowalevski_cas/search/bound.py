@@ -17,7 +17,7 @@ from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
-from kowalevski_cas.search.cofactors import cofactors
+from kowalevski_cas.search.groebner import expressed
 from kowalevski_cas.search.numbers import linear_combination, solved_numbers
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real import real_points
@@ -114,7 +114,8 @@ def _solved(group: list[Linear], at: Evaluation, goal: Follows) -> dict[str, Ele
     names = list(dict.fromkeys(name for _, coefficients in group for name in coefficients))
     if len(group) == 1:
         free, coefficients = group[0]
-        row = cofactors(-at.scalar(free), [at.scalar(c) for c in coefficients.values()], goal.main)
+        known = [at.scalar(c) for c in coefficients.values()]
+        row = expressed(-at.scalar(free), known, goal.main)
         return None if row is None else dict(zip(coefficients, row, strict=True))
     zero = at.ring.zero
     matrix = [[at.scalar(cs[name]) if name in cs else zero for name in names] for _, cs in group]

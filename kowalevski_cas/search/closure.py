@@ -19,7 +19,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Place
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.cofactors import cofactors
+from kowalevski_cas.search.groebner import expressed
 from kowalevski_cas.search.place import PointFinder
 
 
@@ -121,7 +121,7 @@ def closures(at: Evaluation, seed: Element, order: int) -> Iterator[Closure]:
     chain, least = [seed], None
     for _ in range(order):
         after = at.derivative(chain[-1])
-        row = cofactors(after, chain, ())
+        row = expressed(after, chain)
         degree = None if row is None else _degree(at, chain, row)
         if row is not None and degree is not None and (least is None or degree < least):
             point = finder.point(at, chain, [*chain, *row], most=0 if degree else 2)

@@ -35,12 +35,34 @@ def cofactors(
     dividend = flat.polynomial(target)
     sets = [tuple(range(flat.size)), *(flat.indices(names) for names in main)]
     found = _divided(flat, dividend, numerators, sets)
-    if found is None and len(numerators) > 1:
-        relations = flat.relations(among=numerators)
-        least = multiple(dividend, [*numerators, *relations], LARGEST_DEGREE)
-        found = None if least is None else (least[0], least[1][: len(numerators)])
-    if found is None:
+    return None if found is None else _elements(flat, target, generators, contents, found)
+
+
+def conditional_cofactors(target: Element, generators: Sequence[Element]) -> list[Element] | None:
+    """Cofactors that are divided by a polynomial of the least degree for which there are some.
+
+    A number has none: what it would be divided by vanishes where the generators do.
+    """
+    flat = Flat(target.ring)
+    contents, numerators = zip(*(flat.without_roots(g) for g in generators), strict=True)
+    dividend, relations = flat.polynomial(target), flat.relations(among=numerators)
+    if dividend.is_constant():
         return None
+    least = multiple(dividend, [*numerators, *relations], LARGEST_DEGREE)
+    if least is None:
+        return None
+    unit, quotients = least
+    return _elements(flat, target, generators, contents, (unit, quotients[: len(numerators)]))
+
+
+def _elements(
+    flat: Flat,
+    target: Element,
+    generators: Sequence[Element],
+    contents: Sequence[Element],
+    found: Combination,
+) -> list[Element]:
+    """Cofactors of elements, from those of their numerators without their roots."""
     unit, quotients = found
     below = flat.inverse(unit) * flat.below(target)
     return [

@@ -14,7 +14,8 @@ from kowalevski_cas.problem.evidence import At, Proof, Shown
 from kowalevski_cas.problem.examine import is_real
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.place import Place
-from kowalevski_cas.search.cofactors import cofactors, vanishes_on
+from kowalevski_cas.search.cofactors import cofactors, conditional_cofactors, vanishes_on
+from kowalevski_cas.search.groebner import Combinations
 from kowalevski_cas.search.place import Candidate, PointFinder
 
 LARGEST_POWER = 3
@@ -132,13 +133,25 @@ def alternatives(goal: Follows, at: Evaluation) -> list[Element]:
 def rows_of(
     goals: Sequence[Element], known: Sequence[Element], main: Sequence[tuple[str, ...]] = ()
 ) -> tuple[list[list[Element]], int] | None:
-    """Rows of cofactors for the goals, or for a power of them; none if they vanish."""
+    """Rows of cofactors for the goals, or for a power of them; none if they vanish.
+
+    They are sought by division; then by a Gröbner basis, which finds all that there are; and then
+    those that are divided by something.
+    """
     if all(goal.is_zero for goal in goals):
         return [], 1
-    for power in range(1, LARGEST_POWER + 1 if len(known) > 1 else 2):
-        rows = [combined(goal**power, known, main) for goal in goals]
+    rows = [combined(goal, known, main) for goal in goals]
+    if None not in rows:
+        return [row for row in rows if row is not None], 1
+    if len(known) > 1:
+        combinations = Combinations(goals, known)
+        for power in range(1, LARGEST_POWER + 1):
+            found = combinations.rows(power)
+            if found is not None:
+                return found, power
+        rows = [conditional_cofactors(goal, known) for goal in goals]
         if None not in rows:
-            return [row for row in rows if row is not None], power
+            return [row for row in rows if row is not None], 1
     return None
 
 

@@ -1,8 +1,8 @@
-"""Combinations by Gröbner bases: what is linear in some unknowns, over any other variables.
+"""Combinations by Gröbner bases: each element remembers how it was made (Buchberger).
 
-The generators are of degree 0 or 1 in the unknowns, and so is what is combined from them. So
-pairs whose S-polynomial would be of degree 2 are left out: this is a basis of a module. Each
-element remembers how it was made; the cofactors are read off at the end (Buchberger).
+Where there are unknowns, the generators are of degree 0 or 1 in them, and so is what is combined
+from them. So pairs whose S-polynomial would be of degree 2 are left out: this is a basis of a
+module.
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from math import prod
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.search.cofactors import Flat
+from kowalevski_cas.search.cofactors import Flat, cofactors, conditional_cofactors
 
-LARGEST = 600
-"""How many elements a basis may have; a larger one is given up."""
+LONGEST = 500_000
+"""How many terms are reduced to make a basis, before it is given up."""
 
 POWERS = 3
 """The largest power of a unit by which a target is multiplied."""
@@ -43,7 +43,9 @@ class Basis:
         self._pairs: list[tuple[int, int, int, Monomial]] = []
         for k, generator in enumerate(generators):
             self._enter(generator, {k: self.context.constant(1)})
-        while self._pairs and len(self.elements) <= LARGEST:
+        self._steps = 0
+        """The terms that were reduced so far."""
+        while self._pairs and self._steps <= LONGEST:
             _, i, j, _ = heappop(self._pairs)
             rest, made = self._reduced(*self._pair(i, j))
             if not rest.is_zero():
@@ -114,6 +116,7 @@ class Basis:
             ratio = rest.leading_coefficient() / divisor.leading_coefficient()
             factor = self._over(lead, self.leads[place]) * ratio
             rest -= factor * divisor
+            self._steps += len(divisor) + len(rest)
             made[place] = made.get(place, self.context.constant(0)) - factor
         return rest, made
 
@@ -122,58 +125,83 @@ class Basis:
         return self.context.from_dict({exponents: 1})
 
 
-def linear_cofactors(
-    targets: Sequence[Element],
-    generators: Sequence[Element],
-    unknowns: Sequence[str],
-    units: Sequence[Element],
-    conditions: Sequence[Element],
-) -> list[list[Element]] | None:
-    """Rows of elements that combine each target from the generators, or ``None``.
+class Combinations:
+    """Rows of elements that combine targets from generators; a basis is made of these once.
 
-    All are linear in the ``unknowns``. Each row divides by powers of the ``units``, and by as few
-    of the ``conditions`` as possible.
+    Where there are ``unknowns``, all are linear in them. Each row divides by powers of the
+    ``units``, and by as few of the ``conditions`` as possible.
     """
-    ring = targets[0].ring
-    flat = Flat(ring)
-    context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
 
-    def graded(element: Element) -> fmpq_mpoly:
-        return context.from_dict(flat.polynomial(element).to_dict())
+    def __init__(
+        self,
+        targets: Sequence[Element],
+        generators: Sequence[Element],
+        unknowns: Sequence[str] = (),
+        units: Sequence[Element] = (),
+        conditions: Sequence[Element] = (),
+    ) -> None:
+        self.targets, self.generators = targets, generators
+        self.units, self.conditions = units, conditions
+        self.ring = ring = targets[0].ring
+        self.flat = flat = Flat(ring)
+        self.context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
+        known = [*map(self._graded, generators)]
+        divisors = [*map(self._graded, (*units, *conditions))]
+        units_at = {
+            k for unit in divisors[: len(units)] if len(unit) == 1 for k in _variables(unit)
+        }
+        for place, radicand in zip(reversed(range(flat.roots)), ring.radicands, strict=True):
+            if len(shown := self._graded(radicand)) == 1 and units_at.issuperset(_variables(shown)):
+                units_at.add(place)
+        self.kept = [k for k, polynomial in enumerate(known) if not polynomial.is_zero()]
+        self.contents = [_content(known[k], units_at) for k in self.kept]
+        polynomials = (*known, *divisors, *map(self._graded, targets))
+        used = {k for polynomial in polynomials for k in _variables(polynomial)}
+        relations = [
+            _in(self.context, relation)
+            for place, relation in zip(range(flat.roots), flat.relations(), strict=True)
+            if place in used
+        ]
+        primitive = [known[k] / c for k, c in zip(self.kept, self.contents, strict=True)]
+        self.basis = Basis([*primitive, *relations], flat.indices(unknowns)) if primitive else None
 
-    units_at = {k for unit in map(graded, units) if len(unit) == 1 for k in _variables(unit)}
-    for place, radicand in zip(reversed(range(flat.roots)), ring.radicands, strict=True):
-        if len(shown := graded(radicand)) == 1 and units_at.issuperset(_variables(shown)):
-            units_at.add(place)
-    known = [*map(graded, generators)]
-    kept = [k for k, polynomial in enumerate(known) if not polynomial.is_zero()]
-    if not kept:
-        return None
-    contents = [_content(known[k], units_at) for k in kept]
-    used = {k for p in (*known, *map(graded, (*units, *conditions))) for k in _variables(p)}
-    relations = [
-        context.from_dict(relation.to_dict())
-        for place, relation in zip(range(flat.roots), flat.relations(), strict=True)
-        if place in used
-    ]
-    primitive = [known[k] / content for k, content in zip(kept, contents, strict=True)]
-    basis = Basis([*primitive, *relations], flat.indices(unknowns))
-    found = []
-    for target in map(graded, targets):
-        for factors in _multiples(units, conditions):
-            row = basis.cofactors(target * graded(prod(factors, start=ring.one)))
+    def rows(self, power: int = 1) -> list[list[Element]] | None:
+        """The rows for powers of the targets, or ``None`` if one is not found."""
+        found = [self._row(target**power) for target in self.targets]
+        return None if None in found else [row for row in found if row is not None]
+
+    def _row(self, target: Element) -> list[Element] | None:
+        if self.basis is None:
+            return None
+        flat, one = self.flat, self.ring.one
+        for factors in _multiples(self.units, self.conditions):
+            row = self.basis.cofactors(self._graded(prod((target, *factors), start=one)))
             if row is not None:
                 break
         else:
             return None
-        below = prod((factor.inverse() for factor in factors), start=ring.one)
-        entries = [ring.zero] * len(generators)
-        for place, content, polynomial in zip(kept, contents, row, strict=False):
-            over = flat.below(generators[place]) * flat.element(_in(flat.context, content))
+        below = prod((factor.inverse() for factor in factors), start=flat.below(target))
+        entries = [self.ring.zero] * len(self.generators)
+        for place, content, polynomial in zip(self.kept, self.contents, row, strict=False):
+            over = flat.below(self.generators[place]) * flat.element(_in(flat.context, content))
             entry = flat.element(_in(flat.context, polynomial))
             entries[place] = entry * below * over.inverse()
-        found.append(entries)
-    return found
+        return entries
+
+    def _graded(self, element: Element) -> fmpq_mpoly:
+        """A numerator, with the roots as variables."""
+        return _in(self.context, self.flat.polynomial(element))
+
+
+def expressed(
+    target: Element, generators: Sequence[Element], main: Sequence[tuple[str, ...]] = ()
+) -> list[Element] | None:
+    """Cofactors of a target by division, or by a basis, or with the least condition."""
+    row = cofactors(target, generators, main)
+    if row is not None or len(generators) == 1:
+        return row
+    rows = Combinations([target], generators).rows()
+    return rows[0] if rows else conditional_cofactors(target, generators)
 
 
 def _content(polynomial: fmpq_mpoly, places: set[int]) -> fmpq_mpoly:

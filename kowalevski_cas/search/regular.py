@@ -13,7 +13,7 @@ from kowalevski_cas.problem.evidence import Proof, Shown
 from kowalevski_cas.problem.fold import divisors_of
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.space import Setting
-from kowalevski_cas.search.groebner import linear_cofactors
+from kowalevski_cas.search.groebner import Combinations
 from kowalevski_cas.search.place import PointFinder
 
 Matrix = list[list[Element]]
@@ -36,13 +36,8 @@ def regular(
     (targets,) = map(at.differences, goal.conclusions)
     units = [*map(at.scalar, at.setting.nonzero), *at.ring.divided_by(known)]
     sparse = _sparse([at.scalar(function) for function in functions], at)
-    rows = linear_cofactors(
-        targets,
-        [_changed(element, sparse, multipliers, at) for element in known],
-        multipliers,
-        units,
-        conditions,
-    )
+    generators = [_changed(element, sparse, multipliers, at) for element in known]
+    rows = Combinations(targets, generators, multipliers, units, conditions).rows()
     if rows is None:
         return None
     one, zero, size = at.ring.one, at.ring.zero, len(multipliers)

@@ -104,7 +104,7 @@ def _where_it_fails(
     witness = _against(statement, goal, evidence, judge.accepted)
     words = f"it fails for {locus.words}"
     if isinstance(goal, Fails) and say_nothing_on(setting, goal.given, locus):
-        words = f"for {locus.words} the equations hold by themselves, and motions leave the set"
+        words = f"for {locus.words} the equations hold identically, and motions leave the set"
     if witness is not None and witness.left == MANY:
         words = f"for {locus.words} there are {MANY}"
     return Condition(condition.expression, words, witness)
@@ -128,7 +128,7 @@ def _singular(statement: Statement, explain: bool) -> Iterator[Condition]:
             said = f"for {locus.words} the set has dimension {own}"
             yield Condition(expression, said, against)
         elif explain and (dropped := drop_on(statement, goal, goal.space, locus)) is not None:
-            words = "the number of independent differentials at this point, and the one needed"
+            words = "the number of independent differentials, and the number needed"
             there = point(dropped[1].values, goal.space)
             against = Counterexample(there, Number(dropped[0]), Number(goal.rank), words)
             yield Condition(expression, f"for {locus.words} the set is singular", against)

@@ -40,6 +40,20 @@ class Finding:
         printed = None if self.tex == "" else place(self.tex)
         return self.kind(id, self.on, printed, self.says, **attributes)
 
+    def python(self, system: str) -> str:
+        """The line that claims it in a file, of a system with this name there."""
+        words = [self.kind.__name__, '"found"', repr(self.says)]
+        words += [f"printed={_quoted(self.tex)}"] if self.tex else []
+        words += [f"{name}={_quoted(value)}" for name, value in self.attributes.items()]
+        return f"{system}.states({', '.join(words)})"
+
+
+def _quoted(value: Attribute) -> str:
+    """A value in Python, with TeX as it stands."""
+    if isinstance(value, tuple):
+        return f"({''.join(f'{_quoted(one)}, ' for one in value)})"
+    return f'r"{value}"' if isinstance(value, str) and '"' not in value else repr(value)
+
 
 def with_findings(derivation: Derivation, findings: Iterable[Finding]) -> Derivation:
     """A derivation that rests on another one and claims what was found."""

@@ -121,7 +121,8 @@ def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
     rows = [[at.scalar(entry) for entry in row] for row in proof.rows]
     terms = size(entry for row in rows for entry in row)
     what = "Left minus right side" if len(goal.conclusions) == 1 else "A product of differences"
-    words = f"{what}{' to a power' * (proof.power > 1)} is a combination of what is given"
+    what = f"A power of {what[0].lower()}{what[1:]}" if proof.power > 1 else what
+    words = f"{what} is a combination of what is given"
     products = sum(not entry.is_zero for row in rows for entry in row)
     if terms > LONGEST or products > MOST:
         return Step(f"{words}; its coefficients have {terms} terms.")
@@ -206,12 +207,12 @@ def _rank(goal: Rank, evidence: At) -> Step:
     where = point(evidence.point.values, setting)
     if len(goal.functions) == 1:
         others = " is independent of those of what is given" if goal.given else " does not vanish"
-        return Step(f"its differential{others}, so that it is not constant.", point=where)
+        return Step(f"the differential{others}; so the function is not constant.", point=where)
     words = (
         f"{goal.rank} differentials are independent in the space of dimension {count}, so that "
         f"near this point the common level is a manifold of dimension {count - goal.rank}"
     )
-    words += "." if goal.given else "; so they are on a dense part of the space."
+    words += "." if goal.given else "; so they are independent on a dense subset of the space."
     return Step(words, point=where)
 
 

@@ -302,9 +302,9 @@ def test_the_answer_comes_first_and_each_slip_once(cli, derivation, decided, mon
     code, out, _ = cli("verify", "kharlamov2002")
     assert code == 0
     lead = " ".join(out.splitlines()[4:8])
-    assert "Four misprints spoil nine of them, and one is false." in lead
+    assert "Nine are spoiled by four misprints, and one is false." in lead
     assert out.count("for w₃ read ω₃") == out.count("✓   x₁′ = −x₁ω₃ + z₁w₁") == 1
-    for words in ("Above (9): change the sign of 1.\n✗   i² = 1\n✓   i² = −1\n",
+    for words in ("The formula above (9): change the sign of 1.\n✗   i² = 1\n✓   i² = −1\n",
                   "\nOne missing hypothesis\n", f"\n{len(derivation.claims)} claims: "):  # fmt: skip
         assert words in out
     assert "\x1b" not in out and "1. Main equations" not in out

@@ -132,3 +132,16 @@ def test_darboux_polynomials_and_the_constants_for_which_there_are_some(tmp_path
         line.replace("K=", "K = ") for line in lines
     ]
     assert lines[-1] == "4 found"
+
+
+def test_what_is_written_to_the_file_is_proved_there(tmp_path, capsys):
+    file = tmp_path / "special.py"
+    field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-2sz"
+    file.write_text(f"from kowalevski_cas import System\nspecial = System(r'{field}')\n")
+    for question in ("darboux", "integrals"):
+        assert main(["find", question, str(file), "--write"]) == 0
+    capsys.readouterr()
+    assert main(["verify", str(file), "--arithmetic", "flint"]) == 0
+    assert "3 claims: " in capsys.readouterr().out
+    assert main([*CASE, "--degree", "1", "--write"]) == 2
+    assert "--write needs a file in which a System" in capsys.readouterr().err

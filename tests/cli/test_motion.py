@@ -169,6 +169,18 @@ def test_fields_at_any_angle_and_in_any_order(cli):
     assert json.loads(out)["critical_sets"]["on"] == ["N4"]
 
 
+def test_constants_of_O4_give_a_motion_there_in_fields_at_any_angle(cli):
+    given = ["--a", "0.7", "--b", "1.2", "--c", "0.1", "--s", "0.4", "--tau", "-0.5"]
+    for torus in (1, 2):
+        code, out, _ = cli(*given, "--angles", "1", "1/2", "--torus", torus, "--samples", 3)
+        result = json.loads(out)
+        assert code == 0 and result["critical_sets"]["on"] == ["O4"]
+        assert max(result["invariants"]["drift"].values()) < 1e-12
+        assert result["invariants"]["c"] == pytest.approx(0.1, rel=1e-14)
+        assert (result["invariants"]["s"], result["invariants"]["tau"]) == (0.4, -0.5)
+        assert result["regime"]["tori"] == 2
+
+
 def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
     code, out, _ = cli(*FIELDS, "--m", "-1/3", "--h", "-1e-1", "--until", "-3", "--samples", 2)
     assert code == 0
@@ -206,6 +218,8 @@ def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
         ([*USUAL, "--samples", "0"], "--samples has to be from 1"),
         ([*USUAL, "--method", "euler"], "invalid choice: 'euler'"),
         ([*USUAL, "--point", "1"], "cannot stand beside it"),
+        ([*FIELDS, *"--s 1 --tau 1 --m 1".split()], "of O⁴; --m cannot stand beside it"),
+        ([*FIELDS, "--s", "1"], "--tau missing"),
         (["--point", "1", "2"], "nine numbers"),
         (["--a", "1e400", "--b", "1", "--m", "1", "--l", "1"], "“1e400” is too large: 1e+50"),
         ([*FIELDS, "--m", "1e-400", "--l", "1"], "m = almost 0: the roots"),

@@ -150,6 +150,62 @@ BOOKS = {
         identities=(r"\dot L=[M,L]", r"\frac{dL}{dt}=ML-LM", r"L^2-L\operatorname{tr}L+\det L=0"),
         no_identities=(r"\dot L=[L,M]", r"L^2=L\operatorname{tr}L"),
     ),
+    "a pendulum": Book(
+        r"\ddot\theta=-\frac g\ell\sin\theta", r"\theta", r"g \ell",
+        integrals=(r"\frac12\dot\theta^2-\frac{g}{\ell}\cos\theta",),
+        identities=(
+            r"\frac{d}{dt}\cos\theta=-\dot\theta\sin\theta", r"\cos 2\theta=1-2\sin^2\theta",
+            r"\sin 3\theta=3\sin\theta-4\sin^3\theta", r"\tan\theta\cos\theta=\sin\theta",
+        ),
+        no_integrals=(r"\frac12\dot\theta^2+\frac g\ell\cos\theta", r"\sin\theta"),
+        no_identities=(r"\cos 2\theta=1+2\sin^2\theta", r"\sin(-\theta)=\sin\theta"),
+    ),
+    "a pendulum, by Hamilton": Book(
+        r"\dot\theta=\frac{\partial H}{\partial p},\quad\dot p=-\frac{\partial H}{\partial\theta}",
+        r"\theta p", "g", given=(r"H(\theta,p)=\frac12p^2-g\cos\theta",), integrals=("H",),
+        identities=(r"\dot p=-g\sin\theta", r"\dot\theta=p"), no_identities=(r"\dot p=g\sin\theta",),
+    ),
+    "a pendulum, by brackets": Book(
+        r"\dot\theta=\{\theta,H\},\quad\dot p=\{p,H\}", r"\theta p",
+        given=(r"H=\frac12p^2-\cos\theta", r"\{\theta,p\}=1"), integrals=("H",),
+        identities=(r"\{p,\cos\theta\}=\sin\theta",), no_identities=(r"\{p,\cos\theta\}=-\sin\theta",),
+    ),
+    "a spherical pendulum": Book(
+        r"""\frac{d}{dt}\frac{\partial L}{\partial\dot\theta}=\frac{\partial L}{\partial\theta},\quad
+        \frac{d}{dt}\frac{\partial L}{\partial\dot\phi}=\frac{\partial L}{\partial\phi}""",
+        r"\theta \phi", "g",
+        given=(r"L=\frac12(\dot\theta^2+\sin^2\theta\,\dot\phi^2)-g\cos\theta",),
+        integrals=(
+            r"\frac12(\dot\theta^2+\sin^2\theta\,\dot\phi^2)+g\cos\theta", r"\dot\phi\sin^2\theta",
+        ),
+        no_integrals=(r"\dot\phi\sin\theta", r"\dot\phi"),
+    ),
+    "a double pendulum": Book(
+        r"""\frac{d}{dt}\frac{\partial L}{\partial\dot\theta_1}=\frac{\partial L}{\partial\theta_1},\quad
+        \frac{d}{dt}\frac{\partial L}{\partial\dot\theta_2}=\frac{\partial L}{\partial\theta_2}""",
+        r"\theta_1 \theta_2", "g",
+        given=(
+            r"T=\dot\theta_1^2+\frac12\dot\theta_2^2+\dot\theta_1\dot\theta_2\cos(\theta_1-\theta_2)",
+            r"V=-2g\cos\theta_1-g\cos\theta_2", "L=T-V",
+        ),
+        integrals=("T+V",), no_integrals=("T-V",),
+    ),
+    "Toda's chain of three": Book(
+        r"""\begin{aligned} \dot q_1 &= p_1, & \dot p_1 &= e^{q_3-q_1}-e^{q_1-q_2}, \\
+        \dot q_2 &= p_2, & \dot p_2 &= e^{q_1-q_2}-e^{q_2-q_3}, \\
+        \dot q_3 &= p_3, & \dot p_3 &= e^{q_2-q_3}-e^{q_3-q_1} \end{aligned}""",
+        "q_1 q_2 q_3 p_1 p_2 p_3",
+        integrals=(
+            r"\frac12\sum_{i=1}^3p_i^2+e^{q_1-q_2}+e^{q_2-q_3}+e^{q_3-q_1}", "p_1+p_2+p_3",
+            "p_1p_2p_3-p_1e^{q_2-q_3}-p_2e^{q_3-q_1}-p_3e^{q_1-q_2}",
+        ),
+        identities=(r"\frac{d}{dt}e^{q_1-q_2}=(p_1-p_2)e^{q_1-q_2}",),
+        no_integrals=("p_1p_2p_3-p_1e^{q_2-q_3}-p_2e^{q_3-q_1}+p_3e^{q_1-q_2}", "p_1-p_2"),
+    ),
+    "a hyperbolic force": Book(
+        r"\dot x=p,\quad\dot p=-\sinh x", "x p", integrals=(r"\frac12p^2+\cosh x",),
+        identities=(r"\cosh^2x-\sinh^2x=1",), no_integrals=(r"\frac12p^2-\cosh x",),
+    ),
     "two branches": Book(
         r"\dot x=y,\quad \dot y=x", "x y", integrals=("(x\\pm y)(x\\mp y)",),
         identities=(r"\frac{d}{dt}(x\pm y)=\pm(x\pm y)",), no_identities=(r"\dot x\pm\dot y=x",),

@@ -146,7 +146,7 @@ class TestWrong:
             ([claim("a", "1", "x=x", "", P)], "Of one formula or statement, one holds as printed."),
             (
                 [claim("a", "1", "x=x", "", P), claim("b", "1", "x=y", "", R, correction=correction("x=x", "", P, place="b"))],
-                "Of two formulas and statements, one holds as printed. One misprint spoils one of them.",
+                "Of two formulas and statements, one holds as printed. One is spoiled by one misprint.",
             ),
             (
                 [claim("a", "1", "x=y", "", R), claim("b", "1", "x=y", "", Verdict.TIMEOUT)],
@@ -205,7 +205,7 @@ class TestEvidence:
         digests = {outcome.claim: "0" * 64 for outcome in known.outcomes}
         rocq = Witness("Rocq", "8.16", frozenset([known.outcomes[0].claim]))
         text = said(under(contents(known, in_order(known), digests, (rocq,)), "holds"))
-        assert "Each has a certificate" in text and "Rocq confirms 1" in text
+        assert "Each statement has a certificate" in text and "Rocq confirms 1" in text
         del digests["eq6"]
         text = said(under(contents(known, in_order(known), digests), "holds"))
         assert f"{len(known.outcomes) - 1} of {len(known.outcomes)} have certificates" in text

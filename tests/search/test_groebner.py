@@ -7,7 +7,8 @@ from kowalevski_cas.algebra import load
 from kowalevski_cas.notation import Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Space
-from kowalevski_cas.search.groebner import linear_cofactors
+from kowalevski_cas.search.follows import rows_of
+from kowalevski_cas.search.groebner import Combinations
 
 NAMES = ("x", "y", "p", "q")
 AT = Evaluation(Space(NAMES), load("flint"))
@@ -16,9 +17,7 @@ X, Y, P, Q = (AT.scalar(Name(name)) for name in NAMES)
 
 def combined(target, generators, **more):
     """The row of a target, which is checked to combine it."""
-    rows = linear_cofactors(
-        [target], generators, ("p", "q"), more.get("units", ()), more.get("conditions", ())
-    )
+    rows = Combinations([target], generators, **({"unknowns": ("p", "q")} | more)).rows()
     if rows is None:
         return None
     (row,) = rows
@@ -64,3 +63,43 @@ def test_each_combination_is_found_again(pairs, data):
     factors = [data.draw(coefficients) for _ in generators]
     target = sum((f * g for f, g in zip(factors, generators, strict=True)), AT.ring.zero)
     assert target.is_zero or combined(target, generators) is not None
+
+
+ONE = AT.ring.one
+
+
+def follows(target, generators):
+    """The power of a target that is combined from generators; the rows are checked to combine it."""
+    found = rows_of([target], generators)
+    if found is None:
+        return None
+    ((row,), power) = found
+    total = sum((a * b for a, b in zip(row, generators, strict=True)), AT.ring.zero)
+    assert (total - target**power).is_zero
+    assert not any(entry.denominator for entry in row)
+    return power
+
+
+def test_what_no_division_shows():
+    """On the circle (1 − t²)/(1 + t²), 2t/(1 + t²), which is never divided by zero."""
+    two = AT.ring.number(2)
+    circle = [X * (ONE + P * P) - (ONE - P * P), Y * (ONE + P * P) - two * P]
+    assert follows(X * X + Y * Y - ONE, circle) == 1
+
+
+def test_what_vanishes_where_others_do_without_being_combined_from_them():
+    assert follows(X + Y, [X * X, Y * Y, X * Y]) == 2
+    assert follows(P * X, [P * P * P * X, X * X * X * P]) == 3
+    assert follows(X, [X * Y, X * X - Y]) == 3
+
+
+general = st.builds(lambda a, b, c: a * P * Q + b * P + c, coefficients, coefficients, coefficients)
+
+
+@settings(deadline=None, max_examples=30)
+@given(st.lists(general, min_size=2, max_size=3), st.data())
+def test_each_combination_follows(generators, data):
+    """Whatever is combined from polynomials, of any degrees, is shown to be without a condition."""
+    factors = [data.draw(coefficients) for _ in generators]
+    target = sum((f * g for f, g in zip(factors, generators, strict=True)), AT.ring.zero)
+    assert target.is_zero or follows(target, generators) == 1

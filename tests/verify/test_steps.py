@@ -31,7 +31,7 @@ def steps(told):
 def test_a_first_integral(steps):
     assert steps("eq4.1") == [
         ("The derivative along the vector field vanishes identically.", []),
-        ("its differential does not vanish, so that it is not constant.", []),
+        ("the differential does not vanish; so the function is not constant.", []),
     ]
 
 
@@ -46,7 +46,7 @@ def test_an_equation_that_follows_is_a_combination_of_what_is_given(steps):
     assert generated[1][0].startswith("d/dt[(ω₁² + ω₂²)ω₃ + 2(ω₁α₃ + ω₂β₃)] = ")
     assert combined[0] == "Left minus right side is a combination of what is given:"
     assert combined[1][0].endswith(" = (−α₂ − β₁)J₁ + (α₁ − β₂)J₂")
-    assert point[0].startswith("its differential is independent")
+    assert point[0].startswith("the differential is independent")
 
 
 def test_both_directions_of_an_equivalence_stand_together(steps):

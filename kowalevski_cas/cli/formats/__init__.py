@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 
+from kowalevski_cas.report import Section
 from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import Difference
 
@@ -21,11 +22,13 @@ EXPLAINED = ("pretty", "verbose", "json")
 class Result:
     """A run, and how it differs from the record, or from what is expected where there is none.
 
-    ``lines`` has the file and the line in which each claim is stated.
+    ``paper`` has the outcomes in the order of the paper, ``lines`` the file and the line in which
+    each claim is stated.
     """
 
     folder: Path
     run: Run
+    paper: Sequence[Section]
     differences: list[Difference]
     recorded: bool
     lines: dict[str, tuple[str, int]]

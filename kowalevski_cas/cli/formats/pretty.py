@@ -7,8 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.formats import Result
-from kowalevski_cas.library import load
-from kowalevski_cas.report import Contents, sections
+from kowalevski_cas.report import Contents
 from kowalevski_cas.verify.outcome import Verdict
 
 
@@ -37,9 +36,7 @@ def told(result: Result, claims: Iterable[str] = ()) -> str:
 
 def contents_of(result: Result) -> Contents:
     """What a report of the results would say."""
-    derivation = load(str(result.folder))
-    paper = sections(result.run, derivation, derivation.texts())
-    return Contents(result.run, paper, {}, ())
+    return Contents(result.run, result.paper, {}, ())
 
 
 def _errors(result: Result) -> Iterator[str]:

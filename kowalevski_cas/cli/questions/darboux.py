@@ -7,16 +7,34 @@ Neither F nor K is given. What is a combination of products of those found befor
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.cli.session import natural
-from kowalevski_cas.notation import Derivative, Formula, Product, Relation, to_latex
-from kowalevski_cas.paper.claims import DarbouxPolynomial, FirstIntegral, Implication
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    Number,
+    Partial,
+    Power,
+    Product,
+    Quotient,
+    Relation,
+    Sum,
+    to_latex,
+)
+from kowalevski_cas.paper.claims import DarbouxPolynomial, FirstIntegral, Identity, Implication
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.verify.found import Finding
+
+if TYPE_CHECKING:
+    from kowalevski_cas.search.cofactor_relations import Relation as CofactorRelation
+    from kowalevski_cas.search.darboux import Darboux
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -30,28 +48,83 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
-    """The Darboux polynomials, the lowest degrees first."""
+    """The Darboux polynomials, the lowest degrees first, and what is built from them."""
+    from kowalevski_cas.problem.polynomial_fields import PolynomialField
+    from kowalevski_cas.search.cofactor_relations import relations
     from kowalevski_cas.search.darboux import darboux_polynomials
 
     def formula(element: Element) -> Formula:
         return formula_of(element, on.texts.vocabulary)
 
-    def equation(left: Formula, right: Formula) -> str:
-        return to_latex(Relation((left, right), ("=",)))
-
-    for one in darboux_polynomials(on(scene).finder, arguments.degree, arguments.special):
+    at = on(scene).finder
+    moving: list[Darboux] = []
+    for one in darboux_polynomials(at, arguments.degree, arguments.special):
         value, cofactor = formula(one.polynomial), formula(one.cofactor)
         if one.equations:
-            given = tuple(equation(formula(a), formula(b)) for a, b in one.equations)
+            given = tuple(_equation(formula(a), formula(b)) for a, b in one.equations)
             where = " and ".join(f"${one}$" for one in given)
             says = f"F' = KF with $K={to_latex(cofactor)}$ where {where}"
-            multiple = equation(Derivative(value, scene.time), Product((cofactor, value)))
+            multiple = _equation(Derivative(value, scene.time), Product((cofactor, value)))
             yield Finding(Implication, scene, says, multiple, {"given": given})
         elif one.cofactor.is_zero:
-            yield Finding(
-                FirstIntegral, scene, "it is constant along every motion", to_latex(value)
-            )
+            yield Finding(FirstIntegral, scene, INTEGRAL, to_latex(value))
         else:
+            moving.append(one)
             says = f"F' = KF with $K={to_latex(cofactor)}$"
             attributes = {"cofactor": to_latex(cofactor)}
             yield Finding(DarbouxPolynomial, scene, says, to_latex(value), attributes)
+    for relation in relations(PolynomialField(at), moving):
+        yield _product(relation, moving, scene, formula)
+
+
+ONE = Number(1)
+INTEGRAL = "it is constant along every motion"
+
+
+def _product(
+    relation: CofactorRelation,
+    known: Sequence[Darboux],
+    scene: Scene,
+    formula: Callable[[Element], Formula],
+) -> Finding:
+    """That a product is an integral: as it stands if that can be written, else by its logarithm."""
+    used = [
+        (exponent, one)
+        for exponent, one in zip(relation.exponents, known, strict=True)
+        if not exponent.is_zero
+    ]
+    bases = [formula(one.polynomial) for _, one in used]
+    whole = [rational_terms(exponent) for exponent, _ in used]
+    powers = [int(value) for value in whole if value is not None and value.denominator == 1]
+    simple = len(powers) == len(used) and relation.exponential.is_zero
+    if simple and not relation.multiplier:
+        both = [(n, _power(base, Number(abs(n)))) for n, base in zip(powers, bases, strict=True)]
+        above, below = (_times([one for n, one in both if n * sign > 0]) for sign in (1, -1))
+        quotient = above if below == ONE else Quotient(above, below)
+        return Finding(FirstIntegral, scene, INTEGRAL, to_latex(quotient))
+    exponents = [formula(exponent) for exponent, _ in used]
+    factors = [to_latex(_power(base, n)) for base, n in zip(bases, exponents, strict=True)]
+    terms: list[Formula] = [
+        Product((n, formula(one.cofactor))) for n, (_, one) in zip(exponents, used, strict=True)
+    ]
+    if not relation.exponential.is_zero:
+        exponential = formula(relation.exponential)
+        factors.append(rf"e^{{{to_latex(exponential)}}}")
+        terms.append(Derivative(exponential, scene.time))
+    if relation.multiplier:
+        terms += [Partial(Derivative(Name(n), scene.time), n) for n in scene.variables]
+    kind = "is a last multiplier" if relation.multiplier else "is constant along every motion"
+    says = f"so ${' '.join(factors)}$ {kind}"
+    return Finding(Identity, scene, says, _equation(Sum(tuple(terms)), Number(0)))
+
+
+def _power(base: Formula, exponent: Formula) -> Formula:
+    return base if exponent == ONE else Power(base, exponent)
+
+
+def _times(factors: Sequence[Formula]) -> Formula:
+    return Product(tuple(factors)) if len(factors) > 1 else factors[0] if factors else ONE
+
+
+def _equation(left: Formula, right: Formula) -> str:
+    return to_latex(Relation((left, right), ("=",)))

@@ -76,13 +76,21 @@ def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Ite
         if not any(map(_is_number, ansatz.trivial())):
             said += ", unless F is constant"
             sets[tuple(tex(one, zero) for one in ansatz.trivial())] = None
-        yield Finding(Union, scene, said, attributes={"given": asked, "sets": tuple(sets)})
+        yield Finding(
+            Union, _at_rest(scene), said, attributes={"given": asked, "sets": tuple(sets)}
+        )
     for case in cases:
         given = tuple(tex(*sides) for sides in case.equations)
         cofactor = formula(case.cofactor)
         said = f"F' = KF with $K={to_latex(cofactor)}$ where {_either([given])}"
         multiple = tex(rate, Product((cofactor, value)))
         yield Finding(Implication, scene, said, multiple, {"given": given})
+
+
+def _at_rest(scene: Scene) -> Scene:
+    """The scene without its motion, for statements about its constants."""
+    names = (*scene.variables, *scene.constants)
+    return replace(scene, name=f"{scene.name}, at rest", variables=names, constants=(), field=())
 
 
 def _either(sets: Iterable[tuple[str, ...]]) -> str:

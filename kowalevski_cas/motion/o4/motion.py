@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
-from kowalevski_cas.motion.frame import fields
+from kowalevski_cas.motion.frame import fields, straightened
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import Arc, Regime, regime_of
-from kowalevski_cas.motion.parameters import Inadmissible
+from kowalevski_cas.motion.parameters import Inadmissible, Real, usable
 
 
 @dataclass(frozen=True)
@@ -32,6 +33,29 @@ class MotionO4:
     turn: tuple[Fraction, Fraction] = (Fraction(1), Fraction(0))
     point: tuple[float, ...] | None = None
     off: float = 0.0
+
+    @staticmethod
+    def of(
+        a: Real,
+        b: Real,
+        s: Real,
+        tau: Real,
+        *,
+        c: Real = 0,
+        angles: Sequence[Real] = (0, 0),
+        torus: int = 1,
+    ) -> MotionO4:
+        """The motion in fields of lengths a, b with the scalar product c, by s and τ.
+
+        ``torus`` is one of those of the regime, numbered from 1. Raises
+        :class:`~kowalevski_cas.motion.parameters.Inadmissible` where there is no motion, and
+        ``ValueError`` for what is no finite number.
+        """
+        longer, shorter, turn = straightened(usable(a), usable(b), usable(c))
+        parameters = ParametersO4(longer, shorter, usable(s), usable(tau))
+        first, second = map(usable, angles)
+        signs = regime_of(parameters).signs_of(torus)
+        return MotionO4(parameters, (first, second), signs, turn)
 
     def __post_init__(self) -> None:
         """Refuse constants that leave no real motion, and signs for which E² is negative."""

@@ -15,10 +15,10 @@ changes some of these; the classes that stay apart are the tori.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import pairwise
+from itertools import pairwise, product
 
 from kowalevski_cas.motion.o4.parameters import HIGH, KAPPA, LOW, MU, ParametersO4
 from kowalevski_cas.motion.parameters import Inadmissible
@@ -34,6 +34,9 @@ PRODUCTS = (
 
 LEAST_GAP = 2.0**-40
 """Between two roots, relative to the largest: with less floats do not tell a motion."""
+
+CHOSEN = ("K1", "mu2", "A2", "B2", "K2")
+"""The radicals whose signs choose a torus, and the point on it."""
 
 RADICAL = {**dict.fromkeys(MU, "mu"), **dict.fromkeys(KAPPA, "K"), LOW: "A", HIGH: "B"}
 """The radical that vanishes at a root."""
@@ -67,17 +70,43 @@ class Regime:
     @property
     def tori(self) -> int:
         """The number of tori on which the constants have their values."""
-        known = PRODUCTS if self.signs[2] else PRODUCTS[1:]
-        changes = {
-            sum(
-                1 << place
-                for place, product in enumerate(known)
-                if f"{RADICAL[end]}{number}" in product
+        return 1 << len(self._products) - len(self._basis)
+
+    def signs_of(self, torus: int) -> tuple[int, ...]:
+        """Signs of K1, μ2, A2, B2, K2 on a torus, one of :attr:`tori`, from 1; μ1, A1, B1 > 0."""
+        if not 1 <= torus <= self.tori:
+            raise Inadmissible(
+                f"there is no torus {torus}: the tori of these constants are 1 to {self.tori}"
             )
+        first: dict[int, tuple[int, ...]] = {}
+        for signs in product((1, -1), repeat=len(CHOSEN)):
+            if self.signs[2] or signs[1] < 0:  # σ < 0: μ1 and μ2 have opposite signs
+                first.setdefault(self.invariant(signs), signs)
+        return list(first.values())[torus - 1]
+
+    def invariant(self, signs: Sequence[int]) -> int:
+        """What signs of K1, μ2, A2, B2, K2 on one torus have in common, and on no other."""
+        negative = {name for name, sign in zip(CHOSEN, signs, strict=True) if sign < 0}
+        return _reduced(self._vector(negative), self._basis)
+
+    @property
+    def _products(self) -> tuple[tuple[str, ...], ...]:
+        return PRODUCTS if self.signs[2] else PRODUCTS[1:]
+
+    @property
+    def _basis(self) -> list[int]:
+        """Independent changes of the signs of the products at the ends of the arcs."""
+        return _independent(
+            self._vector({f"{RADICAL[end]}{number}"})
             for number, arc in ((1, self.u1), (2, self.u2))
             for end in arc.roots
-        }
-        return 1 << len(known) - _rank(changes)
+        )
+
+    def _vector(self, negative: set[str]) -> int:
+        """Which products change their signs with these radicals, as binary digits."""
+        return sum(
+            len(negative.intersection(one)) % 2 << place for place, one in enumerate(self._products)
+        )
 
     def __str__(self) -> str:
         """The signs, and the arcs."""
@@ -144,12 +173,17 @@ def _positive(constants: ParametersO4, first: Fraction, second: Fraction) -> boo
     return square * beyond > 0
 
 
-def _rank(vectors: set[int]) -> int:
-    """The rank over the field of two elements of vectors, each a number by its binary digits."""
+def _independent(vectors: Iterable[int]) -> list[int]:
+    """A basis over the field of two elements of vectors, each a number by its binary digits."""
     basis: list[int] = []
     for vector in vectors:
-        for known in basis:
-            vector = min(vector, vector ^ known)
-        if vector:
-            basis.append(vector)
-    return len(basis)
+        if rest := _reduced(vector, basis):
+            basis.append(rest)
+    return basis
+
+
+def _reduced(vector: int, basis: Sequence[int]) -> int:
+    """What is left of a vector by a basis: the same for all that differ by a combination of it."""
+    for known in basis:
+        vector = min(vector, vector ^ known)
+    return vector

@@ -27,8 +27,8 @@ class AllIntegrals(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         integrals = tuple(space.plain(on.texts.formula(place)) for place in self.integrals)
-        weights = self.weights or (1,) * len(space.variables)
-        yield Kernel(space, Number(0), (Number(1),), integrals, weights, self.degree)
+        ones = (1,) * len(space.own_variables)
+        yield Kernel(space, Number(0), (Number(1),), integrals, self.weights or ones, self.degree)
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.integrals

@@ -26,7 +26,7 @@ class Degree(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        others = (name for name in space.variables if name != self.variable)
+        others = (name for name in space.own_variables if name != self.variable)
         yield identity(space, *(vanishes(self._partial(rate(Name(name)))) for name in others))
 
     def _partial(self, formula: Formula) -> Formula:

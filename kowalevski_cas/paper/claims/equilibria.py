@@ -27,6 +27,6 @@ class Equilibria(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         still = (vanishes(Name(name)) for name in self.fixed)
-        rest = (vanishes(rate(Name(name))) for name in space.variables)
+        rest = (vanishes(rate(Name(name))) for name in space.own_variables)
         levels = equations(on, space, self.levels)
         yield Count(space, (*still, *rest, *levels), space.variables, self.count)

@@ -37,7 +37,7 @@ class LastMultiplier(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space, density = on(self.scene), on(self.scene).formula(self.density)
-        divergence = total(Partial(rate(Name(name)), name) for name in space.variables)
+        divergence = total(Partial(rate(Name(name)), name) for name in space.own_variables)
         yield identity(space, vanishes(total((rate(density), times(density, divergence)))))
         yield Follows(space, (), (vanishes(density),))
         size = len(self.relations.relations)

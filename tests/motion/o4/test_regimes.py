@@ -5,7 +5,7 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from kowalevski_cas.motion import Inadmissible, ParametersO4, load
+from kowalevski_cas.motion import Inadmissible, MotionO4, ParametersO4, load
 from kowalevski_cas.motion.formulas import hyperelliptic
 from kowalevski_cas.motion.o4.regimes import regime_of
 from kowalevski_cas.motion.o4.start import on_O4
@@ -92,3 +92,18 @@ def test_a_motion_passes_as_many_points_above_u1_u2_as_its_torus_has(known):
     states = closed(moving, np.random.default_rng(2007).uniform(0, 1e4, 150))
     seen = {on_O4(state.tolist()).signs for state in states}
     assert len(seen) * moving.regime.tori == (32 if moving.regime.signs[2] else 16)
+
+
+@pytest.mark.parametrize("known", KNOWN, ids=str)
+def test_the_tori_are_told_apart_by_signs_that_a_motion_keeps(known):
+    count = regime_of(ParametersO4.of(*known)).tori
+    found = set()
+    for torus in range(1, count + 1):
+        first = MotionO4.of(*known, angles=("1/3", "2"), torus=torus)
+        for state in closed(first, np.array([0.0, 3.3, -17.0])):
+            again = on_O4(state.tolist())
+            assert first.regime.invariant(again.signs) == first.regime.invariant(first.signs)
+        found.add(first.regime.invariant(first.signs))
+    assert len(found) == count
+    with pytest.raises(Inadmissible, match=f"no torus {count + 1}: .* 1 to {count}"):
+        MotionO4.of(*known, torus=count + 1)
