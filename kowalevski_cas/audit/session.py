@@ -20,7 +20,7 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.processes import time_limit
+from kowalevski_cas.processes import tell, time_limit
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.corrections import printed_of, true_ones
 from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
@@ -58,7 +58,10 @@ class AuditSession(Session):
     def outcomes(self) -> dict[str, Outcome]:
         """What is said about each claim."""
         claims = self.derivation.claims
-        found = {claim.id: self.outcome(claim) for claim in claims}
+        found: dict[str, Outcome] = {}
+        for done, claim in enumerate(claims):
+            tell(claim.id, done, len(claims))
+            found[claim.id] = self.outcome(claim)
         for claim in claims:
             if self._unexplained(claim, found[claim.id]):
                 for id in self._misprint(claim, found):

@@ -88,7 +88,7 @@ def _on_O4(known: tuple[Complex, ...], largest: Array) -> Array:
             *((-slope[2].real + sign * root) / (2 * square[2].real) for sign in (1, -1)),
         ]
     least = np.full_like(largest, np.inf)
-    for s in candidates:
+    for s in np.nan_to_num(candidates, posinf=0.0, neginf=0.0):
         size = largest + 2 * abs(s)
         E = abs(here + slope * s + square * s**2)
         found = np.max(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,28 +15,38 @@ from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Parameters
 from kowalevski_cas.motion.pictures.bifurcation import ell_at, regime_at
 from kowalevski_cas.motion.pictures.regions import GREYS, filled, mesh
+from kowalevski_cas.motion.regimes import all_regimes
 from kowalevski_cas.paper.closed_form import CriticalSets
 from kowalevski_cas.pictures import INK, mark, new_figure
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
-Curve = tuple[Array, Array]
+
+
+class Curve(NamedTuple):
+    """Values of G and √K, and on how many tori of the critical set they are taken, 0 if unknown."""
+
+    g: Array
+    root: Array
+    tori: NDArray[np.int64]
+
 
 ABOUT = CriticalSets
 
 CAPTION = (
     "The bifurcation diagram of the whole top, in the planes of $(g,\\sqrt{k})$ at six energies: "
     "the values at which the three integrals are dependent, on $M^4$, $N^4$, $O^4$, and at "
-    "rotations about the third axis (dots, hollow where they are on none of the three). Motions "
-    "fill the shaded regions."
+    "rotations about the third axis (dots, hollow where they are on none of the three). Numbers "
+    "count the tori of $N^4$ and $O^4$ with these values. Motions fill the shaded regions."
 )
 
 SETS = ("$M^4$", "$N^4$", "$O^4$")
 
-POINTS = 12_000
-"""Values of m on N⁴."""
+SHARES = np.linspace(0, 1, 6000)[1:] ** 3
+"""Values of |m| on N⁴, as shares of the largest."""
 
 STATES = 60_000
 
@@ -55,17 +66,18 @@ def draw(motion: Motion) -> Figure:
         axes.set(xlim=(g.min() - 0.06 * width, g.max() + 0.06 * width))
         axes.set(ylim=(-0.04 * height, 1.08 * height), title=f"$h={h:.2f}$")
         axes.grid(False)
-        curves = section(fields, h)
-        here = filled(axes, [curve for some in curves for curve in some], (g, root))
+        curves, dots = section(fields, h), rotations(fields, h)
+        here = filled(axes, [curve[:2] for some in curves for curve in some], (g, root))
         axes.contourf(*mesh(axes), here, levels=(0.5, 1.5), colors=[GREYS[1]], zorder=0)
         for index, (name, some) in enumerate(zip(SETS, curves, strict=True)):
             one = mark((2, 0, 1)[index])
             for number, curve in enumerate(some):
+                numbers(axes, curve, [(x, y) for x, y, _ in dots])
                 axes.plot(
-                    *curve, color=one.colour, ls=one.dashes, lw=1.2,
+                    *curve[:2], color=one.colour, ls=one.dashes, lw=1.2,
                     label=name if number == 0 else None,
                 )  # fmt: skip
-        for x, y, alone in rotations(fields, h):
+        for x, y, alone in dots:
             axes.plot(x, y, "o", ms=4, color=INK, mfc="white" if alone else INK, zorder=5)
     for axes in figure.axes[3:]:
         axes.set_xlabel("$g$")
@@ -79,16 +91,20 @@ def section(fields: Fields, h: float) -> tuple[list[Curve], list[Curve], list[Cu
     """The curves (G, √K) at an energy that belong to M⁴, N⁴ and O⁴."""
     known = Parameters.of(fields.a, fields.b, 1, 0)
     reach = 2 * (abs(h) + 2 * float(fields.a)) / float(known.r_square)  # beyond h = r²m − 2a
-    m = np.linspace(-1, 1, POINTS) ** 3 * reach
-    real = regime_at(known, m, ell_at(known, m, np.full_like(m, h))) >= 0
-    k, g = fields.on_N4(np.full_like(m, h), np.where(real, m, np.nan))
-    return [first(fields, h)], [(g, np.sqrt(k))], [third(fields, h, s) for s in fields.parts()]
+    second = []
+    for m in (reach * SHARES, -reach * SHARES):
+        kinds = regime_at(known, m, ell_at(known, m, np.full_like(m, h)))
+        k, g = fields.on_N4(np.full_like(m, h), np.where(kinds >= 0, m, np.nan))
+        tori = np.array([*(regime.tori for regime in all_regimes()), 0])[kinds]
+        second.append(Curve(g, np.sqrt(k), tori))
+    return [first(fields, h)], second, [third(fields, h, s) for s in fields.parts()]
 
 
 def third(fields: Fields, h: float, s: Array) -> Curve:
     """The curve of O⁴ at an energy, for these s; it goes as far as k = 0."""
     tau = fields.tau(s, np.full_like(s, h))
-    real = fields.regimes(s, tau)[0] >= 0
+    kinds, regimes = fields.regimes(s, tau)
+    real, tori = kinds >= 0, np.array([*(regime.tori for regime in regimes), 0])[kinds]
     _, k, g = fields.on_O4(s, tau)
     found_g, found_k = np.where(real, g, np.nan), np.where(real, k, np.nan)
     for inside, outside in ((np.s_[:-1], np.s_[1:]), (np.s_[1:], np.s_[:-1])):
@@ -96,7 +112,7 @@ def third(fields: Fields, h: float, s: Array) -> Curve:
         share = (k[inside] / (k[inside] - k[outside]))[last]
         found_k[outside][last] = 0.0
         found_g[outside][last] = g[inside][last] + share * (g[outside] - g[inside])[last]
-    return found_g, np.sqrt(found_k)
+    return Curve(found_g, np.sqrt(found_k), tori)
 
 
 def first(fields: Fields, h: float) -> Curve:
@@ -110,10 +126,31 @@ def first(fields: Fields, h: float) -> Curve:
         reached += (j[last] + share * (j[last + 1] - j[last])).tolist()
     j = np.linspace(0, max(reached, default=np.nan), 50)
     k, g = fields.on_M4(np.full_like(j, h), j)
-    return g, np.sqrt(k)
+    return Curve(g, np.sqrt(k), np.zeros(len(j), dtype=int))
 
 
-def values(fields: Fields, h: float) -> Curve:
+def numbers(axes: Axes, curve: Curve, taken: Sequence[tuple[float, float]]) -> None:
+    """Write the number of tori onto each part of a curve that is long enough, off what is taken."""
+    from matplotlib.patheffects import withStroke
+
+    across, up = np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim())
+    for part in np.split(np.arange(len(curve.g)), np.flatnonzero(np.diff(curve.tori)) + 1):
+        x, y = curve.g[part], curve.root[part]
+        along = np.append(0.0, np.nancumsum(np.hypot(np.diff(x) / across, np.diff(y) / up)))
+        if not curve.tori[part[0]] or along[-1] < 0.12:
+            continue
+        for share in (0.5, 0.35, 0.65):
+            place = np.searchsorted(along, share * along[-1])
+            at = x[place], y[place]
+            if all(np.hypot((at[0] - u) / across, (at[1] - v) / up) > 0.06 for u, v in taken):
+                axes.text(
+                    *at, str(curve.tori[part[0]]), size=6, ha="center", va="center",
+                    zorder=4, path_effects=[withStroke(linewidth=2.5, foreground="white")],
+                )  # fmt: skip
+                break
+
+
+def values(fields: Fields, h: float) -> tuple[Array, Array]:
     """The values of G and √K at states of an energy by chance."""
     states = fields.states(STATES)
     rest = formulas.integrals()(*states.T)[0]

@@ -12,7 +12,7 @@ from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.pictures.sections import SETS, rotations, section
 from kowalevski_cas.motion.pictures.space import View, blank, triad
 from kowalevski_cas.paper.closed_form import CriticalSets
-from kowalevski_cas.pictures import INK, mark, new_figure
+from kowalevski_cas.pictures import INK, Mark, mark, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -42,23 +42,24 @@ def draw(motion: Motion) -> Figure:
     across: tuple[list[list[float]], ...] = ([], [])
     for level in levels.tolist():
         for index, curves in enumerate(section(fields, level)):
-            for number, (g, root) in enumerate(curves):
+            for number, (g, root, _) in enumerate(curves):
                 points = np.stack([np.full_like(g, level), g, root], axis=-1)
                 label = SETS[index] if number == 0 and level == levels[-1] else None
-                line(axes, view, points, mark((2, 0, 1)[index]).colour, 0.8, label)
+                line(axes, view, points, mark((2, 0, 1)[index]), 0.8, label)
         for side, (at_g, at_root, _) in zip(across, rotations(fields, level), strict=False):
             side.append([level, at_g, at_root])
     for side in across:
-        line(axes, view, np.array(side), INK, 1.4)
+        line(axes, view, np.array(side), Mark(INK, "", "-"), 1.6)
     triad(axes, view, ("$h$", "$g$", r"$\sqrt{k}$"), 2.2 * size)
     figure.legend(loc="outside lower center", ncols=3)
     return figure
 
 
 def line(
-    axes: Axes, view: View, points: Array, colour: str, width: float, label: str | None = None
+    axes: Axes, view: View, points: Array, one: Mark, width: float, label: str | None = None
 ) -> None:
     """Draw the curve through points (N, 3), what is nearer over what is farther."""
     flat, near = view(points)
     depth = float(np.nan_to_num(np.nanmean(near))) if np.isfinite(near).any() else 0.0
-    axes.plot(*flat.T, color=colour, lw=width, label=label, zorder=2 + depth / 100)
+    order = 2 + depth / 100
+    axes.plot(*flat.T, color=one.colour, ls=one.dashes, lw=width, label=label, zorder=order)
