@@ -28,6 +28,7 @@ from typing import Any
 
 from kowalevski_cas.library import READ
 from kowalevski_cas.notation import (
+    Application,
     Derivative,
     Formula,
     Name,
@@ -74,6 +75,7 @@ LONGEST = 24
 
 
 QUESTIONS = "kowalevski_cas.cli.questions"
+_RATE = re.compile(r"\\dot\{([^{}]*)\}(.*)")
 
 Tex = Any
 """A formula: LaTeX, what was defined, or an expression of SymPy."""
@@ -428,10 +430,15 @@ def _names(
     display: Display, vectors: Mapping[str, tuple[str, ...]]
 ) -> tuple[list[Printed], list[Printed], tuple[str, ...], tuple[str, ...]]:
     """The equations of motion, what is defined beside them, what moves, and the other names."""
-    words = replace(vocabulary(()), vectors=frozenset(vectors))
+    words = vocabulary(())
+    heads = [head(name) for place in display for name in place.heads.names]
+    named = frozenset(name for name, arguments in heads if arguments)  # as H in H(q,p)=…
+    words = replace(
+        words, vectors=frozenset(vectors), scalars=named, functions=words.functions | named
+    )
     moving = dict.fromkeys(name for place in display for name in _moving(_open(place, words)))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
-    laws = [place for place in display if [*_moving(_open(place, words))]]
+    laws = [place for place in display if _is_law(_open(place, words))]
     others = [place for place in display if place not in laws]
     for place in others:
         if not {*place.heads.names} - {*moving}:
@@ -444,7 +451,8 @@ def _names(
     mentioned = dict.fromkeys(name for place in display for name in _mentioned(place, words))
     if "t" in mentioned:
         raise ValueError("the time t stands in the equations: give it a name, with \\dot s=1")
-    defined = {*moving, *(head(name)[0] for place in others for name in place.heads.names)}
+    heads = [head(name) for place in others for name in place.heads.names]
+    defined = {*moving, *(one for name, arguments in heads for one in (name, *arguments))}
     for name in (name for place in display for name in _derived(_open(place, words))):
         if name not in defined:
             raise ValueError(f"{name} is differentiated, and nothing defines it: add {name}=…")
@@ -465,11 +473,19 @@ def _mentioned(place: Printed, words: Vocabulary) -> list[str]:
     return [one.name for one in mentions(_open(place, words)) if isinstance(one, Name)]
 
 
+def _is_law(formula: Formula) -> bool:
+    """Whether a rate stands in an equation, and no name for something else on its left."""
+    first = formula.members[0] if isinstance(formula, Relation) else formula
+    return not isinstance(first, Name | Application) and bool(_moving(formula))
+
+
 def _moving(formula: Formula) -> list[str]:
-    """The names that stand under a derivative."""
+    """The names that stand under a derivative, or by whose rates something is derived."""
     if isinstance(formula, Derivative) and isinstance(formula.argument, Name):
         return [formula.argument.name]
-    return [name for child in formula.children() for name in _moving(child)]
+    found = [name for child in formula.children() for name in _moving(child)]
+    rate = _RATE.fullmatch(formula.by) if isinstance(formula, Partial) else None
+    return [rate[1] + rate[2], *found] if rate else found
 
 
 def _derived(formula: Formula) -> list[str]:

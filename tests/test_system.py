@@ -132,6 +132,20 @@ def test_a_constant_can_be_a_root():
             "H",
         ),
         (r"\ddot x=-\frac{\partial U}{\partial x},\ U=cx^4", "x moves; c is constant", r"\dot x^2+2U"),
+        (
+            r"H(q,p)=\frac12p^2+q^4,\ \dot q=\frac{\partial H}{\partial p},\ \dot p=-\frac{\partial H}{\partial q}",
+            "q, p move",
+            "H",
+        ),
+        (
+            r"T=\frac m2\dot q^2, V=kq^4, L=T-V, \frac{d}{dt}\frac{\partial L}{\partial\dot q}=\frac{\partial L}{\partial q}",
+            "q moves; m, k are constant",
+            "T+V",
+        ),
+        (r"\ddot\theta=-g\sin\theta", "θ moves; g is constant", r"\frac12\dot\theta^2-g\cos\theta"),
+        (r"\dot x=p,\ \dot p=-e^x", "x, p move", r"\frac12p^2+e^x"),
+        (r"\dot x=y,\ \dot y=-e^2x", "x, y move; e is constant", "y^2+e^2x^2"),
+        (r"\dot x=v,\ \dot y=0", "x, y move; v is constant", "y"),
         (r"\dot x_1=x_2,\ \dot x_2=x_2-\sum_{i=1}^2x_i", "x₁, x₂ move", "x_1^2+x_2^2"),
     ],
 )  # fmt: skip
@@ -355,4 +369,4 @@ def test_each_save_is_verified_until_an_interruption(tmp_path):
     watching.send_signal(SIGINT)
     out, err = watching.communicate()
     assert (watching.returncode, err) == (0, "")
-    assert re.findall(r"1 claims: 1 (\w+)", out) == ["refuted", "proved"]
+    assert re.findall(r"1 claim: 1 (\w+)", out) == ["refuted", "proved"]

@@ -1,9 +1,10 @@
 r"""How far a state is from M⁴, N⁴ and O⁴, the sets on which H, K, G are dependent.
 
 The left sides of their equations are homogeneous in ω, of weight 1, and the fields, of weight 2.
-Each is divided by what bounds it for states of the same size, so that the residual is the same
-for (νω, ν²α, ν²β), the same motion in another unit of time: it is zero on the set, and otherwise
-about the relative change of the state that would bring it there, not more than about 1.
+Each is divided by a product of sizes of the state with the same weight, so that the residual is
+the same for (νω, ν²α, ν²β), the same motion in another unit of time: it is zero on the set, of
+the order of 1 for states by chance, and near the set about as large as the relative change of
+the state that would bring it there.
 """
 
 from __future__ import annotations
@@ -52,7 +53,7 @@ def on(residuals: dict[str, float]) -> list[str]:
 
 
 def bounds(theta: Number, r_fourth: Number, fields: Number, size: Number) -> tuple[Number, Number]:
-    """The squares of what bounds the two left sides of (16) for states of this size."""
+    """The squares of what the two left sides of (16) are compared with, for states of this size."""
     return theta * fields**2 * size, r_fourth * theta**2 * size**2
 
 

@@ -119,7 +119,7 @@ def _sizes(state: list[Fraction]) -> tuple[Fraction, Fraction]:
 def _check(state: list[Fraction]) -> bool:
     """Whether s1 is infinite, x1x2 = 0; refuse a state off N⁴, and fields that do not separate.
 
-    The left sides of (16) are compared with what bounds them, exactly.
+    The left sides of (16) are compared with the size of the state, exactly.
     """
     *_, first, second = exactly(formulas.integrals(), state)
     theta, *_, p_square, r_fourth = exactly(formulas.constants(), state)
@@ -132,7 +132,7 @@ def _check(state: list[Fraction]) -> bool:
         if value**2 > TOLERANCE**2 * square:
             raise Inadmissible(
                 f"the state is not on N⁴: the left side of (16), equation {number}, is "
-                f"{float(value):.3g} there, {float(value**2 / square) ** 0.5:.3g} of what it can be"
+                f"{float(value):.3g} there, {float(value**2 / square) ** 0.5:.3g} of its size"
             )
     return False
 

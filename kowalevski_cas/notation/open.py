@@ -26,6 +26,7 @@ class OpenParser(Parser):
 
     def __init__(self, tex: str, tokens: list[Token], vocabulary: Vocabulary) -> None:
         names = {*_names(Cursor(tex, tokens, vocabulary))} - {"d", *vocabulary.ranks}
+        names -= {"e"} if _is_exponential(tokens) else set()
         scalars = vocabulary.scalars | names - vocabulary.functions
         moving = vocabulary.moving or scalars
         super().__init__(tex, tokens, replace(vocabulary, scalars=scalars, moving=moving))
@@ -33,6 +34,17 @@ class OpenParser(Parser):
     def declared(self, letter: str, index: str, token: Token) -> Name:
         """The node of a name; a d that belongs to no derivative is one."""
         return Name("d" + index) if letter == "d" else super().declared(letter, index, token)
+
+
+def _is_exponential(tokens: list[Token]) -> bool:
+    """Whether the letter e is raised wherever it stands, and never to a number."""
+    behind = [
+        [t.kind for t in tokens[k + 1 : k + 4]] for k, t in enumerate(tokens) if t.text == "e"
+    ]
+    return all(
+        kinds[:1] == ["^"] and "number" not in (kinds[1:2] if kinds[1:2] != ["{"] else kinds[2:])
+        for kinds in behind
+    )
 
 
 def _names(cursor: Cursor) -> Iterator[str]:

@@ -5,8 +5,8 @@ Where print can be read in two ways, the parser says so and does not choose.
 
 from __future__ import annotations
 
-from kowalevski_cas.notation.atoms import Atoms
 from kowalevski_cas.notation.cursor import END, Piece
+from kowalevski_cas.notation.derivatives import Derivatives
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import (
     Constant,
@@ -15,7 +15,6 @@ from kowalevski_cas.notation.formula import (
     Formula,
     Negative,
     Number,
-    Partial,
     Power,
     Product,
     Quotient,
@@ -29,10 +28,9 @@ from kowalevski_cas.notation.values import applies, rank
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
 TALLEST = 150
-_DIFFERENTIALS = ("d", r"\partial")
 
 
-class Parser(Atoms):
+class Parser(Derivatives):
     """Reads the tokens of one statement."""
 
     def statement(self) -> Piece:
@@ -176,136 +174,6 @@ class Parser(Atoms):
         for vector, piece in ranks:
             if vector != ranks[0][0]:
                 raise NotationError(message, self.tex, piece[1])
-
-    def read_frac(self) -> Piece:
-        """A fraction; over d and an independent variable it is a derivative."""
-        written = self.written_derivative()
-        if written is not None:
-            return written
-        start = self.take().start
-        above, below = self.argument(), self.number(self.argument())
-        end = self.tokens[self.at - 1].end
-        return self.scripts((Quotient(above[0], below[0]), start, end, (above, below)))
-
-    def written_derivative(self) -> Piece | None:
-        r"""``\frac{dF}{d\tau}``, ``\frac{d}{d\tau}`` with what it is applied to; so too with ∂."""
-        fraction = self.at
-        start = self.tokens[fraction].start
-        above = fraction + 1
-        braced = self.tokens[above].kind == "{"
-        d = self.tokens[above + braced].text
-        if d not in _DIFFERENTIALS:
-            return None
-        below = self.behind_group(above)
-        by = self.denominator(below, d)
-        if not by:
-            self.at = fraction
-            return None
-        behind = self.at
-        self.at = above + braced + 1
-        if self.order() != len(by):
-            raise self.error("the orders above and below differ", self.tokens[fraction])
-        applied = self.at == below - braced
-        if applied:
-            self.at = behind
-            piece = self.operand(f"the derivative by {by[-1]}")
-            if self.tokens[self.at].kind in ("^", "prime"):
-                piece = self.scripts(piece)
-            end = self.tokens[self.at - 1].end
-        else:
-            piece = self.term()
-            if self.at != below - braced:
-                raise self.unexpected()
-            self.at = behind
-            end = self.tokens[behind - 1].end
-        piece = _derived(piece, d, by, start, end)
-        return piece if applied else self.scripts(piece)
-
-    def factor(self) -> Piece:
-        """An atom with its powers and primes, or a derivative with a slash, as dx/dt."""
-        token = self.tokens[self.at]
-        if token.text not in _DIFFERENTIALS or token.text in self.names:
-            return super().factor()
-        self.at += 1
-        order = self.order()
-        piece = super().factor()
-        if self.tokens[self.at].kind != "slash" or self.tokens[self.at + 1].text != token.text:
-            d = token.text if token.text == "d" else rf"{token.text} "
-            raise self.error(f"a derivative is expected here, as {d}x/{d}t", token)
-        self.at += 2
-        by = self.differential(token.text)
-        if len(by) != order:
-            raise self.error("the orders above and below differ", token)
-        return _derived(piece, token.text, by, token.start, self.tokens[self.at - 1].end)
-
-    def behind_group(self, at: int) -> int:
-        """The index behind the argument that begins at the given token."""
-        depth = 0
-        while self.tokens[at].kind != END:
-            depth += {"{": 1, "}": -1}.get(self.tokens[at].kind, 0)
-            at += 1
-            if depth == 0:
-                break
-        return at
-
-    def denominator(self, at: int, d: str) -> list[str]:
-        """The variables in the denominator that begins at the token; none if it is no such one."""
-        self.at, by = at + 1, list[str]()
-        if self.tokens[at].kind != "{":
-            return []
-        while self.tokens[self.at].text == d:
-            self.at += 1
-            found = self.differential(d)
-            if not found:
-                return []
-            by += found
-        if self.tokens[self.at].kind != "}":
-            return []
-        self.at += 1
-        return by
-
-    def differential(self, d: str) -> list[str]:
-        """The variable behind a d or a ∂, as often as its order says; none if it is none.
-
-        Behind a d it is an independent variable; behind a ∂ it is any scalar or vector, or, under
-        dots, a velocity.
-        """
-        dots = self.take().text if self.tokens[self.at].kind == "accent" else ""
-        braced = bool(dots) and self.tokens[self.at].kind == "{"
-        self.at += braced
-        if self.tokens[self.at].kind != "letter" or (d == "d" and dots):
-            return []
-        letter, index = self.take().text, ""
-        if self.tokens[self.at].kind == "_":
-            index = self.index()
-        if braced:
-            self.close("}")
-            index = index or (self.index() if self.tokens[self.at].kind == "_" else "")
-        name = letter + index
-        if name not in (self.vocabulary.times if d == "d" else self.vocabulary.ranks):
-            return []
-        return [f"{dots}{{{letter}}}{index}" if dots else name] * self.order()
-
-    def order(self) -> int:
-        """The order of a derivative, printed as a power: 1 without one, 0 if it is no number."""
-        if self.tokens[self.at].kind != "^":
-            return 1
-        self.at += 1
-        braced = self.tokens[self.at].kind == "{"
-        self.at += braced
-        if self.tokens[self.at].kind != "number":
-            return 0
-        digit = self.take() if braced else self.digit()
-        self.at += braced
-        return int(digit.text) if len(digit.text) < 3 else 0
-
-
-def _derived(piece: Piece, d: str, by: list[str], start: int, end: int) -> Piece:
-    """The derivative by the variables, the last one first."""
-    node = Derivative if d == "d" else Partial
-    for name in reversed(by):
-        piece = (node(piece[0], name), start, end, (piece,))
-    return piece
 
 
 def _product(factors: list[Piece]) -> Piece:

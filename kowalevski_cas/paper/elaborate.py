@@ -10,7 +10,6 @@ the setting checks it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
 from functools import cached_property
 from itertools import pairwise, takewhile
 
@@ -21,7 +20,6 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     Negative,
-    NotationError,
     Number,
     Quotient,
     Relation,
@@ -30,14 +28,12 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.components import component
 from kowalevski_cas.paper.inverse import inverse
-from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.motion import field, velocities
+from kowalevski_cas.paper.motion import Moving
 from kowalevski_cas.paper.plain import Plain
 from kowalevski_cas.paper.roots import solved
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.scene import Scene, head, is_bold
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.paper.validation import check_time, validate
 from kowalevski_cas.paper.written_out import WrittenOut
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -56,7 +52,7 @@ from kowalevski_cas.problem.space import (
 )
 
 
-class Elaboration(Meaning):
+class Elaboration(Moving):
     """The setting that a scene means.
 
     ``of`` gives the elaboration of another scene under the same texts. ``places`` tells, for
@@ -286,49 +282,6 @@ class Elaboration(Meaning):
         return at
 
     # -- motion ------------------------------------------------------------------
-
-    @cached_property
-    def printed_field(self) -> list[Formula]:  # type: ignore[override]
-        """The equations of motion, as far as they can be read; who needs them is told the rest."""
-        rows = self.scene.field
-        found: list[Formula] = []
-        for place in () if isinstance(rows, ChangeOfScene) else rows:
-            with suppress(NotationError):
-                found.append(self.texts.relation(place))
-        return found
-
-    @cached_property
-    def transcendental(self) -> Transcendental:
-        """The variables that stand under sines, cosines and exponentials."""
-        formulas = list(self.printed_field)
-        for place in self.scene.definitions.values() if formulas else ():
-            with suppress(NotationError):
-                formulas.append(self.texts.formula(place))
-        return Transcendental(formulas, self.scene.variables)
-
-    @property
-    def together(self) -> tuple[tuple[str, ...], ...]:
-        angles = self.transcendental.angles
-        return tuple((self.transcendental.instead(n), rf"\cos{{{n}}}") for n in angles)
-
-    @property
-    def own_variables(self) -> tuple[str, ...]:
-        replaced = self.transcendental.angles + self.transcendental.exponents
-        if replaced:
-            what = f"{replaced[0]} stands under a sine, a cosine or an exponential"
-            raise Meaningless(f"{what}: degrees, volumes and numbers of solutions are not known")
-        return self.variables
-
-    @cached_property
-    def velocities(self) -> dict[str, str]:  # type: ignore[override]
-        """The variables of which higher derivatives are printed, and those derivatives' names."""
-        return velocities(self.printed_field, self.scene.variables, self.scene.vectors)
-
-    @cached_property
-    def field(self) -> tuple[Motion, ...]:
-        """The printed equations of motion, solved for the rates where they are not."""
-        rows = self.scene.field
-        return () if isinstance(rows, ChangeOfScene) else tuple(field(self, rows))
 
     @cached_property
     def change(self) -> Change | None:

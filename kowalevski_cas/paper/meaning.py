@@ -19,10 +19,8 @@ class Meaning(Setting):
     scene: Scene
     texts: Texts
     places: dict[str, tuple[Printed, ...]]
-    velocities: dict[str, str]
     turning: dict[str, Formula] | None
     """The rates of variables in whose place others stand, when the field has been looked at."""
-    printed_field: list[Formula]
 
     @property
     @abstractmethod
@@ -33,6 +31,16 @@ class Meaning(Setting):
     @abstractmethod
     def plain(self) -> Callable[[Formula], Formula]:
         """What writes a formula out in the operations of a space."""
+
+    @property
+    @abstractmethod
+    def printed_field(self) -> list[Formula]:
+        """The equations of motion as they are printed."""
+
+    @property
+    @abstractmethod
+    def velocities(self) -> dict[str, str]:
+        """The variables of which higher derivatives are printed, and those derivatives' names."""
 
     @property
     @abstractmethod

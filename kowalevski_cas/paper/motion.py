@@ -10,7 +10,8 @@ derivatives are printed has velocities, which are variables too: with :math:`\dd
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from functools import reduce
+from contextlib import suppress
+from functools import cached_property, reduce
 from operator import add, mul
 
 from kowalevski_cas.algebra.derivation import along
@@ -21,6 +22,7 @@ from kowalevski_cas.notation import (
     Derivative,
     Formula,
     Name,
+    NotationError,
     Number,
     Partial,
     Product,
@@ -29,7 +31,9 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.errors import dotted
 from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.paper.transcendental import Transcendental
 from kowalevski_cas.problem.space import Equation, Meaningless, Motion
 
 
@@ -176,3 +180,50 @@ def _solved(
 
 def _partial(element: Element, name: str) -> Element:
     return along(element, {name: element.ring.one})
+
+
+class Moving(Meaning):
+    """What the printed equations of motion of a scene say."""
+
+    @cached_property
+    def printed_field(self) -> list[Formula]:
+        """The equations of motion, as far as they can be read; who needs them is told the rest."""
+        rows = self.scene.field
+        found: list[Formula] = []
+        for place in () if isinstance(rows, Change) else rows:
+            with suppress(NotationError):
+                found.append(self.texts.relation(place))
+        return found
+
+    @cached_property
+    def transcendental(self) -> Transcendental:
+        """The variables that stand under sines, cosines and exponentials."""
+        formulas = list(self.printed_field)
+        for place in self.scene.definitions.values() if formulas else ():
+            with suppress(NotationError):
+                formulas.append(self.texts.formula(place))
+        return Transcendental(formulas, self.scene.variables)
+
+    @property
+    def together(self) -> tuple[tuple[str, ...], ...]:
+        angles = self.transcendental.angles
+        return tuple((self.transcendental.instead(n), rf"\cos{{{n}}}") for n in angles)
+
+    @property
+    def own_variables(self) -> tuple[str, ...]:
+        replaced = self.transcendental.angles + self.transcendental.exponents
+        if replaced:
+            what = f"{replaced[0]} stands under a sine, a cosine or an exponential"
+            raise Meaningless(f"{what}: degrees, volumes and numbers of solutions are not known")
+        return self.variables
+
+    @cached_property
+    def velocities(self) -> dict[str, str]:
+        """The variables of which higher derivatives are printed, and those derivatives' names."""
+        return velocities(self.printed_field, self.scene.variables, self.scene.vectors)
+
+    @cached_property
+    def field(self) -> tuple[Motion, ...]:
+        """The printed equations of motion, solved for the rates where they are not."""
+        rows = self.scene.field
+        return () if isinstance(rows, Change) else tuple(field(self, rows))

@@ -28,6 +28,9 @@ from kowalevski_cas.problem.polynomial_fields import (
 Residues = dict[Exponents, int]
 """A polynomial in the variables, modulo the prime, at a point of the constants."""
 
+DEGREE = 1_000
+"""The largest degree that is looked at, of the checker as well."""
+
 LARGEST = 50_000
 """The largest number of monomials that anybody looks at."""
 
@@ -42,6 +45,8 @@ class Ansatz:
         self.goal, self.at = goal, at
         if len(goal.weights) != len(at.setting.variables) or min(goal.weights, default=0) < 1:
             raise Misplaced("there is not a positive weight for each variable")
+        if not 0 <= goal.degree <= DEGREE:
+            raise Misplaced(f"a degree is at most {DEGREE}")
         if (size := number_of_monomials(goal.weights, goal.degree)) > LARGEST:
             raise Misplaced(f"{size} monomials are too many")
         self.factor = at.scalar(goal.factor)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cached_property
 from itertools import product
-from math import gcd, lcm
+from math import comb, gcd, lcm
 from operator import mul
 
 from kowalevski_cas.algebra.tower import Element
@@ -151,6 +151,8 @@ def monomials(weights: Sequence[int], weight: int) -> Iterator[Exponents]:
 
 def number_of_monomials(weights: Sequence[int], weight: int) -> int:
     """How many monomials have at most this weight."""
+    if all(one == 1 for one in weights):
+        return comb(len(weights) + weight, weight)
     counts = [1] * (weight + 1)
     for one in weights:
         for k in range(one, weight + 1):

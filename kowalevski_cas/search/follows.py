@@ -15,7 +15,7 @@ from kowalevski_cas.problem.examine import is_real
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.place import Place
 from kowalevski_cas.search.cofactors import cofactors, conditional_cofactors, vanishes_on
-from kowalevski_cas.search.groebner import Combinations
+from kowalevski_cas.search.groebner import Combinations, complete
 from kowalevski_cas.search.place import Candidate, PointFinder
 
 LARGEST_POWER = 3
@@ -140,19 +140,15 @@ def rows_of(
     """
     if all(goal.is_zero for goal in goals):
         return [], 1
-    rows = [combined(goal, known, main) for goal in goals]
-    if None not in rows:
-        return [row for row in rows if row is not None], 1
-    if len(known) > 1:
-        combinations = Combinations(goals, known)
-        for power in range(1, LARGEST_POWER + 1):
-            found = combinations.rows(power)
-            if found is not None:
-                return found, power
-        rows = [conditional_cofactors(goal, known) for goal in goals]
-        if None not in rows:
-            return [row for row in rows if row is not None], 1
-    return None
+    rows = complete(combined(goal, known, main) for goal in goals)
+    if rows is not None or len(known) < 2:
+        return None if rows is None else (rows, 1)
+    combinations = Combinations(goals, known)
+    for power in range(1, LARGEST_POWER + 1):
+        if (rows := combinations.rows(power)) is not None:
+            return rows, power
+    rows = complete(conditional_cofactors(goal, known) for goal in goals)
+    return None if rows is None else (rows, 1)
 
 
 def combined(

@@ -7,7 +7,7 @@ module.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from heapq import heapify, heappop, heappush
 from itertools import combinations
 from math import prod
@@ -167,8 +167,7 @@ class Combinations:
 
     def rows(self, power: int = 1) -> list[list[Element]] | None:
         """The rows for powers of the targets, or ``None`` if one is not found."""
-        found = [self._row(target**power) for target in self.targets]
-        return None if None in found else [row for row in found if row is not None]
+        return complete(self._row(target**power) for target in self.targets)
 
     def _row(self, target: Element) -> list[Element] | None:
         if self.basis is None:
@@ -191,6 +190,16 @@ class Combinations:
     def _graded(self, element: Element) -> fmpq_mpoly:
         """A numerator, with the roots as variables."""
         return _in(self.context, self.flat.polynomial(element))
+
+
+def complete(rows: Iterable[list[Element] | None]) -> list[list[Element]] | None:
+    """All rows; ``None`` as soon as one is missing."""
+    found = []
+    for row in rows:
+        if row is None:
+            return None
+        found.append(row)
+    return found
 
 
 def expressed(

@@ -35,7 +35,7 @@ class Ansatz:
             :func:`cofactor_monomials`.
 
     Raises:
-        Meaningless: F or the motion is no polynomial in the variables.
+        Meaningless: F or the motion is no polynomial in the variables, or F has none of them.
     """
 
     def __init__(self, at: Evaluation, value: Element, letters: Sequence[str]) -> None:
@@ -51,6 +51,8 @@ class Ansatz:
         self._residual = at.derivative(value) - self.cofactor * value
         self._equations = _coefficients(at, self._residual)
         self._growing = {m: c for m, c in _coefficients(at, value).items() if any(m)}
+        if not self._growing:
+            raise Meaningless("no variable stands in the polynomial: it never moves")
 
     def monomial(self, exponents: Monomial) -> Element:
         """The product of powers of the variables."""

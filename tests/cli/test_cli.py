@@ -493,7 +493,7 @@ def test_proving_with_flint_imports_no_other_library():
 def test_python_m_is_the_command():
     done = process("verify", "--only", "eq6", "--arithmetic", "sympy")
     assert (done.returncode, done.stderr) == (0, "")
-    assert "1 claims: 1 proved; sympy" in done.stdout
+    assert "1 claim: 1 proved; sympy" in done.stdout
 
 
 def test_a_screening_refutes_and_proves_nothing(cli, write):

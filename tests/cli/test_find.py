@@ -97,6 +97,8 @@ def test_the_constants_for_which_a_polynomial_divides_its_derivative(capsys, tmp
     assert "with K = −2σ where A = −2σ and b = 2σ" in lines[3]
     assert main(["find", "parameters", str(file), "x+y^2"]) == 0
     assert "only where never" in capsys.readouterr().out
+    assert main(["find", "parameters", str(file), "A"]) == 2
+    assert "no variable stands in the polynomial" in capsys.readouterr().err
 
 
 @pytest.mark.slow
@@ -145,3 +147,15 @@ def test_what_is_written_to_the_file_is_proved_there(tmp_path, capsys):
     assert "3 claims: " in capsys.readouterr().out
     assert main([*CASE, "--degree", "1", "--write"]) == 2
     assert "--write needs a file in which a System" in capsys.readouterr().err
+
+
+def test_what_is_found_is_certified(capsys, tmp_path):
+    file = tmp_path / "oscillator.py"
+    file.write_text(
+        "from kowalevski_cas import System\n"
+        "top = System(r'\\dot x=v,\\quad \\dot v=-kx')\n"
+        "top.find_closure('x')\ntop.conditions('v^2+Ax^2')\n"
+    )
+    assert main(["record", str(file)]) == 0
+    assert main(["check", str(file)]) == 0
+    assert "CERTIFIED 7 of 7" in capsys.readouterr().out

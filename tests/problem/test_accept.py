@@ -625,6 +625,7 @@ class TestKernel:
             {"integrals": ()}, {"integrals": row(["^", ENERGY, 2])}, {"solutions": ()}, {"factor": decode("a")},
             {"integrals": row("x")}, {"integrals": row(["/", 1, ENERGY])}, {"solutions": row("y")},
             {"weights": (1, 0)}, {"weights": (1,)}, {"weights": (1, 1, 1)}, {"degree": 1000},
+            {"degree": 10**30}, {"degree": -1}, {"weights": (2, 3), "degree": 10**9},
         ],
     )  # fmt: skip
     def test_another_statement(self, change):

@@ -1,17 +1,25 @@
 """What a search for polynomial first integrals finds, and that it finds nothing else."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from hypothesis import given
+from flint import fmpq, fmpq_mat
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kowalevski_cas.algebra import load
 from kowalevski_cas.algebra.kernels import kernel
 from kowalevski_cas.algebra.present import formula_in
-from kowalevski_cas.notation import to_latex
+from kowalevski_cas.notation import Number, to_latex
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.problem.polynomial_fields import PolynomialField
-from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.problem.accept import Judge, Unproved
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence import At, Point
+from kowalevski_cas.problem.goals import Kernel
+from kowalevski_cas.problem.polynomial_fields import PolynomialField, monomials
+from kowalevski_cas.problem.space import Meaningless, Motion, Space
+from kowalevski_cas.problem.trees import decode
 from kowalevski_cas.search.integrals import first_integrals
 from tests.laws.systems import (
     EULER,
@@ -98,3 +106,42 @@ def _rank(rows):
             row[:] = [a - factor * b for a, b in zip(row, pivot, strict=True)]
         rank += 1
     return rank
+
+
+VARIABLES = ("x", "y", "z")
+small = st.integers(-2, 2)
+terms = st.lists(st.tuples(st.tuples(*[st.integers(0, 2)] * 3), small), min_size=1, max_size=3)
+
+
+def tree(polynomial):
+    products = [
+        ["*", v, *(["^", n, e] for n, e in zip(VARIABLES, p, strict=True))] for p, v in polynomial
+    ]
+    return decode(["+", 0, *products])  # fmt: skip
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.tuples(terms, terms, terms), st.integers(1, 3))
+def test_as_many_as_the_rank_over_the_rational_numbers_leaves(components, degree):
+    """All integrals are found, and with one less the certificate is refused."""
+    field = tuple(
+        Motion((n,), Number(1), tree(c)) for n, c in zip(VARIABLES, components, strict=True)
+    )
+    space = Space(VARIABLES, field=field)
+    at = Evaluation(space, load("flint"))
+    found = tuple(formula_in(element) for element in first_integrals(at, degree))
+    own = PolynomialField(at)
+    powers = [e for d in range(degree + 1) for e in monomials((1, 1, 1), d)]
+    columns = [own.derivative(e) for e in powers]
+    rows = sorted({key for column in columns for key in column})
+    entries = [
+        [fmpq(c[r].numerator, c[r].denominator) if r in c else 0 for c in columns] for r in rows
+    ]
+    nullity = len(powers) - (fmpq_mat(entries).rank() if rows else 0)
+    goal = Kernel(space, Number(0), (Number(1),), found, (1, 1, 1), degree)
+    names = {name: Number(3 + k) for k, name in enumerate(VARIABLES)}
+    Judge(lambda _: at).holds(goal, At(Point(names)))
+    assert (nullity == 1) == (not found)
+    if found:
+        with pytest.raises(Unproved, match="more polynomials"):
+            Judge(lambda _: at).holds(replace(goal, integrals=found[:-1]), At(Point(names)))  # fmt: skip

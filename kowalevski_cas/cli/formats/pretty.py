@@ -58,7 +58,8 @@ def _summary(result: Result) -> Iterator[str]:
     counts = Counter(o.verdict for o in run.outcomes)
     shown = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
     seconds = sum(sum(o.seconds.values()) for o in run.outcomes)
-    head = f"{len(run.outcomes)} claims: {shown}; {', '.join(run.arithmetics)}; {seconds:.2f} s"
+    claims = f"{len(run.outcomes)} claim{'s' * (len(run.outcomes) != 1)}"
+    head = f"{claims}: {shown}; {', '.join(run.arithmetics)}; {seconds:.2f} s"
     noun, other = (
         ("recorded", "THE RECORD") if result.recorded else ("expected", "WHAT IS EXPECTED")
     )

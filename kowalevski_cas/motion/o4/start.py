@@ -51,7 +51,7 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
     residual = float(residuals(np.array([given], dtype=float))["O4"][0])
     if not residual <= TOLERANCE:
         raise Inadmissible(
-            f"the state is not on O⁴: its equations leave {residual:.3g} of what they can be there"
+            f"the state is not on O⁴: its equations leave {residual:.3g} of its size"
         )
     with precision(BITS):
         _, _, a_square, b_square, c, *_ = exactly(formulas.integrals(), given)

@@ -142,7 +142,7 @@ class Kernel(Goal):
             for e, unit, rate in zip(exponents, self.units, rates, strict=True):
                 for m, v in rate.items() if e else ():
                     found[own - unit + m] = found.get(own - unit + m, 0) + e * v
-            self.ring.spend(1 + len(found))
+            self.ring.spend(4 + len(found))
             yield {m: v % PRIME for m, v in found.items() if v % PRIME}
 
     def _cleared(self, at: Map) -> tuple[list[Residues], Residues]:
