@@ -102,7 +102,7 @@ def test_not_all_critical_points_lie_on_the_set(outcome) -> None:
 def test_on_the_zero_level_the_set_is_exactly_that_off_the_poles(outcome) -> None:
     correction = outcome.correction
     assert correction.verdict is Verdict.CONDITIONAL
-    assert "where the function vanishes" in correction.words
+    assert "at which the function vanishes" in correction.words
     [condition] = correction.conditions
     assert to_latex(condition.expression) == r"\alpha_1^2 + \alpha_2^2"
     x = point(condition.witness.point.values)
