@@ -16,7 +16,7 @@ PYTHON = $(shell for p in python3.13 python3.12 python3.11 python3; do \
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help verify motion report certificates mutants test lint record rocq witnesses study benchmark clean
+.PHONY: help verify motion report certificates mutants test lint docs record rocq witnesses study benchmark clean
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
@@ -44,6 +44,9 @@ test: $(VENV)/.dev ## Run the tests (SLOW=1: also the slow ones; JUNIT=file: res
 
 lint: $(VENV)/.dev ## Check style and types
 	@$(PY) -m ruff check . && $(PY) -m ruff format --check . && $(PY) -m mypy
+
+docs: $(VENV)/.dev ## Write the documentation as a site, build/site/index.html
+	@$(INSTALL) --editable ".[docs]" && $(PY) -m mkdocs build --quiet --strict
 
 rocq: $(VENV)/.installed ## Let Rocq confirm the certificates (DERIVATION=: of this one only)
 	@$(RUN) witness rocq $(DERIVATION)

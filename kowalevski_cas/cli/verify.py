@@ -88,7 +88,7 @@ def _result(arguments: argparse.Namespace, folder: Path, derivation: Derivation)
         folder, derivation, arithmetics, arguments.only, explain, arguments.timeout,
         seed=arguments.seed,
     )  # fmt: skip
-    if explain:
+    if arguments.report is not None or arguments.format == "json":
         found = replace(found, versions=session.versions())
     return compared(folder, derivation, found, not arguments.only)
 

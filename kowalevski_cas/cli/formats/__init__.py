@@ -35,7 +35,9 @@ class Result:
 
     def line(self, claim: str) -> tuple[str, int]:
         """Where a claim is stated; of a recorded one that is gone, where all the others are."""
-        return self.lines.get(claim, (str(self.folder), 1))
+        file, line = self.lines.get(claim, (str(self.folder), 1))
+        here = Path.cwd()
+        return str(Path(file).relative_to(here) if Path(file).is_relative_to(here) else file), line
 
 
 def load_format(name: str) -> Callable[[Sequence[Result]], str]:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import Final
-from xml.sax.saxutils import escape
 
 from kowalevski_cas.report.graph.drawing import BOX, LETTER, Box, Line, Picture
 from kowalevski_cas.report.marks import MARKS
@@ -56,16 +56,16 @@ def _box(box: Box) -> str:
         'class="sign" fill="none" stroke="#000" stroke-width="0.35"/>'
         if sign
         else f'<text x="{start + 1.3:.2f}" y="{box.y + 0.85:.2f}" font-size="2.6" '
-        f'text-anchor="middle">{escape(MARKS[box.verdict].sign)}</text>'
+        f'text-anchor="middle">{escape(MARKS[box.verdict].sign, quote=False)}</text>'
     )
     label = (
         f'<text x="{start + 4.0:.2f}" y="{box.y + 0.8:.2f}" font-size="2.45" '
         f'textLength="{wide:.2f}" font-family="DejaVu Sans Mono, monospace">'
-        f"{escape(box.label)}</text>"
+        f"{escape(box.label, quote=False)}</text>"
     )
     return (
         f'<a href="#claim.{anchor(box.name)}" class="{box.verdict}">'
-        f"<title>{escape(box.says or box.label)}</title>"
+        f"<title>{escape(box.says or box.label, quote=False)}</title>"
         f'<rect class="box" x="{left:.1f}" y="{top:.1f}" width="{box.width:.1f}" '
         f'height="{BOX}" rx="0.8" {style}/>{mark}{label}</a>'
     )

@@ -1,0 +1,91 @@
+"""Every block of code in the documentation runs, in the order of its page, and says what is printed."""
+
+import re
+import sys
+from pathlib import Path
+from subprocess import STDOUT, run
+
+import pytest
+
+DOCS = Path(__file__).parents[1] / "docs"
+PAGES = sorted(
+    page
+    for page in DOCS.rglob("*.md")
+    if re.search("^```(console|pycon)", page.read_text(encoding="utf-8"), re.M)
+)
+"""The pages with code; the certificate in ``certificate.md`` is checked in ``problem/test_format.py``."""
+
+BLOCK = re.compile(r'^```(\w+)(?: title="([^"]+)")?\n(.*?)^```$', re.MULTILINE | re.DOTALL)
+TIMES = re.compile(r" *\d+\.\d+ ?m?s\b")
+
+
+def said(text):
+    """What is printed, without times and the ends of lines."""
+    return [
+        re.sub(r" in$", "", TIMES.sub("", line)).rstrip() for line in text.rstrip().splitlines()
+    ]
+
+
+def shown(language, text):
+    """The commands or the lines of Python in a block, each with what it prints."""
+    prompt, more = (r"\$ ", "\0") if language == "console" else (r">>> ", "... ")
+    for entry in re.split(rf"^{prompt}", text, flags=re.MULTILINE)[1:]:
+        command, *output = entry.splitlines()
+        while output and output[0].startswith(more):
+            command += "\n" + output.pop(0)[len(more) :]
+        yield command, output
+
+
+def printed(code, folder):
+    """What a command or lines of Python print, run in a folder."""
+    done = run(
+        code, cwd=folder, text=True, stdout=-1, stderr=STDOUT,
+        env={"PYTHONPATH": f"{DOCS.parent}:{folder}", "PYTHONIOENCODING": "utf-8", "COLUMNS": "80", "PATH": ""},
+    )  # fmt: skip
+    return done.stdout
+
+
+def spoken(block, folder):
+    """A block with what each of its entries prints, as it is to be printed."""
+    language, _, text = block
+    before, lines = "", []
+    for command, _ in shown(language, text):
+        if language == "console":
+            words = command.split()
+            program = ["-m", "kowalevski_cas"] if words[0] == "kowalevski-cas" else []
+            lines += [
+                f"$ {command}",
+                *printed([sys.executable, *program, *words[1:]], folder).splitlines(),
+            ]
+        else:
+            first, *rest = command.splitlines()
+            value = f"exec(compile({command!r} + chr(10), '', 'single'))"
+            whole = printed(
+                [sys.executable, "-c", f"{before}\nprint(chr(0), end='')\n{value}"], folder
+            )
+            lines += [f">>> {first}", *(f"... {line}" for line in rest)]
+            lines += whole.partition("\0")[2].splitlines()
+            before += f"\n{value}"
+    return lines
+
+
+@pytest.mark.parametrize(
+    "page",
+    [
+        pytest.param(p, marks=[] if p.stem == "source" else pytest.mark.slow, id=p.stem)
+        for p in PAGES
+    ],
+)
+def test_every_block_of_a_page_says_what_is_printed(page, tmp_path):
+    for block in BLOCK.findall(page.read_text(encoding="utf-8")):
+        language, title, text = block
+        if title:
+            (tmp_path / title).write_text(text, encoding="utf-8")
+        else:
+            assert language in ("console", "pycon"), f"a block that nobody runs: {text}"
+            assert said("\n".join(spoken(block, tmp_path))) == said(text)
+
+
+def test_the_pages_are_those_of_the_site():
+    named = set(re.findall(r"[\w/]+\.md", (DOCS.parent / "mkdocs.yml").read_text(encoding="utf-8")))
+    assert named == {str(page.relative_to(DOCS)) for page in DOCS.rglob("*.md")}
