@@ -7,15 +7,23 @@ from kowalevski_cas.paper.derivation import Derivation
 
 
 def synthetic(derivation: Derivation) -> Source:
-    """The displays of a derivation, and the sentences that it quotes, as a LaTeX article."""
+    """The displays of a derivation, and the sentences that it quotes, as a LaTeX article.
+
+    A sentence that quotes a formula stands where the formula does; the others are at the end.
+    """
     sentences = dict.fromkeys(claim.sentence for claim in derivation.claims if claim.sentence)
     said = _without_spaces("".join(sentences))
     lines = [r"\documentclass{article}", r"\newcommand{\bs}{\boldsymbol}", r"\begin{document}"]
     for display in derivation.displays():
         tex = display.tex.strip()
-        if display.source or (display.inline and _without_spaces(f"${tex}$") in said):
+        if display.source:
             continue
-        if display.inline:
+        quoted = _without_spaces(f"${tex}$")
+        if display.inline and quoted in said:
+            here = [sentence for sentence in sentences if quoted in _without_spaces(sentence)]
+            lines += [line for sentence in here for line in (sentence, "")]
+            sentences = {one: None for one in sentences if one not in here}
+        elif display.inline:
             lines += [f"Here ${tex}$.", ""]
         else:
             label = rf"\label{{{display.id}}}"
