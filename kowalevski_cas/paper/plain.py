@@ -250,6 +250,9 @@ def written_out(formula: Summation) -> Formula:
 
 def _at(formula: Formula, index: str, value: int) -> Formula:
     """The term of a sum for a value of its index, which stands in names too."""
+    if isinstance(formula, Summation) and formula.index == index:  # there it is another one
+        limits = (_at(limit, index, value) for limit in (formula.first, formula.last))
+        return Summation(index, *limits, formula.body)
     if not isinstance(formula, Name):
         return formula.mapped(lambda child: _at(child, index, value))
     if formula.name == index:
@@ -258,6 +261,8 @@ def _at(formula: Formula, index: str, value: int) -> Formula:
     parts = _INDEX.findall(low)
     if index not in parts:
         return formula
+    if {*"+-"} & {*parts} and re.search(r"[^-+,]{2}", "".join(p[:1] for p in parts)):
+        raise Meaningless(f"what is the index of {to_latex(formula)}? write the terms out")
     low = "".join(str(value) if part == index else part for part in parts)
     if re.fullmatch(r"\d+(?:[+-]\d+)+", low):  # as in q_{i+1}
         low = str(sum(map(int, re.findall(r"[+-]?\d+", low))))
