@@ -319,12 +319,12 @@ class System:
             NotationError: a formula is broken TeX.
             ValueError: a formula is several, or there is no such verdict to expect.
         """
-        return self._state(Finding(kind, self.scene, says, printed, attributes), name, expect)
+        id = self._id(name, self._tex(_first((printed, *attributes.values()))))
+        return self._state(id, Finding(kind, self.scene, says, printed, attributes), expect)
 
-    def _state(self, finding: Finding, name: str, expect: str = "") -> Stated:
+    def _state(self, id: str, finding: Finding, expect: str = "") -> Stated:
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
-        id = self._id(name, self._tex(_first((finding.tex, *finding.attributes.values()))))
         claim = finding.claim(id, partial(self._place, id))
         self.section.claim(claim)
         if expect:
@@ -361,7 +361,7 @@ class System:
         on = Elaborations(Texts(vocabulary((self.scene,))))
         told += ["--", *words] if words else []
         found = module.search(on, self.scene, parser.parse_args(told))
-        return [self._state(one, question) for one in found]
+        return [self._state(self._id(question, ""), one) for one in found]
 
     # -- formulas ----------------------------------------------------------------
 
