@@ -146,6 +146,13 @@ def test_a_constant_can_be_a_root():
         (r"\dot x=p,\ \dot p=-e^x", "x, p move", r"\frac12p^2+e^x"),
         (r"\dot x=y,\ \dot y=-e^2x", "x, y move; e is constant", "y^2+e^2x^2"),
         (r"\dot x=v,\ \dot y=0", "x, y move; v is constant", "y"),
+        (
+            r"\dot{q}_1=p_1,\ \dot{q}_2=p_2,\ \dot{p}_1=-e^{q_1-q_2},\ \dot{p}_2=e^{q_1-q_2}",
+            "q₁, q₂, p₁, p₂ move",
+            r"\frac12(p_1^2+p_2^2)+e^{q_1-q_2}",
+        ),
+        (r"\ddot\theta=-k\sin\theta", "θ moves; k is constant", r"\dot\theta^2-2k\cos\theta"),
+        (r"\dot x=y\sqrt{c^2+1},\ \dot y=-x\sqrt{c^2+1}", "x, y move; c is constant", "x^2+y^2"),
         (r"\dot x_1=x_2,\ \dot x_2=x_2-\sum_{i=1}^2x_i", "x₁, x₂ move", "x_1^2+x_2^2"),
     ],
 )  # fmt: skip

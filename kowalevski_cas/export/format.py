@@ -15,6 +15,9 @@ Json = dict[str, Any]
 """A certificate as it was read (docs/certificate.md), accepted by the checker."""
 
 
+RANKS = "it rests on ranks modulo a prime, which are not computed there"
+
+
 class Inexpressible(Exception):
     """The format has no words for what a certificate states; the message says which and why."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 
 from kowalevski_cas.notation.cursor import Cursor
@@ -53,10 +54,8 @@ def _names(cursor: Cursor) -> Iterator[str]:
         token = cursor.take()
         plain = token.text in GREEK or token.text.isalpha() or token.text.startswith(r"\mathrm{")
         if token.kind == "letter" and plain:
-            index = ""
-            if cursor.at < len(cursor.tokens) and cursor.tokens[cursor.at].kind == "_":
-                try:
-                    index = cursor.index()
-                except NotationError:
-                    continue
-            yield token.text + index
+            yield token.text
+            cursor.at += cursor.tokens[cursor.at].kind == "}"  # an accent covers no index
+            if cursor.tokens[cursor.at].kind == "_":
+                with suppress(NotationError):
+                    yield token.text + cursor.index()

@@ -1,9 +1,14 @@
 """Certificates in the languages of other programs."""
 
+import json
+from pathlib import Path
+
 import pytest
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.export import load
+from kowalevski_cas.export import FORMATS, Inexpressible, load
+
+HANDWRITTEN = Path(__file__).parents[1] / "problem" / "handwritten"
 
 
 @pytest.mark.slow
@@ -35,3 +40,11 @@ def test_the_text_of_an_export_is_always_the_same(small, tmp_path):
         for name in "ab"
     )
     assert first == second
+
+
+@pytest.mark.parametrize("name", FORMATS)
+@pytest.mark.parametrize("file", ["kernel", "denied-kernel"])
+def test_ranks_modulo_a_prime_are_left_out_by_all(name, file):
+    text = (HANDWRITTEN / f"{file}.json").read_text(encoding="utf-8")
+    with pytest.raises(Inexpressible, match="ranks modulo a prime"):
+        load(name).translate(json.loads(text))

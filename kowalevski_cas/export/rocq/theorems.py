@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from itertools import combinations, product
 
-from kowalevski_cas.export.format import Inexpressible, Json
+from kowalevski_cas.export.format import RANKS, Inexpressible, Json
 from kowalevski_cas.export.rocq.facts import AT, Facts
 from kowalevski_cas.export.rocq.points import Place
 from kowalevski_cas.export.rocq.space import Sides, Space
@@ -219,7 +219,7 @@ def _determinant(rows: list[list[str]], columns: list[int]) -> str:
 
 def _inexpressible(why: str) -> Callable[..., None]:
     def say(*_: object) -> None:
-        raise Inexpressible(REAL.format(why))
+        raise Inexpressible(why)
 
     return say
 
@@ -228,8 +228,9 @@ KINDS: dict[str, tuple[Callable[..., None], Callable[..., None]]] = {
     "follows": (follows, fails),
     "fails": (fails, follows),
     "rank": (rank, no_rank),
-    "positive": (_inexpressible("something is positive"),) * 2,
-    "count": (_inexpressible("real solutions are counted"),) * 2,
+    "positive": (_inexpressible(REAL.format("something is positive")),) * 2,
+    "count": (_inexpressible(REAL.format("real solutions are counted")),) * 2,
+    "kernel": (_inexpressible(RANKS),) * 2,
 }
 """How goals are proved, and how they are denied."""
 
