@@ -22,6 +22,7 @@ from importlib import import_module
 from itertools import chain, count
 from typing import Any
 
+from kowalevski_cas.cli.find import forecast
 from kowalevski_cas.notation import (
     Formula,
     Name,
@@ -258,7 +259,11 @@ class System:
         return self._found("parameters", self._tex(polynomial))
 
     def _found(self, question: str, *words: str, **options: int) -> list[Stated]:
-        """What the command ``find`` finds, as claims like any other."""
+        """What the command ``find`` finds, as claims like any other.
+
+        What was found before an error or an interruption stays claimed.
+        """
+        forecast(self.scene, options.get("degree", 0))
         module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
         module.add_arguments(parser)
         told = [f"--{name}={value}" for name, value in options.items() if type(value) is int]
