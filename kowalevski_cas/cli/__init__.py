@@ -18,7 +18,7 @@ from kowalevski_cas.processes import ProcessDied
 
 COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
-    "report": "write the report of a derivation as LaTeX and PDF",
+    "report": "write the report of a derivation as a web page, LaTeX and PDF",
     "audit": "read a paper's TeX source and prove or refute each formula in it",
     "bundle": "put the evidence, the checker and the page into a folder to deposit with a paper",
     "find": "find what nobody has printed: integrals and the like",
@@ -27,8 +27,8 @@ COMMANDS = {
     "export": "write certificates in the language of another program",
     "witness": "let another program confirm the certificates",
     "mutants": "change one token at a time, and count what an audit notices",
-    "motion": "follow a motion on N⁴ by its closed form, or by an integrator",
-    "pictures": "draw a motion on N⁴: hodographs, traces, torus, bifurcation diagrams",
+    "motion": "follow a motion from any state: on N⁴ and O⁴ by its closed form",
+    "pictures": "draw a motion on N⁴, and the bifurcation diagrams of the whole top",
     "animation": "show the body as it moves on N⁴, as an animated GIF",
     "record": "search anew, and write the record of verdicts and the certificates",
 }

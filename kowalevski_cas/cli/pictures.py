@@ -1,4 +1,4 @@
-"""Draw a motion on N⁴; reports of the derivation show the pictures.
+"""Draw a motion on N⁴, and the bifurcation diagrams of the whole top; the reports show them.
 
 A motion is given as for `kowalevski-cas motion`; if none is given, an example is drawn.
 

@@ -76,9 +76,12 @@ def _elements(
 def vanishes_on(element: Element, known: Sequence[Element]) -> bool:
     """Whether an element is seen, without a division, to vanish wherever known ones do."""
     flat = Flat(element.ring)
-    numerators = [flat.polynomial(one) for one in known]
-    everything = [tuple(range(flat.size))]
-    return _divided(flat, flat.polynomial(element), numerators, everything) is not None
+    dividend, everything = flat.polynomial(element), [tuple(range(flat.size))]
+    divisors = sorted((flat.polynomial(one) for one in known), key=len)
+    return bool(known) and any(
+        _divide_in_turn(dividend, chosen, everything, flat.relations(), depth=2) is not None
+        for chosen in (divisors, _autoreduced(divisors)[0])
+    )
 
 
 class Flat:

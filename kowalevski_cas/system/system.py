@@ -14,40 +14,25 @@ them: ``kowalevski-cas verify lorenz.py``.
 from __future__ import annotations
 
 import re
-import sys
 from argparse import ArgumentParser
 from collections.abc import Callable, Container, Mapping, Sequence
 from copy import copy
-from dataclasses import replace
-from functools import cached_property, partial
-from html import escape
+from functools import partial
 from importlib import import_module
 from itertools import chain, count
-from pathlib import Path
 from typing import Any
 
-from kowalevski_cas.library import READ
+from kowalevski_cas.cli.find import forecast
 from kowalevski_cas.notation import (
-    Application,
-    Derivative,
     Formula,
     Name,
-    Number,
     OpenParser,
-    Partial,
-    Relation,
-    Root,
-    Summation,
     Vocabulary,
     from_sympy,
-    print_prose,
     read,
     read_display,
-    read_prose,
     to_latex,
-    to_mathml,
     to_plain,
-    to_sympy,
 )
 from kowalevski_cas.paper.claims import (
     Casimir,
@@ -61,104 +46,23 @@ from kowalevski_cas.paper.claims import (
     Jacobi,
     LiouvilleIntegrable,
 )
-from kowalevski_cas.paper.derivation import Derivation, Section
+from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.plain import written_out
-from kowalevski_cas.paper.scene import Scene, head, vocabulary
+from kowalevski_cas.paper.scene import Scene, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed, Texts
-from kowalevski_cas.problem.prune import mentions
+from kowalevski_cas.system.answers import Function, Stated
+from kowalevski_cas.system.equations import restricted, roles, rooted
 from kowalevski_cas.verify.found import Finding
-from kowalevski_cas.verify.outcome import Counterexample, Outcome, Verdict, in_latex
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.outcome import Verdict, in_latex
 
 LONGEST = 24
 """The signs of a formula by which a claim is called."""
 
 
 QUESTIONS = "kowalevski_cas.cli.questions"
-_RATE = re.compile(r"\\dot\{([^{}]*)\}(.*)")
 
 Tex = Any
 """A formula: LaTeX, what was defined, or an expression of SymPy."""
-
-
-class Shown:
-    """Something with formulas: in a notebook, in LaTeX, and for SymPy."""
-
-    system: System
-    formulas: tuple[Formula, ...]
-
-    def sympy(self) -> Any:
-        """The formula as an expression of SymPy, or a list if there are several."""
-        found = [to_sympy(formula, self.system.symbols) for formula in self.formulas]
-        return found[0] if len(found) == 1 else found
-
-    def __repr__(self) -> str:
-        return ", ".join(map(to_plain, self.formulas))
-
-    def _repr_latex_(self) -> str:
-        return f"${in_latex(self.formulas)}$"
-
-
-class Function(Shown):
-    """What a system has a name for; it stands for that name wherever LaTeX is taken."""
-
-    def __init__(self, system: System, place: Printed, name: str) -> None:
-        self.system, self.place, self.name = system, place, name
-
-    @property
-    def formulas(self) -> tuple[Formula, ...]:  # type: ignore[override]
-        """The equation that defines it."""
-        return (self.system.read(self.place.tex),)
-
-
-class Stated(Shown):
-    """A claim about a system. It is decided when something is asked of it."""
-
-    def __init__(self, system: System, claim: Claim) -> None:
-        self.system, self.claim = system, claim
-
-    @cached_property
-    def outcome(self) -> Outcome:
-        """All that a run says about it, with FLINT."""
-        derivation = Derivation("", "", "", "", (self.system.section,))
-        return verify(derivation, ["flint"], [self.claim.id]).outcomes[0]
-
-    @property
-    def verdict(self) -> Verdict:
-        """Whether it is proved, perhaps under conditions, refuted, or not decided."""
-        return self.outcome.verdict
-
-    @property
-    def formulas(self) -> tuple[Formula, ...]:  # type: ignore[override]
-        """What is claimed, as it is read."""
-        return self.outcome.formulas
-
-    @property
-    def conditions(self) -> tuple[Formula, ...]:
-        """The expressions that are supposed not to vanish."""
-        return tuple(condition.expression for condition in self.outcome.conditions)
-
-    @property
-    def counterexample(self) -> Counterexample | None:
-        """An exact point at which it fails."""
-        return self.outcome.counterexample
-
-    def __repr__(self) -> str:
-        return self._said(to_plain, str, "{}").strip()
-
-    def _repr_html_(self) -> str:
-        return f"<p>{self._said(_math, escape, '<b>{}</b>')}</p>"
-
-    def _said(self, shown: Callable[[Formula], str], said: Callable[[str], str], mark: str) -> str:
-        """The verdict, its conditions, what is claimed, and why it is not decided."""
-        own = self.outcome
-        words = read_prose(own.words, vocabulary((self.claim.scene,)))
-        where = ", ".join(f"{shown(formula)} ≠ 0" for formula in self.conditions)
-        found = [f"where {where}"] if where else []
-        found += [print_prose(words, said, shown), ", ".join(map(shown, self.formulas))]
-        found += [said(own.message)] if own.message else []
-        return f"{mark.format(own.verdict)}: {'; '.join(filter(None, found))}"
 
 
 class System:
@@ -192,12 +96,12 @@ class System:
         self.section = Section(name or "1", "")
         display = self.section.display(f"{self.prefix}field", field)
         components = vectors or {}
-        laws, definitions, moving, others = _names(display, components)
+        laws, definitions, moving, others = roles(display, components)
         variables = tuple(part for one in moving for part in components.get(one, (one,)))
         constants = tuple(part for one in others for part in components.get(one, (one,)))
         words = "the equations of motion"
         scene = Scene(name or "the system", words, components, variables, constants, (*laws,))
-        self._stand_on(_rooted(scene.defining(*definitions), display))
+        self._stand_on(rooted(scene.defining(*definitions), display))
         self.section.title = _echo(variables, constants, "${}$".format)
 
     def __repr__(self) -> str:
@@ -226,8 +130,10 @@ class System:
         """
         tex = self._tex(formula)
         display = self.section.display(self._id("", tex), tex)
-        self._stand_on(_rooted(self.scene.defining(display), display))
-        return Function(self, display[1], display[1].heads.names[0])
+        self._stand_on(rooted(self.scene.defining(display), display))
+        return Function(
+            display[1], display[1].heads.names[0], self.read(display[1].tex), self.symbols
+        )
 
     def where(self, *relations: Tex) -> System:
         r"""The system for special constants: ``b=2\sigma``, ``r^2=x^2+y^2``, ``\sigma\ne0``.
@@ -240,7 +146,7 @@ class System:
         scene = self.scene.described(f"{self.scene.name} where {said}", f"${said}$")
         for relation in relations:
             place = self._place("where", relation)
-            scene = _restricted(scene, place)
+            scene = restricted(scene, place)
             read_display(place.display.tex, vocabulary((scene,)))
         special._stand_on(scene)
         return special
@@ -319,17 +225,17 @@ class System:
             NotationError: a formula is broken TeX.
             ValueError: a formula is several, or there is no such verdict to expect.
         """
-        return self._state(Finding(kind, self.scene, says, printed, attributes), name, expect)
+        id = self._id(name, self._tex(_first((printed, *attributes.values()))))
+        return self._state(id, Finding(kind, self.scene, says, printed, attributes), expect)
 
-    def _state(self, finding: Finding, name: str, expect: str = "") -> Stated:
+    def _state(self, id: str, finding: Finding, expect: str = "") -> Stated:
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
-        id = self._id(name, self._tex(_first((finding.tex, *finding.attributes.values()))))
         claim = finding.claim(id, partial(self._place, id))
         self.section.claim(claim)
         if expect:
             self.section.expected[id] = expect
-        return Stated(self, claim)
+        return Stated(claim, self.section, self.symbols)
 
     # -- questions ---------------------------------------------------------------
 
@@ -353,7 +259,11 @@ class System:
         return self._found("parameters", self._tex(polynomial))
 
     def _found(self, question: str, *words: str, **options: int) -> list[Stated]:
-        """What the command ``find`` finds, as claims like any other."""
+        """What the command ``find`` finds, as claims like any other.
+
+        What was found before an error or an interruption stays claimed.
+        """
+        forecast(self.scene, options.get("degree", 0))
         module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
         module.add_arguments(parser)
         told = [f"--{name}={value}" for name, value in options.items() if type(value) is int]
@@ -361,7 +271,7 @@ class System:
         on = Elaborations(Texts(vocabulary((self.scene,))))
         told += ["--", *words] if words else []
         found = module.search(on, self.scene, parser.parse_args(told))
-        return [self._state(one, question) for one in found]
+        return [self._state(self._id(question, ""), one) for one in found]
 
     # -- formulas ----------------------------------------------------------------
 
@@ -422,132 +332,8 @@ def _first(value: Any) -> Tex:
     return next((one for one in map(_first, value) if not isinstance(one, str) or one), "")
 
 
-def _math(formula: Formula) -> str:
-    return f"<math>{to_mathml(formula)}</math>"
-
-
-def _names(
-    display: Display, vectors: Mapping[str, tuple[str, ...]]
-) -> tuple[list[Printed], list[Printed], tuple[str, ...], tuple[str, ...]]:
-    """The equations of motion, what is defined beside them, what moves, and the other names."""
-    words = vocabulary(())
-    heads = [head(name) for place in display for name in place.heads.names]
-    named = frozenset(name for name, arguments in heads if arguments)  # as H in H(q,p)=…
-    words = replace(
-        words, vectors=frozenset(vectors), scalars=named, functions=words.functions | named
-    )
-    moving = dict.fromkeys(name for place in display for name in _moving(_open(place, words)))
-    words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
-    laws = [place for place in display if _is_law(_open(place, words))]
-    others = [place for place in display if place not in laws]
-    for place in others:
-        if not {*place.heads.names} - {*moving}:
-            raise ValueError(f"{place.tex} is no equation of motion, and defines no name")
-    if len(laws) > len(moving):
-        raise ValueError(
-            f"{len(laws)} equations for {len(moving)} unknowns ({', '.join(moving)}): "
-            "leave one out, or claim it as an identity"
-        )
-    mentioned = dict.fromkeys(name for place in display for name in _mentioned(place, words))
-    if "t" in mentioned:
-        raise ValueError("the time t stands in the equations: give it a name, with \\dot s=1")
-    heads = [head(name) for place in others for name in place.heads.names]
-    defined = {*moving, *(one for name, arguments in heads for one in (name, *arguments))}
-    for name in (name for place in display for name in _derived(_open(place, words))):
-        if name not in defined:
-            raise ValueError(f"{name} is differentiated, and nothing defines it: add {name}=…")
-    return laws, others, tuple(moving), tuple(name for name in mentioned if name not in defined)
-
-
-def _open(place: Printed, words: Vocabulary) -> Formula:
-    """What stands at a place, where any letter is a name; sums are written out."""
-
-    def written(formula: Formula) -> Formula:
-        formula = written_out(formula) if isinstance(formula, Summation) else formula
-        return formula.mapped(written)
-
-    return written(read(place.tex, words, OpenParser))
-
-
-def _mentioned(place: Printed, words: Vocabulary) -> list[str]:
-    return [one.name for one in mentions(_open(place, words)) if isinstance(one, Name)]
-
-
-def _is_law(formula: Formula) -> bool:
-    """Whether a rate stands in an equation, and no name for something else on its left."""
-    first = formula.members[0] if isinstance(formula, Relation) else formula
-    return not isinstance(first, Name | Application) and bool(_moving(formula))
-
-
-def _moving(formula: Formula) -> list[str]:
-    """The names that stand under a derivative, or by whose rates something is derived."""
-    if isinstance(formula, Derivative) and isinstance(formula.argument, Name):
-        return [formula.argument.name]
-    found = [name for child in formula.children() for name in _moving(child)]
-    rate = _RATE.fullmatch(formula.by) if isinstance(formula, Partial) else None
-    return [rate[1] + rate[2], *found] if rate else found
-
-
-def _derived(formula: Formula) -> list[str]:
-    """The names of which partial derivatives are printed."""
-    if isinstance(formula, Partial) and isinstance(formula.argument, Name):
-        return [formula.argument.name]
-    return [name for child in formula.children() for name in _derived(child)]
-
-
-def _rooted(scene: Scene, display: Display) -> Scene:
-    """A scene with the square roots that are printed in a display of its names."""
-    waiting = [statement.formula for statement in read_display(display.tex, vocabulary((scene,)))]
-    while waiting:
-        formula = waiting.pop()
-        waiting += formula.children()
-        if isinstance(formula, Root) and (name := to_latex(formula)) not in scene.roots:
-            scene = scene.adjoining(name)
-    return scene
-
-
-def _restricted(scene: Scene, place: Printed) -> Scene:
-    """A scene with what a relation says of its constants."""
-    formula = read(place.tex, vocabulary((scene,)), OpenParser)
-    match formula:
-        case Relation((left, Number(0)), (r"\ne",)):
-            return scene.having(nonzero=(to_latex(left),))
-    if any(name in scene.constants for name in place.heads.squares):
-        return scene.adjoining(place)
-    for name in place.heads.names:
-        if name in scene.constants:
-            kept = tuple(one for one in scene.constants if one != name)
-            return replace(scene, constants=kept).naming(name, place)
-    raise ValueError(
-        f"{place.tex} gives no constant: solve it for one of {', '.join(scene.constants) or 'none'}"
-    )
-
-
 def _echo(variables: Sequence[str], constants: Sequence[str], shown: Callable[[str], str]) -> str:
     """What moves and what does not, in words."""
     moving = f"{', '.join(map(shown, variables))} move{'' if len(variables) > 1 else 's'}"
     still = f"{', '.join(map(shown, constants))} {'are' if len(constants) > 1 else 'is'} constant"
     return f"{moving}; {still}" if constants else moving
-
-
-def display(source: str, label: str) -> str:
-    r"""The display with this label in a TeX file, its macros written out: as it stands there now.
-
-    A relative path is one from the folder of the file that asks.
-
-    Raises:
-        ValueError: the file cannot be read, or has no display, or several, with this label.
-    """
-    from kowalevski_cas.audit.audit import typed_formulas  # seldom asked for
-    from kowalevski_cas.audit.source import read_source
-
-    here = sys._getframe(1).f_globals.get("__file__", "")
-    path = Path(here).parent / source
-    if path.is_file():
-        READ[path] = path.stat().st_mtime_ns
-    found = [one for one in typed_formulas(read_source(path))[1] if label in one.labels]
-    if len(found) != 1:
-        raise ValueError(f"{path} has {len(found) or 'no'} displays with the label {label}")
-    if found[0].trouble:
-        raise ValueError(f"{path}: the display {label} cannot be read: {found[0].trouble}")
-    return found[0].tex

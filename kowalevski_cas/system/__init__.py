@@ -1,0 +1,7 @@
+"""Systems of one's own, as derivations that nobody has printed."""
+
+from kowalevski_cas.system.answers import Function, Stated
+from kowalevski_cas.system.source import display
+from kowalevski_cas.system.system import System
+
+__all__ = ["Function", "Stated", "System", "display"]

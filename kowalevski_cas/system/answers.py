@@ -1,0 +1,106 @@
+"""What a system answers: what it has a name for, and what is claimed of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from html import escape
+from typing import Any
+
+from kowalevski_cas.notation import (
+    Formula,
+    print_prose,
+    read_prose,
+    to_mathml,
+    to_plain,
+    to_sympy,
+)
+from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.derivation import Derivation, Section
+from kowalevski_cas.paper.scene import vocabulary
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.verify.outcome import Counterexample, Outcome, Verdict, in_latex
+from kowalevski_cas.verify.run import verify
+
+
+class Shown:
+    """Something with formulas: in a notebook, in LaTeX, and for SymPy."""
+
+    formulas: tuple[Formula, ...]
+    symbols: Mapping[str, Any]
+    """The symbols of SymPy in which a system is written, by their names here."""
+
+    def sympy(self) -> Any:
+        """The formula as an expression of SymPy, or a list if there are several."""
+        found = [to_sympy(formula, self.symbols) for formula in self.formulas]
+        return found[0] if len(found) == 1 else found
+
+    def __repr__(self) -> str:
+        return ", ".join(map(to_plain, self.formulas))
+
+    def _repr_latex_(self) -> str:
+        return f"${in_latex(self.formulas)}$"
+
+
+class Function(Shown):
+    """What a system has a name for; it stands for that name wherever LaTeX is taken."""
+
+    def __init__(
+        self, place: Printed, name: str, formula: Formula, symbols: Mapping[str, Any]
+    ) -> None:
+        self.place, self.name, self.symbols = place, name, symbols
+        self.formulas = (formula,)
+        """The equation that defines it."""
+
+
+class Stated(Shown):
+    """A claim about a system. It is decided when something is asked of it."""
+
+    def __init__(self, claim: Claim, section: Section, symbols: Mapping[str, Any]) -> None:
+        self.claim, self.section, self.symbols = claim, section, symbols
+
+    @cached_property
+    def outcome(self) -> Outcome:
+        """All that a run says about it, with FLINT."""
+        derivation = Derivation("", "", "", "", (self.section,))
+        return verify(derivation, ["flint"], [self.claim.id]).outcomes[0]
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether it is proved, perhaps under conditions, refuted, or not decided."""
+        return self.outcome.verdict
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:  # type: ignore[override]
+        """What is claimed, as it is read."""
+        return self.outcome.formulas
+
+    @property
+    def conditions(self) -> tuple[Formula, ...]:
+        """The expressions that are supposed not to vanish."""
+        return tuple(condition.expression for condition in self.outcome.conditions)
+
+    @property
+    def counterexample(self) -> Counterexample | None:
+        """An exact point at which it fails."""
+        return self.outcome.counterexample
+
+    def __repr__(self) -> str:
+        return self._said(to_plain, str, "{}").strip()
+
+    def _repr_html_(self) -> str:
+        return f"<p>{self._said(_math, escape, '<b>{}</b>')}</p>"
+
+    def _said(self, shown: Callable[[Formula], str], said: Callable[[str], str], mark: str) -> str:
+        """The verdict, its conditions, what is claimed, and why it is not decided."""
+        own = self.outcome
+        words = read_prose(own.words, vocabulary((self.claim.scene,)))
+        where = ", ".join(f"{shown(formula)} ≠ 0" for formula in self.conditions)
+        found = [f"where {where}"] if where else []
+        found += [print_prose(words, said, shown), ", ".join(map(shown, self.formulas))]
+        found += [said(own.message)] if own.message else []
+        return f"{mark.format(own.verdict)}: {'; '.join(filter(None, found))}"
+
+
+def _math(formula: Formula) -> str:
+    return f"<math>{to_mathml(formula)}</math>"
