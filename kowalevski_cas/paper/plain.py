@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cached_property
 
 from kowalevski_cas.notation import (
@@ -251,8 +252,9 @@ def written_out(formula: Summation) -> Formula:
 def _at(formula: Formula, index: str, value: int) -> Formula:
     """The term of a sum for a value of its index, which stands in names too."""
     if isinstance(formula, Summation) and formula.index == index:  # there it is another one
-        limits = (_at(limit, index, value) for limit in (formula.first, formula.last))
-        return Summation(index, *limits, formula.body)
+        return replace(
+            formula, first=_at(formula.first, index, value), last=_at(formula.last, index, value)
+        )
     if not isinstance(formula, Name):
         return formula.mapped(lambda child: _at(child, index, value))
     if formula.name == index:

@@ -147,7 +147,7 @@ class System:
         for relation in relations:
             place = self._place("where", relation)
             scene = restricted(scene, place)
-            read_display(place.display.tex, vocabulary((scene,)))
+            scene = rooted(scene, place.display)
         special._stand_on(scene)
         return special
 
