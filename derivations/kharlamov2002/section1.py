@@ -59,11 +59,7 @@ eq4 = section.states(
 = b^2 , \quad ({\bs \alpha},{\bs \beta}) = c.""",
     ),
     on=any_body,
-    says=(
-        "the square of the first field is constant",
-        "the square of the second field is constant",
-        "the scalar product of the fields is constant",
-    ),
+    says="the lengths of the fields and their scalar product are constant",
     sentence=r"can be considered as equations in ${\bf R}^9$ with three geometrical integrals",
 )
 
@@ -164,11 +160,7 @@ eq5 = section.identity(
 \omega _2 =  - \omega _1 \omega _3  - \alpha _3 , \quad \dot \omega
 _3 = \alpha _2  - \beta _1 .""",
     on=equations,
-    says=(
-        "the first of the Euler equations (2)",
-        "the second of the Euler equations (2)",
-        "the third of the Euler equations (2)",
-    ),
+    says="the Euler equations (2) by components",
 )
 
 eq6 = section.display("eq6", r"K = J_1^2  + J_2^2 ,")
@@ -218,7 +210,7 @@ section.claim(
         "eq7",
         kowalevski,
         None,
-        "the zero level of $K$ is invariant",
+        "the zero level of $K$ is invariant; with (4) it is the set $M^4$",
         relations=(*eq7,),
         sentence=M4,
     )
@@ -264,7 +256,7 @@ section.claim(
         "M4-dimension",
         real_variables.having(loci=(PLANAR,), nonzero=NOT_PARALLEL),
         None,
-        "with (4), the relations (7) define a four-dimensional manifold",
+        "with (4), the relations (7) define a four-dimensional manifold $M^4$",
         levels=(*eq4,),
         equations=(*eq7,),
         dimension=4,
@@ -274,7 +266,7 @@ section.claim(
         "M4-independence",
         kowalevski,
         None,
-        "$H$ and $J_3$ are independent on it",
+        "$H$ and $J_3$ are independent on $M^4$",
         levels=(*eq4,),
         equations=(*eq7,),
         functions=(*eq8,),

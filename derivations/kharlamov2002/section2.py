@@ -127,7 +127,7 @@ section.states(
     ChangedEquation,
     eq10,
     on=complex_variables,
-    says="an equation of motion in the complex variables",
+    says="the equations of motion in the complex variables, where $w_3$, which is not defined, is taken for one more independent variable",
     old=with_unit,
 )
 
@@ -243,9 +243,7 @@ initial = (
 )
 
 section.states(Identity, eq12, on=with_constants, says="the derivative of $F_1$")
-section.states(
-    Identity, c, on=initial, says=("the constant $c_1$", "the constant $c_2$"), ids=("c1", "c2")
-)
+section.states(Identity, c, on=initial, says="the constants $c_1$ and $c_2$", ids=("c1", "c2"))
 section.states(
     Identity,
     eq13[3],
@@ -263,7 +261,7 @@ U_prime = section.identity(
 x_2 )[x_1 x_2 \omega _3  - (x_2 z_1 w_1  + x_1 z_2 w_2 )],}
 \end{array}""",
     on=with_constants,
-    says=("the derivative of $U_1$", "the derivative of $U_2$"),
+    says="the derivatives of $U_1$ and $U_2$",
     ids=("U1-prime", "U2-prime"),
 )
 
@@ -296,7 +294,7 @@ F_prime = section.identity(
 } }(U_1  + U_2 )\,F_1.}
 \end{array}""",
     on=with_root,
-    says=("the derivative of $F_1$ through $F_2$", "the derivative of $F_2$ through $F_1$"),
+    says="the derivatives of $F_1$ and $F_2$ are multiples of $F_2$ and $F_1$",
     ids=("F1-prime", "F2-prime"),
 )
 
@@ -322,7 +320,7 @@ N4 = InvariantRelations(
     "eq15",
     with_root,
     None,
-    "$F_1=0$, $F_2=0$ defines an invariant manifold",
+    "the equations $F_1=0$, $F_2=0$ define an invariant manifold; with (4) it is the set $N^4$",
     relations=(*eq15,),
     sentence=r"defines the invariant submanifold of the phase space of Eqs.~(\ref{eq10})",
 )
@@ -332,7 +330,7 @@ section.claim(
         "N4-dimension",
         all_constants,
         None,
-        "with (4), the relations (15) define a four-dimensional manifold",
+        "with (4), the relations (15) define a four-dimensional manifold $N^4$",
         levels=(*eq4,),
         equations=(*eq15,),
         dimension=4,
@@ -370,7 +368,7 @@ section.states(
     Equivalence,
     real_form[1],
     on=with_root_and_unit,
-    says="the first of the equations (15) in real form",
+    says="the equations (15) in real form",
     to=eq15[1],
     sentence=REAL,
 )
@@ -378,7 +376,7 @@ section.states(
     Equivalence,
     real_form[2],
     on=with_root_and_unit,
-    says="the second of the equations (15) in real form",
+    says="the equations (15) in real form",
     to=eq15[2],
     sentence=REAL,
 )
@@ -418,7 +416,7 @@ section.states(
     Equivalence,
     eq16[1],
     on=with_xi,
-    says="the first relation in the initial variables",
+    says="the relations (15) in the initial variables",
     to=real_form[1],
     sentence=INITIAL,
 )
@@ -426,7 +424,7 @@ section.states(
     Equivalence,
     eq16[2],
     on=with_xi,
-    says="the second relation in the initial variables",
+    says="the relations (15) in the initial variables",
     to=real_form[2],
     sentence=INITIAL,
 )
@@ -472,7 +470,7 @@ K = (\omega _1^2  - \omega _2^2  + \alpha _1  - \beta _2 )^2  +
 \end{array}""",
     ),
     on=kowalevski,
-    says=("the energy integral on $N^4$", "the integral $K$ on $N^4$"),
+    says="two first integrals, on $N^4$ as elsewhere",
     sentence=TWO_INTEGRALS,
 )
 

@@ -112,7 +112,7 @@ section.states(
     Implication,
     eq20[1],
     on=with_root_of_k,
-    says="it follows from (19) and $K=k$, for one of the two roots",
+    says="both follow from (19) and $K=k$, for the same one of the two roots",
     given=(*eq19,),
     root=r"\sqrt{k}",
     sentence=TO_OBTAIN,
@@ -121,7 +121,7 @@ section.states(
     Implication,
     eq20[2],
     on=with_root_of_k,
-    says="it follows from (19) and $K=k$, for the same root",
+    says="both follow from (19) and $K=k$, for the same one of the two roots",
     given=(*eq19,),
     root=r"\sqrt{k}",
     together=(eq20[1],),
@@ -336,7 +336,8 @@ section.claim(
         "limit",
         limit_scene,
         None,
-        r"the limit $\beta\to 0$ commutes with the derivation of the cofactor matrix",
+        r"as $\beta\to 0$ the matrix that gives the derivatives of the functions (15) by these "
+        r"functions tends to that for (18), (19), up to a change of basis",
         sentence=r"""
 Therefore the family of motions (\ref{eq16}) found in this paper generalizes the so-called
 {\it especially remarkable} motions of the 2nd and 3rd Appelrot classes""",

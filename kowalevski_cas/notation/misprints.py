@@ -122,12 +122,20 @@ def _factors_of(node: Formula) -> tuple[Formula, ...]:
 def _signs(place: _Place) -> Iterator[Misprint]:
     node = place.node
     if isinstance(node, Negative):
-        words = f"change the sign of ${to_latex(node.argument)}$"
+        words = _sign_of(node.argument)
         yield Misprint("sign", place.path, node.argument, words)
     elif _term(place) and not isinstance(place.parent, Negative):
         if isinstance(place.parent, Sum) or not isinstance(node, Sum):
-            words = f"change the sign of ${to_latex(node)}$"
+            words = _sign_of(node)
             yield Misprint("sign", place.path, Negative(node), words)
+
+
+def _sign_of(node: Formula) -> str:
+    """The words for a change of sign."""
+    tex = to_latex(node)
+    return (
+        f"for ${tex}$ read $-{tex}$" if isinstance(node, Number) else f"change the sign of ${tex}$"
+    )
 
 
 def _names(
@@ -210,7 +218,7 @@ def _missing(place: _Place, names: list[str], vocabulary: Vocabulary) -> Iterato
     if rank(node, vocabulary) != SCALAR:
         return
     for name in names:
-        words = f"insert ${name}$ in ${to_latex(node)}$"
+        words = f"insert the factor ${name}$ in ${to_latex(node)}$"
         factors = _factors_of(node)
         behind = all(isinstance(factor, Name | Number | Power) for factor in factors)
         first = 0 if behind or not isinstance(factors[0], Number) else 1
@@ -229,17 +237,17 @@ def _moves(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
             rest = product(below[:index] + below[index + 1 :])
             up = product((*above, factor))
             moved = up if rest == ONE else Quotient(up, rest)
-            words = f"move ${to_latex(factor)}$ above the line"
+            words = f"move ${to_latex(factor)}$ from the denominator to the numerator"
             yield Misprint("power", place.path, moved, words)
         for index, factor in enumerate(above):
             if factor != ONE and rank(factor, vocabulary) == SCALAR:
                 rest = product(above[:index] + above[index + 1 :])
                 moved = Quotient(rest, product((*below, factor)))
-                words = f"move ${to_latex(factor)}$ below the line"
+                words = f"move ${to_latex(factor)}$ from the numerator to the denominator"
                 yield Misprint("power", place.path, moved, words)
     elif isinstance(node, Product) and not isinstance(place.parent, Quotient):
         for index, factor in enumerate(node.factors):
             if not isinstance(factor, Number | Quotient) and rank(factor, vocabulary) == SCALAR:
                 moved = Quotient(ONE, factor)
-                words = f"move ${to_latex(factor)}$ below the line"
+                words = f"move ${to_latex(factor)}$ from the numerator to the denominator"
                 yield Misprint("power", (*place.path, index), moved, words)

@@ -107,9 +107,9 @@ class Contents:
     def verdict(self) -> Iterator[Block]:
         """What is wrong, what holds, and who says so."""
         yield Paragraph((self.findings.lead(),), "lead")
+        yield from self._legend()
         yield from self.findings.blocks()
-        yield Heading(("What holds, and who says so",), "holds", 2)
-        yield from self._denominators()
+        yield Heading(("How the statements were checked",), "holds", 2)
         yield Paragraph(self._confirmed())
         rows = []
         for section in self.sections:
@@ -119,27 +119,24 @@ class Contents:
             link = Link(f"section.{anchor(section.number)}", self.phrases.words(name))
             rows.append(((link,), signs))
         yield Table((0.36, 0.6), (("Section",), ("Its formulas and statements",)), tuple(rows))
-        present = [v for v in Verdict if any(o.verdict is v for o in self.run.outcomes)]
-        means = listed([(Sign(v), f" {MARKS[v].meaning}") for v in present])
-        yield Paragraph((*means, "."), "note")
 
     def _sign(self, outcome: Outcome) -> Text:
         return (Link(f"claim.{anchor(outcome.claim)}", (Sign(outcome.verdict),)),)
 
-    def _denominators(self) -> Iterator[Block]:
-        """What the formulas divide by, and what the paper takes for granted, a sentence each."""
-        divided = dict.fromkeys(
-            condition.expression
-            for outcome in self.run.outcomes
-            for condition in outcome.conditions
-            if not condition.witness
-        )
+    def _legend(self) -> Iterator[Block]:
+        """What the marks mean, and “valid for”."""
+        outcomes = self.run.outcomes
+        present = [v for v in Verdict if any(o.verdict is v for o in outcomes)]
+        means = listed([(Sign(v), f" {MARKS[v].meaning}") for v in present])
+        divided = [c.expression for o in outcomes for c in o.conditions if not c.witness]
+        valid: Text = ()
         if divided:
-            named = listed([(nonzero(formula),) for formula in divided])
-            yield Paragraph(
-                ("“Valid for” beside a formula names what it divides by, and nothing more: ",
-                 *named, ".")
+            valid = (
+                " “Valid for ", nonzero(divided[0]), "” means that the formula, or a definition "
+                "or equation that it uses, has this denominator.",
             )  # fmt: skip
+        if means:
+            yield Paragraph((*means, ".", *valid), "note")
 
     def _confirmed(self) -> Text:
         run = self.run
@@ -177,18 +174,24 @@ class Contents:
             yield Paragraph(("Each claim was decided from the equations of motion alone.",))
             return
         yield Paragraph(
-            ("A line leads from each statement to those that rest on it; where it follows from "
-             "others, it is left out. The frame tells the verdict: thin where a statement holds, "
-             "broken where it holds under a condition, heavy where it is false, dotted for the "
-             "rest. Rows of one display share a box, which shows the least of their verdicts.",),
+            ("A line leads from each statement to those that rest on it; lines implied by others "
+             f"are omitted. The frame tells the verdict: {self._frames()}. Rows of one display "
+             "share a box, which shows the worst verdict among them.",),
             leads=True,
         )  # fmt: skip
         yield Graph(drawn)
+        said: Text = ("The equations of motion underlie everything and are not drawn.",)
+        if any(outcome.corrected for outcome in self.run.outcomes):
+            said = (*said, " What rests on a misprinted formula starts from its corrected form.")
         if drawn.alone:
-            alone = self.phrases.links(drawn.alone)
-            yield Paragraph(
-                ("Outside the picture, since nothing rests on them: ", *alone, "."), "note"
-            )
+            said = (*said, " Isolated statements: ", *self.phrases.links(drawn.alone), ".")
+        yield Paragraph(said, "note")
+
+    def _frames(self) -> str:
+        """What the frames of the boxes mean, of those that are drawn."""
+        verdicts = {outcome.verdict for outcome in self.run.outcomes}
+        said = [words for verdict, words in _FRAMES.items() if verdict in verdicts]
+        return ", ".join(said + ["dotted for the rest"] * (not verdicts <= {*_FRAMES}))
 
     def _plates(self, plates: Sequence[Plate]) -> Iterator[Block]:
         if plates:
@@ -202,6 +205,12 @@ class Contents:
         for name, text in _TRUST:
             yield Paragraph((Emphasis((f"{name}.",)), " ", *self.phrases.words(text)))
 
+
+_FRAMES: Final = {
+    Verdict.PROVED: "thin where a statement holds",
+    Verdict.CONDITIONAL: "broken where it holds under a condition",
+    Verdict.REFUTED: "heavy where it is false",
+}
 
 _TRUST: Final = (
     (
@@ -220,11 +229,11 @@ _TRUST: Final = (
     ),
     (
         "What has to be trusted",
-        "That a formula stands here as its author printed it, and is read as it was meant: it is "
-        "printed here from what was read, and no program knows the paper. Beyond that, for a "
-        "statement with a certificate, the checker and the integers of Python, or any one of the "
-        "other programs with what it rests on; for the others, the program and one of its three "
-        "arithmetics, which share how LaTeX is read and put into polynomials.",
+        "You must trust that each formula was transcribed and interpreted correctly: compare it "
+        "with the paper. For a certified statement you then need to trust only the checker and "
+        "the integers of Python, or any one of the other programs that confirm it; for any other "
+        "statement, the program and one of its three arithmetics, which share how LaTeX is read "
+        "and put into polynomials.",
     ),
     (
         "What is not proved",

@@ -5,9 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
+from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.compare import compared
-from kowalevski_cas.report.document import Block, Claim, Display, Emphasis, Heading, Text
+from kowalevski_cas.report.document import (
+    Block,
+    Claim,
+    Display,
+    Emphasis,
+    Heading,
+    Paragraph,
+    Text,
+)
 from kowalevski_cas.report.sentences import (
     Phrases,
     capital,
@@ -50,6 +59,16 @@ class Findings:
         return tuple(o for o in self.outcomes if any(c.witness for c in o.conditions))
 
     @cached_property
+    def missing(self) -> dict[Formula, list[tuple[str, Condition]]]:
+        """The hypotheses that are missing, each with the claims that need it."""
+        found: dict[Formula, list[tuple[str, Condition]]] = {}
+        for outcome in self.lacking:
+            for condition in outcome.conditions:
+                if condition.witness:
+                    found.setdefault(condition.expression, []).append((outcome.claim, condition))
+        return found
+
+    @cached_property
     def open(self) -> tuple[Outcome, ...]:
         """What is neither proved nor refuted, though it can be read."""
         undecided = (Verdict.UNDECIDED, Verdict.TIMEOUT)
@@ -64,11 +83,19 @@ class Findings:
         found = [
             (many[Verdict.PROVED], "as printed" if self.copied else "as stated here"),
             (where, "where their denominators do not vanish"),
-            (len(self.lacking), "only under a hypothesis that the paper does not state"),
+            (
+                len(self.lacking),
+                f"only under a hypothesis that the paper does not state{self._all()}",
+            ),
         ]
         holds = [f"{in_words(n)} {_verb('hold', n)} {how}" for n, how in found if n]
         what = counted(len(self.outcomes), "formula or statement", "formulas and statements")
         return f"Of {what}, {_joined(holds) or 'none is proved'}.{self._wrong(many)}"
+
+    def _all(self) -> str:
+        """How many hypotheses are missing, if there are several."""
+        many = len(self.missing)
+        return f" ({in_words(many)} in all)" if many > 1 else ""
 
     def _wrong(self, many: Mapping[Verdict, int]) -> str:
         """What does not hold, or is open."""
@@ -103,13 +130,14 @@ class Findings:
 
     def hypotheses(self) -> Iterator[Block]:
         """What the paper does not say and a statement needs, each condition once."""
-        if self.lacking:
-            pairs = [(o.claim, c) for o in self.lacking for c in o.conditions if c.witness]
-            hypotheses = list(alike(pairs, lambda c: (c.expression, c.words)))
-            many = counted(len(hypotheses), "missing hypothesis", "missing hypotheses")
+        if self.missing:
+            many = counted(len(self.missing), "missing hypothesis", "missing hypotheses")
             yield Heading((capital(many),), "hypotheses", 2)
-            for claims, (condition, *_) in hypotheses:
-                yield self._hypothesis(claims, condition)
+            for expression, needing in self.missing.items():
+                reasons = alike(needing, lambda condition: condition.words)
+                said = tuple(self._reason(claims, one) for claims, (one, *_) in reasons)
+                head: Text = ("We need ", nonzero(expression), ".")
+                yield Claim(Verdict.CONDITIONAL, "", head, blocks=said)
 
     def _misprint(self, slip: Slip) -> Claim:
         first, correction = slip[0], slip[0].correction
@@ -127,23 +155,23 @@ class Findings:
         said = self.phrases.sentence(outcome.words)
         head: Text = (*self.phrases.link(outcome.claim), ": ", *said)
         shown: list[Block] = []
-        if outcome.source:
+        if outcome.source and any(isinstance(f, Relation) for f in outcome.formulas):
             shown.append(Display(outcome.formulas, outcome.source))
         correction = outcome.correction
         if correction is None:
             return Claim(outcome.verdict, "", (*head, " No true statement was found near it."))
-        head = (*head, " ", Emphasis(("True:",)), " ", *self.phrases.words(correction.words))
+        head = (*head, " ", Emphasis(("Correct:",)), " ", *self.phrases.words(correction.words))
         if correction.conditions:
-            head = (*head, ", for ", *self.phrases.where(correction.conditions))
+            head = (*head, ", where ", *self.phrases.where(correction.conditions))
         return Claim(outcome.verdict, "", (*head, "."), blocks=tuple(shown))
 
-    def _hypothesis(self, claims: Sequence[str], condition: Condition) -> Claim:
+    def _reason(self, claims: Sequence[str], condition: Condition) -> Paragraph:
+        """What some claims say, and what happens without the hypothesis."""
         said = "; ".join(dict.fromkeys(o.words for o in self.lacking if o.claim in claims))
-        head: Text = (
-            *self.phrases.links(claims), ": ", *self.phrases.sentence(said), " We need ",
-            nonzero(condition.expression), ": ", *self.phrases.words(condition.words), ".",
-        )  # fmt: skip
-        return Claim(Verdict.CONDITIONAL, "", head)
+        why = self.phrases.sentence(condition.words)
+        return Paragraph(
+            (*self.phrases.links(claims), ": ", *self.phrases.sentence(said), " ", *why)
+        )
 
 
 _OPEN = {

@@ -56,7 +56,7 @@ class Passages:
         granted = dict.fromkeys(f for outcome in section.outcomes for f in outcome.granted)
         if granted:
             assumed = listed([(nonzero(formula),) for formula in granted])
-            yield Paragraph(("We assume ", *assumed, " wherever a formula divides by it."))
+            yield Paragraph(("We assume ", *assumed, " throughout this section."))
         chosen = dict.fromkeys(f for outcome in section.outcomes for f in outcome.branches)
         if chosen:
             meant = listed([(formula,) for formula in chosen])

@@ -94,20 +94,8 @@ def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[Sect
 
 
 def names(sections: Sequence[Section]) -> dict[str, str]:
-    """The claims called by equations: by their number, or as the only formula above one."""
-    found: dict[str, str] = {}
-    for section in sections:
-        above: list[Outcome] = []
-        for item in section.items:
-            if item.label:
-                found.update(
-                    {o.claim: f"the formula above {item.label}" for o in above if len(above) == 1}
-                )
-                found.update(item.names())
-                above = []
-            elif item.display:
-                above += item.all
-    return found
+    """The claims that are called by the numbers of equations."""
+    return {c: name for section in sections for item in section.items for c, name in item.names()}
 
 
 def _items(

@@ -105,13 +105,11 @@ class Phrases:
         return listed([(nonzero(condition.expression),) for condition in conditions])
 
     def values(self, found: Counterexample) -> Text:
-        """A point and the two values there, as a sentence."""
-        both = (found.left, found.right)
+        """A point and what fails there, as a sentence."""
+        said: Text = ("the left side is ", found.left, ", the right side ", found.right)
         if found.words:
-            said = (*self.words(found.words), ": ", both[0], " and ", both[1], ".")
-        else:
-            said = ("the left side is ", both[0], ", the right side ", both[1], ".")
-        return capitalised((*self.at(found.point), *said))
+            said = self.words(found.words)
+        return capitalised((*self.at(found.point), *said, "."))
 
     @staticmethod
     def at(at: Point) -> Text:

@@ -17,7 +17,7 @@ from kowalevski_cas.notation import (
     Vector,
     to_latex,
 )
-from kowalevski_cas.paper.claims import Dimension
+from kowalevski_cas.paper.claims import CriticalSet, Dimension
 from kowalevski_cas.paper.claims.forms import ZERO, times, total
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
@@ -122,13 +122,13 @@ def _singular(statement: Statement, explain: bool) -> Iterator[Condition]:
         if found is not None and found[0] < goal.rank:
             count = len(goal.space.variables)
             own, claimed = count - found[0], count - goal.rank
-            words = "the dimension of the set near this point, and the one claimed"
+            words = f"near this point the set has dimension {own}, not {claimed}"
             there = point(found[1].values, goal.space)
             against = Counterexample(there, Number(own), Number(claimed), words)
             said = f"for {locus.words} the set has dimension {own}"
             yield Condition(expression, said, against)
         elif explain and (dropped := drop_on(statement, goal, goal.space, locus)) is not None:
-            words = "the number of independent differentials, and the number needed"
+            words = f"only {dropped[0]} of the {goal.rank} differentials are independent"
             there = point(dropped[1].values, goal.space)
             against = Counterexample(there, Number(dropped[0]), Number(goal.rank), words)
             yield Condition(expression, f"for {locus.words} the set is singular", against)
@@ -150,20 +150,22 @@ def _against(
     if isinstance(evidence, Solutions) and isinstance(goal, Count):
         return _solutions(goal, accepted)
     if isinstance(evidence, Roots) and isinstance(goal, Count):
-        words = "the number of solutions, all of which are real, and the one claimed"
-        number = Number(len(evidence.eliminant))
-        return Counterexample(_at(accepted.places[-1]), number, Number(goal.number), words)
+        number = len(evidence.eliminant)
+        words = f"there are {number} solutions, all of them real, not {goal.number}"
+        there = _at(accepted.places[-1])
+        return Counterexample(there, Number(number), Number(goal.number), words)
     if isinstance(evidence, Minors) or not accepted.places:
         return None
     place = accepted.places[-1]
     if isinstance(goal, Rank):
         own = len(place.at.setting.variables) - _size(goal, place.at)
         claimed = len(place.at.setting.variables) - goal.rank
-        words = "the dimension by the rank at this point, and the dimension claimed"
+        words = f"by the rank at this point the dimension is {own}, not {claimed}"
         return Counterexample(_at(place), Number(own), Number(claimed), words)
     if accepted.differs is not None:
         left, right = map(number_formula, accepted.differs)
-        return Counterexample(_at(place), left, right, _words(statement, goal, place))
+        words = _words(statement, goal, place, (to_latex(left), to_latex(right)))
+        return Counterexample(_at(place), left, right, words)
     if isinstance(evidence, Regardless) and isinstance(goal, Exists):
         return _regardless(goal, evidence, place)
     return None
@@ -173,26 +175,32 @@ def _at(place: Place) -> Point:
     return point(place.point.values, place.at.setting)
 
 
-def _words(statement: Statement, goal: Goal, place: Place) -> str:
-    """What the two values at a point are, if not the two sides of what is printed."""
+def _words(statement: Statement, goal: Goal, place: Place, values: tuple[str, str]) -> str:
+    """What fails at a point, if not what is printed; ``values`` are the two sides there."""
     assert isinstance(goal, Follows)
+    own, other = values
     left, right = _failing(goal, place)
     order = 0
     while isinstance(left, Derivative):
         left, order = left.argument, order + 1
     if order and right == Number(0):
         which = ("", "second ", "third ")[min(order, 3) - 1]
-        whose = " of a given function" if goal.given else ""
-        return f"the {which}derivative{whose} along the motion, and zero"
+        of = to_latex(left)
+        whose = f" of ${of}$" if len(of) < SHORT else " of a given function" if goal.given else ""
+        return f"the {which}derivative{whose} along the motion is ${own}$, not $0$"
     if right == Number(0) and _has_slope(left):
-        return "a derivative that vanishes at critical points, and zero"
+        return f"a derivative of the function is ${own}$, so the point is not critical"
     sides = to_latex(Relation((left, right), ("=",)))
     what = f" of ${sides}$" if not order and len(sides) < SHORT else ""
     if not goal.given:
         printed = statement.claim.formulas(statement.on.texts)
-        own = {member for one in printed if isinstance(one, Relation) for member in one.members}
-        return "" if own & {left, right} or not what else f"the two sides{what}"
-    return f"the two sides{what}, at a point where what is given holds"
+        said = {member for one in printed if isinstance(one, Relation) for member in one.members}
+        if said & {left, right} or not what:
+            return ""
+    words = f"the left side{what} is ${own}$, not ${other}$"
+    if isinstance(statement.claim, CriticalSet):
+        return f"{words}, at this critical point"
+    return f"{words}, though the hypotheses hold" if goal.given else words
 
 
 def _has_slope(formula: Formula) -> bool:
@@ -230,8 +238,9 @@ def _regardless(goal: Exists, evidence: Regardless, place: Place) -> Counterexam
         free = collect(Sum((left, Negative(right))), goal.bound).get((), Number(0))
         value = place(place.at.scalar(free))
         if not value.is_zero:
-            words = "the derivative at a point where no combination can give it, and zero"
-            return Counterexample(_at(place), number_formula(value), Number(0), words)
+            left = number_formula(value)
+            words = f"the derivative is ${to_latex(left)}$, and all combinations are $0$"
+            return Counterexample(_at(place), left, Number(0), words)
     return None
 
 
@@ -245,11 +254,11 @@ def _solutions(goal: Count, accepted: Accepted) -> Counterexample:
     }
     if circle := circle_of(goal, accepted.places):
         points: list[Mapping[str, Formula]] = [_on_circle(*circle)]
-        words = "a solution for every $\\varphi$; the number of solutions, and the one claimed"
+        words = f"a solution for every $\\varphi$, so that there are {MANY}, not {goal.number}"
         shown: Value = MANY
     else:
         points = [place.point.values for place in accepted.places]
-        words = "the number of solutions that are listed, and the one claimed"
+        words = f"these are {len(points)} solutions, not {goal.number}"
         shown = Number(len(points))
     assert isinstance(first.at.setting, Elaboration)
     for number, own in enumerate(points, 1):

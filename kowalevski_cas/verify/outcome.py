@@ -50,8 +50,8 @@ class Point:
 class Counterexample:
     """An exact point on the constraints where the statement fails.
 
-    ``left`` and ``right`` are the two values there; ``words`` says what they are
-    when they are not the two sides of an equation.
+    ``left`` and ``right`` are the two values there; ``words`` says what fails
+    when they are not the two sides of the equation that is claimed.
     """
 
     point: Point

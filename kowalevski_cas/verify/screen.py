@@ -68,7 +68,8 @@ def screen(
 
 def _refuted(answer: Answer) -> Screened:
     values: dict[object, Value] = {Name(n): v for n, v in answer.point.items() if n}
-    found = Counterexample(Point(values), answer.left, answer.right, answer.words)  # type: ignore[arg-type]
+    words = f"{answer.words}: {answer.left} and {answer.right}"
+    found = Counterexample(Point(values), answer.left, answer.right, words)  # type: ignore[arg-type]
     return Screened(Verdict.REFUTED, answer.words, found)
 
 

@@ -19,6 +19,7 @@ from kowalevski_cas.notation import (
     Sum,
     Vector,
 )
+from kowalevski_cas.paper.claims import Claim, Dimension
 from kowalevski_cas.paper.claims.forms import ONE, ZERO, total
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, Roots, Shown
@@ -42,14 +43,14 @@ def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
         told = list(_derivatives(goal)) if isinstance(goal, Follows) else []
     else:
         both = zip(statement.goals, verdicts, strict=True)
-        told = [step for goal, evidence in both for step in _steps(goal, evidence)]
+        told = [s for goal, evidence in both for s in _steps(statement.claim, goal, evidence)]
     merged: dict[Step, dict[Formula, None]] = {}
     for step in told:
         merged.setdefault(replace(step, formulas=()), {}).update(dict.fromkeys(step.formulas))
     return tuple(replace(step, formulas=tuple(formulas)) for step, formulas in merged.items())
 
 
-def _steps(goal: Goal, evidence: Evidence) -> Iterator[Step]:
+def _steps(claim: Claim, goal: Goal, evidence: Evidence) -> Iterator[Step]:
     match goal, evidence:
         case Exists(), Found():
             yield from _found(goal, evidence)
@@ -57,9 +58,9 @@ def _steps(goal: Goal, evidence: Evidence) -> Iterator[Step]:
             return
         case Follows(), Shown(proof, _):
             yield from _derivatives(goal)
-            yield from _proof(goal, proof)
+            yield from _proof(claim, goal, proof)
         case Rank(), At():
-            yield _rank(goal, evidence)
+            yield _rank(claim, goal, evidence)
         case Count(), Roots():
             yield _roots(goal, evidence)
 
@@ -94,13 +95,13 @@ def _derivative(formula: Derivative, at: Evaluation) -> Iterator[Step]:
 # -- proofs --------------------------------------------------------------------------
 
 
-def _proof(goal: Follows, proof: Proof) -> Iterator[Step]:
+def _proof(claim: Claim, goal: Follows, proof: Proof) -> Iterator[Step]:
     """The combination that division found, or the cases."""
     at = finder_of(goal.space)
     if proof.product:
         yield _cases(proof, at)
     elif goal.given and proof.rows:
-        yield _combination(goal, proof, at)
+        yield _combination(claim, goal, proof, at)
 
 
 def _cases(proof: Proof, at: Evaluation) -> Step:
@@ -117,12 +118,18 @@ def _squares(group: Sequence[Formula]) -> Formula:
     return group[0] if len(group) == 1 else total(Power(one, Number(2)) for one in group)
 
 
-def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
+def _combination(claim: Claim, goal: Follows, proof: Proof, at: Evaluation) -> Step:
     rows = [[at.scalar(entry) for entry in row] for row in proof.rows]
     terms = size(entry for row in rows for entry in row)
-    what = "Left minus right side" if len(goal.conclusions) == 1 else "A product of differences"
-    what = f"A power of {what[0].lower()}{what[1:]}" if proof.power > 1 else what
-    words = f"{what} is a combination of what is given"
+    if isinstance(claim, Dimension):
+        what = (
+            "At every point of the set that the hypotheses admit the differentials are independent"
+        )
+        return Step(f"{what}, by an identity whose coefficients have {terms} terms.")
+    one = len(goal.conclusions) == 1
+    what = "the difference of the two sides" if one else "a product of differences of the two sides"
+    what = f"a power of {what}" if proof.power > 1 else what
+    words = f"{what[0].upper()}{what[1:]} is a combination of the hypotheses"
     products = sum(not entry.is_zero for row in rows for entry in row)
     if terms > LONGEST or products > MOST:
         return Step(f"{words}; its coefficients have {terms} terms.")
@@ -194,19 +201,19 @@ def _bound(
     left: Formula, terms: Sequence[tuple[str, Formula]], evidence: Found, at: Evaluation
 ) -> Step:
     values = [at.scalar(evidence.values[name]) for name, _ in terms]
-    what = "derivative" if isinstance(left, Derivative) else "function"
-    words = f"A {what} is a combination of functions, with coefficients that the program found"
+    what = "derivatives" if isinstance(left, Derivative) else "functions"
+    words = f"The {what} are linear combinations of the relations"
     if (many := size(values)) > LONGEST:
-        return Step(f"{words}; they have {many} terms.")
+        return Step(f"{words}; the coefficients have {many} terms.")
     right = _sum(values, [written(one, at.setting) for _, one in terms], at.setting)
     return Step(f"{words}:", (_equal(written(left, at.setting), right),))
 
 
-def _rank(goal: Rank, evidence: At) -> Step:
+def _rank(claim: Claim, goal: Rank, evidence: At) -> Step:
     count, setting = len(goal.space.variables), finder_of(goal.space).setting
     where = point(evidence.point.values, setting)
-    if len(goal.functions) == 1:
-        others = " is independent of those of what is given" if goal.given else " does not vanish"
+    if len(goal.functions) == 1 and not isinstance(claim, Dimension):
+        others = " is independent of those of the hypotheses" if goal.given else " does not vanish"
         return Step(f"the differential{others}; so the function is not constant.", point=where)
     words = (
         f"{goal.rank} differentials are independent in the space of dimension {count}, so that "

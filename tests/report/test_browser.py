@@ -24,6 +24,8 @@ CUT = """[...document.querySelectorAll(".math")].filter(one =>
   one.getClientRects().length && one.scrollWidth > one.clientWidth + 1).length"""
 FLAT = """[...document.querySelectorAll("math")].filter(one =>
   one.getClientRects().length && one.getBoundingClientRect().height < 5).length"""
+BESIDE = """[...document.querySelectorAll(".display > .label:has(math)")].filter(one =>
+  one.getBoundingClientRect().top < one.previousSibling.getBoundingClientRect().bottom).length"""
 DEAD = """[...document.querySelectorAll("a[href^='#'], a[*|href^='#']")].map(one =>
   one.getAttribute("href") || one.getAttribute("xlink:href"))
   .filter(href => !document.getElementById(href.slice(1)))"""
@@ -49,6 +51,13 @@ def test_nothing_is_wider_than_the_screen(browser: Browser, pixels: int, paper: 
     assert browser.value(FLAT) == 0  # every formula that is shown has been set
     if pixels > 500:  # a telephone may scroll a display
         assert browser.value(CUT) == 0
+
+
+def test_where_a_formula_is_valid_stands_under_it_on_a_telephone(browser: Browser) -> None:
+    browser.width(1280)
+    assert browser.value(BESIDE) > 0
+    browser.width(380)
+    assert browser.value(BESIDE) == 0
 
 
 def test_every_link_ends_somewhere(browser: Browser) -> None:

@@ -122,17 +122,28 @@ class TestWrong:
 
     def test_what_is_false_and_no_misprint_comes_with_the_nearest_truth(self) -> None:
         (false,) = under(WHOLE, "false")
-        assert "only four equilibria" in said(false) and "True:" in said(false)
+        assert "only four equilibria" in said(false) and "Correct:" in said(false)
 
     def test_a_hypothesis_is_missing_where_a_point_denies_it_and_not_where_one_divides(
         self,
     ) -> None:
         missing = said(under(WHOLE, "hypotheses"))
-        assert "the two fields are of different strength" in missing
+        assert "two fields are of different strength" in missing
         assert "eq12" not in missing and "denominator" not in missing
-        divided = {p for p in parts(under(WHOLE, "holds")) if isinstance(p, Formula)}
+
+    def test_valid_for_is_explained_by_a_denominator_under_the_summary(self) -> None:
+        marks = WHOLE.blocks[1]
+        assert "has this denominator" in said(marks)
         theta = condition("x_1x_2", "").expression
-        assert any(theta in formula.children() for formula in divided)
+        formulas = [part for part in parts((marks,)) if isinstance(part, Formula)]
+        assert [next(iter(formula.children())) for formula in formulas] == [theta]
+
+    def test_a_hypothesis_that_several_statements_lack_is_one(self) -> None:
+        needed = condition("x", "for $x=0$ it fails", witness=counterexample(point({}), "1", "2"))
+        pair = [claim(n, "1", "x=x", n, C, conditions=(needed,)) for n in ("one", "other")]
+        blocks = document(*pair).blocks
+        assert "two hold only under a hypothesis that the paper" in said(blocks[0]).lower()
+        assert "One missing hypothesis" in said(blocks)
 
     def test_an_unmended_refutation_says_so(self) -> None:
         at = counterexample(point({}), "1", "2")

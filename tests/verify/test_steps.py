@@ -44,20 +44,20 @@ def test_a_derivative_is_by_the_time_of_its_scene(steps):
 def test_an_equation_that_follows_is_a_combination_of_what_is_given(steps):
     generated, combined, *_, point = steps("J3")
     assert generated[1][0].startswith("d/dt[(ω₁² + ω₂²)ω₃ + 2(ω₁α₃ + ω₂β₃)] = ")
-    assert combined[0] == "Left minus right side is a combination of what is given:"
+    assert combined[0] == "The difference of the two sides is a combination of the hypotheses:"
     assert combined[1][0].endswith(" = (−α₂ − β₁)J₁ + (α₁ − β₂)J₂")
     assert point[0].startswith("the differential is independent")
 
 
 def test_both_directions_of_an_equivalence_stand_together(steps):
     ((words, formulas),) = steps("real-form.1")
-    assert words == "Left minus right side is a combination of what is given:"
+    assert words == "The difference of the two sides is a combination of the hypotheses:"
     assert len(formulas) == 2 and formulas[0].endswith("= √(x₁x₂)F₁")
 
 
 def test_invariant_relations_show_the_cofactors(steps):
     ((words, formulas),) = steps("eq7")
-    assert words.startswith("A derivative is a combination of functions, with coefficients")
+    assert words == "The derivatives are linear combinations of the relations:"
     assert formulas == ["J̇₁ = ω₃J₂", "J̇₂ = −ω₃J₁"]
     ((_, formulas),) = steps("eq15")
     assert formulas[0] == "dF₁/dτ = (1/[2√(x₁x₂)])F₂"
@@ -65,7 +65,7 @@ def test_invariant_relations_show_the_cofactors(steps):
 
 def test_what_is_too_long_is_counted(steps):
     _, (words, formulas) = steps("eq16.invariance")
-    assert words.endswith("that the program found; they have 152 terms.") and not formulas
+    assert words.endswith("; the coefficients have 152 terms.") and not formulas
 
 
 def test_cases_eliminants_and_numbers(steps):
@@ -78,22 +78,25 @@ def test_cases_eliminants_and_numbers(steps):
 
 def test_a_dimension_is_that_at_a_point_and_a_combination_for_all_others(told):
     step, everywhere = told["M4-dimension"].steps
-    assert everywhere.words.startswith("Left minus right side is a combination of what is given")
+    assert everywhere.words.startswith("At every point of the set")
     assert step.point is not None and len(step.point.values) == 9
     assert "near this point the common level is a manifold of dimension 4" in step.words
 
 
 def test_a_counterexample_says_what_its_values_are(told):
     assert told["eq14"].counterexample.words == ""
-    assert told["critical-set"].counterexample.words.startswith("the two sides of $2\\alpha_1")
+    assert told["critical-set"].counterexample.words.startswith("the left side of $2\\alpha_1")
+    assert told["critical-set"].counterexample.words.endswith(
+        "is $1$, not $0$, at this critical point"
+    )
     (condition,) = told["eq16.invariance"].conditions
-    words = "derivative of a given function along the motion, and zero"
+    words = "along the motion is $2487$, not $0$"
     assert condition.witness.words.endswith(words)
 
 
 def test_an_equation_that_is_not_the_one_claimed_is_named(told):
     assert told["eq9.i"].counterexample.words.startswith(
-        r"the two sides of $2\frac{\dot{z}_1}{i} ="
+        r"the left side of $2\frac{\dot{z}_1}{i} ="
     )
     assert told["eq14"].counterexample.words == ""
 

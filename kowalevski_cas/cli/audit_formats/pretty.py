@@ -101,7 +101,7 @@ class Told:
         against: Counterexample | None,
     ) -> Iterator[str]:
         if correction is not None:
-            head += f"{'; ' if correction.edit else '. True: '}{correction.words}"
+            head += f"{'; ' if correction.edit else '. Correct: '}{correction.words}"
         yield from plain.wrapped(plain.text(self.phrases.words(f"{head}.")))
         shown: list[Block] = []
         if printed or source:

@@ -83,7 +83,7 @@ class CriticalSet(Claim):
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         if not self.zero_level:
-            words = "they are those critical points at which the function vanishes"
+            words = "the zeros are exactly the critical points at which the function vanishes"
             yield Neighbour(words, replace(self, zero_level=True), texts)
         for edit in edits(texts.statement(self.own), texts.vocabulary):
             yield Neighbour(edit.words, self, texts, self.own, edit)
