@@ -181,7 +181,10 @@ def test_vectors_are_given_by_components():
             r"\dot q=\frac{\partial H}{\partial p},\ \dot p=-\frac{\partial H}{\partial q}",
             "H is differentiated, and nothing defines it: add H=…",
         ),
+        (r"\dot u=\partial u/\partial x, \dot x=1", "u is differentiated, and nothing defines it"),
         (r"\dot x=k(t)x", r"a product, or k at this argument\?"),
+        (r"\dot x=x-\bar x", "x} is a conjugate, and all is real: rename it"),
+        (r"\dot x=F, F=x=1", "F=x=1 gives F twice: leave one side out"),
         (r"\dot x=t", "the time t stands in the equations"),
         (r"\dot{\mathbf{x}}=y", r"mathbf\{x\} is not declared"),
     ],
@@ -200,6 +203,10 @@ def test_a_name_that_nothing_gives_a_value_is_an_error(lorenz):
         lorenz.define("F=x+w")
     with pytest.raises(ValueError, match=r"x=1 gives no constant: solve it for one of"):
         lorenz.where("x=1")
+    with pytest.raises(ValueError, match=r"b=2=3 gives b twice: leave one side out"):
+        lorenz.where("b=2=3")
+    with pytest.raises(ValueError, match=r"F=x=y gives F twice: leave one side out"):
+        lorenz.define("F=x=y")
     with pytest.raises(ValueError, match=r"x=0, y=0: one formula is expected"):
         lorenz.invariant("x=0, y=0")
     with pytest.raises(ValueError, match=r"expect “wrong”: a verdict is one of proved, "):

@@ -232,7 +232,9 @@ section.states(
     main=((r"\alpha_1", r"\alpha_2"),),
     sentence="there exists a new partial integral, namely,",
 )
-PARALLEL = Locus("parallel fields", ("a^2b^2-c^2=0",), "a^2b^2-c^2")
+# The paper assumes that the vector product of the fields is not zero; this is its square.
+NOT_PARALLEL = ("a^2b^2-c^2",)
+
 AS_LARGE = Locus("$a=b$ and $c=0$", ("a^2-b^2=0", "c=0"), "(a^2-b^2)^2+4c^2")
 
 # On M4 the relations (7) are singular there only at rest in the plane, and then c1 c2 vanishes.
@@ -260,7 +262,7 @@ over_M4 = section.lemma(
 section.claim(
     Dimension(
         "M4-dimension",
-        real_variables.having(loci=(PLANAR, PARALLEL)),
+        real_variables.having(loci=(PLANAR,), nonzero=NOT_PARALLEL),
         None,
         "with (4), the relations (7) define a four-dimensional manifold",
         levels=(*eq4,),

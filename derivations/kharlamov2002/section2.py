@@ -19,7 +19,7 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.derivation import Locus, Section
 
-from .section1 import AS_LARGE, FRAME, OMEGA, PARALLEL, eq4, kowalevski, real_variables
+from .section1 import AS_LARGE, FRAME, NOT_PARALLEL, OMEGA, eq4, kowalevski, real_variables
 
 section = Section("2", "New solution with two invariant relations")
 
@@ -310,10 +310,8 @@ all_constants = (
     )
     .having(
         vectors=FRAME,
-        loci=(
-            Locus("$c_1=c_2=0$, that is, for $a=b$ and $c=0$,", ("c_1=0", "c_2=0"), "c_1 c_2"),
-            PARALLEL,
-        ),
+        loci=(Locus("$c_1=c_2=0$, that is, for $a=b$ and $c=0$,", ("c_1=0", "c_2=0"), "c_1 c_2"),),
+        nonzero=NOT_PARALLEL,
     )
     .with_unit(unit[1])
     .adjoining(r"\sqrt{x_1x_2}", eq4[1], eq4[2])
@@ -493,8 +491,8 @@ y_2 = \frac{1}{x_1}\left[\frac{x_1^2(z_2^2+x_2y_1)(w_2^2+x_2)}{x_2^2(w_1^2+x_1)}
 
 at_rest = kowalevski.described(
     "constants of the fields",
-    "the Kowalevski case with $a$, $b$, $c$ as numbers, for fields that are not parallel",
-).having(constants=("a", "b", "c"), nonzero=("a^2 b^2-c^2",), loci=(AS_LARGE,))
+    "the Kowalevski case with $a$, $b$, $c$ as numbers",
+).having(constants=("a", "b", "c"), nonzero=NOT_PARALLEL, loci=(AS_LARGE,))
 
 section.claim(
     Independence(

@@ -59,7 +59,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     ((_, derivation),) = session.derivations([arguments.derivation])
     scene = _scene(derivation, arguments.scene)
-    _forecast(scene, getattr(arguments, "degree", 0))
+    forecast(scene, getattr(arguments, "degree", 0))
     file, name = _owner(scene) if arguments.write else (None, "")
     (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments, name), [None])
     if file is not None:
@@ -128,7 +128,7 @@ def _owner(scene: Scene) -> tuple[Path, str]:
     return found
 
 
-def _forecast(scene: Scene, degree: int) -> None:
+def forecast(scene: Scene, degree: int) -> None:
     """Say beforehand that a question is too large to be answered."""
     from kowalevski_cas.problem.kernel import LARGEST
     from kowalevski_cas.problem.polynomial_fields import number_of_monomials

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import product
 
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
     Formula,
     Name,
@@ -34,25 +35,28 @@ class Brackets:
     """The bracket of a scene; calling it gives the bracket of two functions.
 
     ``structure`` holds the bracket of each pair of variables, in one order. Raises
-    :class:`Meaningless` if the printed brackets are not antisymmetric, or if there is none.
+    :class:`Meaningless` if the printed brackets are not antisymmetric, if two places print
+    different ones, or if there is none.
     """
 
     def __init__(self, setting: Meaning) -> None:
         self.setting = setting
         finder = setting.finder
         self.structure: dict[tuple[str, str], Formula] = {}
+        values: dict[tuple[str, str], Element] = {}
         declared = [n for n in setting.scene.definitions if head(n)[0] == BRACKET]
         if not declared:
             raise Meaningless(f"no Poisson bracket is declared on “{setting.scene.name}”")
         for name in declared:
             for (x, y), formula in self._instances(name):
                 value = finder.scalar(formula)
-                known = self.structure.get((y, x))
-                opposite = -value if x == y else finder.scalar(known) if known else None
-                if opposite is None:
+                for pair, one in (((x, y), value), ((y, x), -value)):
+                    if not (values.setdefault(pair, one) - one).is_zero:
+                        raise Meaningless(
+                            f"the bracket of {x} and {y} is not antisymmetric, or has two values"
+                        )
+                if (y, x) not in self.structure:
                     self.structure[x, y] = formula
-                elif not (opposite + value).is_zero:
-                    raise Meaningless(f"the bracket of {x} and {y} is not antisymmetric")
         self.structure = {p: f for p, f in self.structure.items() if not finder.scalar(f).is_zero}
 
     def __call__(self, left: Parts, right: Parts) -> Formula:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cached_property
 
 from kowalevski_cas.notation import (
@@ -250,6 +251,10 @@ def written_out(formula: Summation) -> Formula:
 
 def _at(formula: Formula, index: str, value: int) -> Formula:
     """The term of a sum for a value of its index, which stands in names too."""
+    if isinstance(formula, Summation) and formula.index == index:  # there it is another one
+        return replace(
+            formula, first=_at(formula.first, index, value), last=_at(formula.last, index, value)
+        )
     if not isinstance(formula, Name):
         return formula.mapped(lambda child: _at(child, index, value))
     if formula.name == index:
@@ -258,6 +263,8 @@ def _at(formula: Formula, index: str, value: int) -> Formula:
     parts = _INDEX.findall(low)
     if index not in parts:
         return formula
+    if {*"+-"} & {*parts} and re.search(r"[^-+,]{2}", "".join(p[:1] for p in parts)):
+        raise Meaningless(f"what is the index of {to_latex(formula)}? write the terms out")
     low = "".join(str(value) if part == index else part for part in parts)
     if re.fullmatch(r"\d+(?:[+-]\d+)+", low):  # as in q_{i+1}
         low = str(sum(map(int, re.findall(r"[+-]?\d+", low))))

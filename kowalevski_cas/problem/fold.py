@@ -223,7 +223,7 @@ def divisors_of(formula: Formula) -> Iterator[tuple[Formula, int]]:
         case Product(factors):
             for factor in factors:
                 yield from divisors_of(factor)
-        case Power(base, Number(exponent)):
+        case Power(base, Number(exponent)) if exponent:
             yield base, exponent
         case _:
             yield formula, 1

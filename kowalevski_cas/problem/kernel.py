@@ -2,7 +2,8 @@
 
 The derivatives of all monomials are columns of a matrix. Its rank at one point of the constants,
 modulo a prime, is at most the true one for almost all of them, and so is that of what is known. If
-the two add up to the number of monomials, nothing is missing.
+the two add up to the number of monomials, nothing is missing. Degrees are those for almost all
+constants: at special ones, and modulo the prime, they fall.
 """
 
 from __future__ import annotations
@@ -70,23 +71,27 @@ class Ansatz:
     def known(self) -> list[Residues]:
         """The products that span the kernel; raises :class:`Misplaced` if one is no solution."""
         integrals = [self.solution(f, self.at.ring.zero) for f in self.goal.integrals]
+        integrals = [one for one in integrals if one[0] > 0]
         solutions = [self.solution(f, self.factor) for f in self.goal.solutions]
         return [one for left in solutions for one in self._products(left, integrals)]
 
-    def solution(self, formula: Formula, factor: Element) -> Residues:
-        """A polynomial f with D f = factor f."""
+    def solution(self, formula: Formula, factor: Element) -> tuple[int, Residues]:
+        """A polynomial f with D f = factor f: its degree, and what it is at the point."""
         element = self.at.scalar(formula)
         if not (self.at.derivative(element) - factor * element).is_zero:
             raise Misplaced("what is said to be known is no solution")
-        return self.residues(self.field.polynomial(element))
+        terms = self.field.polynomial(element)
+        return weight_of(terms, self.goal.weights), self.residues(terms)
 
-    def _products(self, left: Residues, integrals: list[Residues]) -> Iterator[Residues]:
-        if not left or weight_of(left, self.goal.weights) > self.goal.degree:
+    def _products(
+        self, left: tuple[int, Residues], integrals: list[tuple[int, Residues]]
+    ) -> Iterator[Residues]:
+        degree, terms = left
+        if not terms or degree > self.goal.degree:
             return
-        yield left
-        for k, one in enumerate(integrals):
-            if weight_of(one, self.goal.weights) > 0:
-                yield from self._products(product_of(left, one), integrals[k:])
+        yield terms
+        for k, (more, one) in enumerate(integrals):
+            yield from self._products((degree + more, product_of(terms, one)), integrals[k:])
 
     def residues(self, terms: Terms) -> Residues:
         """A polynomial at the point."""
@@ -130,8 +135,8 @@ def check_complete(goal: Kernel, at: Evaluation, place: Place) -> None:
 def check_further(goal: Kernel, formula: Formula, at: Evaluation, place: Place) -> None:
     """Check that a polynomial belongs to the kernel and is independent of what is known there."""
     ansatz = Ansatz(goal, at, place)
-    own = ansatz.solution(formula, ansatz.factor)
-    if weight_of(own, goal.weights) > goal.degree:
+    degree, own = ansatz.solution(formula, ansatz.factor)
+    if degree > goal.degree:
         raise Misplaced("its degree is too large")
     vectors = [*ansatz.known(), own]
     if rank(vectors) != len(vectors):

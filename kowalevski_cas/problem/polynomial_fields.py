@@ -169,5 +169,6 @@ def primitive(terms: Terms) -> Terms:
 
 
 def weight_of(terms: Iterable[Exponents], weights: Sequence[int]) -> int:
-    """The largest weight of a term, by the weights of the first names."""
-    return max(sum(w * e for w, e in zip(weights, one, strict=False)) for one in terms)
+    """The largest weight of a term, by the weights of the first names; 0 if there is none."""
+    sums = (sum(w * e for w, e in zip(weights, one, strict=False)) for one in terms)
+    return max(sums, default=0)

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from kowalevski_cas.notation import (
     Application,
+    Conjugate,
     Derivative,
     Formula,
     Name,
@@ -56,10 +57,11 @@ def roles(
     if "t" in mentioned:
         raise ValueError("the time t stands in the equations: give it a name, with \\dot s=1")
     heads = [head(name) for place in others for name in place.heads.names]
-    defined = {*moving, *(one for name, arguments in heads for one in (name, *arguments))}
+    defined = {one for name, arguments in heads for one in (name, *arguments)}
     for name in (name for place in display for name in _derived(_open(place, words))):
         if name not in defined:
             raise ValueError(f"{name} is differentiated, and nothing defines it: add {name}=…")
+    defined |= {*moving}
     return laws, others, tuple(moving), tuple(name for name in mentioned if name not in defined)
 
 
@@ -100,11 +102,21 @@ def _derived(formula: Formula) -> list[str]:
 
 
 def rooted(scene: Scene, display: Display) -> Scene:
-    """A scene with the square roots that are printed in a display of its names."""
+    """A scene with the square roots that are printed in a display of its names.
+
+    Raises ``ValueError`` if a name is defined there by two expressions, of which one would be lost,
+    and for a bar, which would say nothing.
+    """
     waiting = [statement.formula for statement in read_display(display.tex, vocabulary((scene,)))]
+    for place, formula in zip(display, waiting, strict=True):
+        named = {*place.heads.names} & {*scene.definitions}
+        if named and len([*formula.children()]) > len(named) + 1:
+            raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
     while waiting:
         formula = waiting.pop()
         waiting += formula.children()
+        if isinstance(formula, Conjugate):
+            raise ValueError(f"{to_latex(formula)} is a conjugate, and all is real: rename it")
         if isinstance(formula, Root) and (name := to_latex(formula)) not in scene.roots:
             scene = scene.adjoining(name)
     return scene

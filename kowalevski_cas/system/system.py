@@ -22,6 +22,7 @@ from importlib import import_module
 from itertools import chain, count
 from typing import Any
 
+from kowalevski_cas.cli.find import forecast
 from kowalevski_cas.notation import (
     Formula,
     Name,
@@ -146,7 +147,7 @@ class System:
         for relation in relations:
             place = self._place("where", relation)
             scene = restricted(scene, place)
-            read_display(place.display.tex, vocabulary((scene,)))
+            scene = rooted(scene, place.display)
         special._stand_on(scene)
         return special
 
@@ -262,7 +263,11 @@ class System:
         return self._found("exponents")
 
     def _found(self, question: str, *words: str, **options: int) -> list[Stated]:
-        """What the command ``find`` finds, as claims like any other."""
+        """What the command ``find`` finds, as claims like any other.
+
+        What was found before an error or an interruption stays claimed.
+        """
+        forecast(self.scene, options.get("degree", 0))
         module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
         module.add_arguments(parser)
         told = [f"--{name}={value}" for name, value in options.items() if type(value) is int]

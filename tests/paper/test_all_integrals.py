@@ -46,3 +46,9 @@ def test_weights_of_the_variables():
     for weights, verdict in (((1, 1, 1, 1, 1), "refuted"), ((2, 2, 1, 1, 1), "proved")):
         derivation = claimed(TODA, 3, *integrals, weights=weights)
         assert str(verify(derivation, ["flint"]).outcomes[0].verdict) == verdict
+
+
+@pytest.mark.parametrize("weights", [(0, 1, 1), (1, -1, 1), (1, 1), (1, 1, 1, 1)])
+def test_weights_that_are_none(weights):
+    (outcome,) = verify(claimed(LORENZ, 2, weights=weights), ["flint"]).outcomes
+    assert str(outcome.verdict) == "error" and "a positive weight" in outcome.message

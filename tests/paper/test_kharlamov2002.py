@@ -37,8 +37,8 @@ ERRATA = {
 """Misprints, with what stands in the correct formula."""
 
 CONDITIONS = {
-    "M4-dimension": ["(a^2 - b^2)^2 + 4c^2", "a^2b^2 - c^2"],
-    "N4-dimension": ["x_1x_2", "a^2b^2 - c^2", "c_1c_2"],
+    "M4-dimension": ["(a^2 - b^2)^2 + 4c^2"],
+    "N4-dimension": ["x_1x_2", "c_1c_2"],
     "N4-independence": ["x_1x_2", "x_1 + w_1^2"],
     "appelrot-dimension": [r"\alpha_1^2 + \alpha_2^2"],
     "eq15": ["x_1x_2"],

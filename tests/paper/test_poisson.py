@@ -33,6 +33,9 @@ def test_jacobi():
     assert euler(VOLTERRA)[0].jacobi().verdict is PROVED
     assert euler(MOMENTA.replace("=y", "=x+y"))[0].jacobi().verdict is REFUTED
     plane = System(r"\dot x=y, \dot y=-x")
+    for other in (r"\{x,x\}=1", r"\{y,x\}=z", r"\{y,x\}=-2z"):
+        outcome = euler(rf"{MOMENTA},\quad {other}")[0].jacobi().outcome
+        assert outcome.verdict == "error" and "is not antisymmetric" in outcome.message
     assert "no Poisson bracket" in euler("A=x")[0].jacobi().outcome.message
     plane.define(r"\{x,y\}=x^2")
     assert "of two variables" in plane.jacobi().outcome.message

@@ -263,3 +263,51 @@ def test_what_is_no_field_is_an_error_that_says_so(motion, message):
     [outcome] = decide(section, FirstIntegral("c", scene, section.display("d", "x^2")[1], ""))
     assert str(outcome.verdict) == "error"
     assert message in outcome.message
+
+
+@pytest.mark.parametrize(
+    ("sum_", "value"),
+    [
+        (r"\sum_{i=1}^3\sum_{i=1}^2 i", 9),
+        (r"\sum_{i=1}^3\sum_{i=1}^i i", 10),
+        (r"\sum_{i=1}^3 i\cdot\sum_{i=2}^3 i", 30),
+        (r"\sum_{i=1}^3\sum_{k=i}^3 i", 10),
+        (r"\sum_{i=2}^3(x_i-x_{i-1})", "x_3-x_1"),
+    ],
+)
+def test_the_index_of_a_sum_is_the_one_of_the_innermost(sum_, value):
+    assert str(_of_sums(f"{sum_}={value}").verdict) == "proved"
+
+
+@pytest.mark.parametrize("index", ["2i-1", "i+1i", "ii-1"])
+def test_an_index_that_may_be_a_product_is_not_computed(index):
+    outcome = _of_sums(rf"\sum_{{i=1}}^2x_{{{index}}}=x_1+x_3")
+    assert "write the terms out" in outcome.message
+
+
+def _of_sums(equation):
+    section = Section("1", "a textbook")
+    names = ("x_1", "x_2", "x_3", "x_{20}", "x_{21}", "x_{22}", "x_{10}")
+    scene = Scene("", "", variables=names)
+    [outcome] = decide(section, Identity("c", scene, section.display("d", equation)[1], ""))
+    return outcome
+
+
+@pytest.mark.parametrize(
+    ("motion", "integral", "mass"),
+    [
+        (r"m\dot x=0,\quad \dot y=1", "x", "m"),
+        (r"m\ddot x=0", r"\dot x", "m"),
+        (r"y\dot x=0,\quad \dot y=0", "x", "y"),
+        (r"m\dot x=0,\quad \dot y=0", "y", "m"),
+        (r"m\ddot x+\ddot y=0,\quad \ddot x+m\ddot y=0", r"\dot x", "m^2 - 1"),
+    ],
+)
+def test_a_mass_that_may_vanish_is_a_condition_also_where_nothing_acts(motion, integral, mass):
+    section = Section("1", "a textbook")
+    names = ("x", "y") if "y" in motion else ("x",)
+    scene = Scene("", "", variables=names, constants=("m",)).moving(section.display("m", motion))
+    claim = FirstIntegral("c", scene, section.display("d", integral)[1], "")
+    [outcome] = decide(section, claim)
+    assert str(outcome.verdict) == "conditional"
+    assert [to_latex(one.expression) for one in outcome.conditions] == [mass]

@@ -635,6 +635,18 @@ class TestKernel:
         rejected(self.GOAL, At(at(x=1, y=2, a=0)), "more")  # there y is an integral
         rejected(self.GOAL, At(at(x=1, y=2, a=["sqrt", 2])), "rational")
 
+    @pytest.mark.parametrize("coefficient", ["a", 2**61 - 1])
+    def test_degrees_are_those_for_almost_all_constants(self, coefficient):
+        field = (Motion(("x",), decode(1), decode(0)), Motion(("y",), decode(1), decode(1)))
+        still = Space(("x", "y"), ("a",), field=field)
+        higher = row(plus("x", ["*", coefficient, ["^", "x", 2]]))
+        goal = Kernel(still, decode(0), row(1), higher, (1, 1), 1)
+        fallen = at(x=1, y=2, a=0)  # where the integral is x, or so modulo the prime
+        rejected(goal, At(fallen), "more")
+        accepted(goal, Further(decode("x"), fallen), sign=False)
+        none = replace(goal, integrals=())
+        denial_rejected(none, Further(higher[0], fallen), "degree")
+
     def test_a_missing_integral_denies(self):
         goal = replace(self.GOAL, integrals=row(["^", self.ENERGY, 2]))
         accepted(goal, Further(decode(self.ENERGY), self.POINT.point), sign=False)

@@ -10,6 +10,7 @@ from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Goal, Kernel
+from kowalevski_cas.problem.space import Meaningless
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,8 +28,10 @@ class AllIntegrals(Claim):
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
         integrals = tuple(space.plain(on.texts.formula(place)) for place in self.integrals)
-        ones = (1,) * len(space.own_variables)
-        yield Kernel(space, Number(0), (Number(1),), integrals, self.weights or ones, self.degree)
+        weights = self.weights or (1,) * len(space.own_variables)
+        if self.degree < 0 or min(weights) < 1 or len(weights) != len(space.own_variables):
+            raise Meaningless("a degree is not negative, and each variable has a positive weight")
+        yield Kernel(space, Number(0), (Number(1),), integrals, weights, self.degree)
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.integrals

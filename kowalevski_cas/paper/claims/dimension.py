@@ -79,7 +79,7 @@ class Dimension(Claim):
             at,
             (*rank.functions, *map(minus, rank.given)),
             self._multipliers,
-            [at.scalar(condition) for _, condition in at.setting.loci],
+            [*at.granted, *(at.scalar(condition) for _, condition in at.setting.loci)],
             names,
         )
         return {} if found is None else {1: found}

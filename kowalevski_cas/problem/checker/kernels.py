@@ -3,7 +3,8 @@
 The derivatives of the monomials up to a degree are vectors over the field of the rational functions
 of the constants. Their rank is at least the one that their residues have modulo a prime at a point
 of the constants; so is the rank of what is known to lie in the kernel. If the two add up to the
-number of monomials, the kernel is spanned by what is known.
+number of monomials, the kernel is spanned by what is known. Degrees are those over that field: at
+the point, and modulo the prime, they can fall.
 """
 
 from __future__ import annotations
@@ -56,8 +57,8 @@ class Kernel(Goal):
             rests += [self.space.derivative(f) for f in self.integrals]
             need(any(at(rest).differs() for rest in rests), "all that is listed may be solutions")
             return
-        own = self._solution(self.space.scalar(evidence["further"]), self.factor, at)
-        need(self._weight(own) <= self.degree, "its degree is too large")
+        degree, own = self._solution(self.space.scalar(evidence["further"]), self.factor, at)
+        need(degree <= self.degree, "its degree is too large")
         vectors = [*self._known(at), own]
         need(self._rank(vectors) == len(vectors), "it may depend on what is known")
 
@@ -92,35 +93,36 @@ class Kernel(Goal):
     def _rest(self, element: Element, factor: Element) -> Element:
         return self.space.derivative(element) - factor * element
 
-    def _solution(self, element: Element, factor: Element, at: Map) -> Residues:
-        """A polynomial f with D f = factor f; it may have been divided by constants."""
+    def _solution(self, element: Element, factor: Element, at: Map) -> tuple[int, Residues]:
+        """A polynomial f with D f = factor f: its degree, and what it is at the point.
+
+        It may have been divided by constants.
+        """
         need(self._rest(element, factor).vanishes(), "what is said to be known is no solution")
         value, powers = element.cleared()
         need({*powers.generators()} <= {*self.space.constants}, "it is no polynomial")
-        return self._residues(value, at)
+        return self._weight(value), self._residues(value, at)
 
-    def _weight(self, terms: Residues) -> int:
+    def _weight(self, element: Element) -> int:
         both = [
             *zip(self.weights, (self.ring.at[name] for name in self.space.variables), strict=True)
         ]
-        return max((sum(w * (m >> shift & MASK) for w, shift in both) for m in terms), default=0)
+        weights = (sum(w * (m >> shift & MASK) for w, shift in both) for m in element.terms)
+        return max(weights, default=0)
 
     def _known(self, at: Map) -> list[Residues]:
         """The products, up to the degree."""
         zero = self.ring.number(0)
         integrals = [self._solution(f, zero, at) for f in self.integrals]
-        integrals = [one for one in integrals if self._weight(one) > 0]
-        found, waiting = (
-            list[Residues](),
-            [(self._solution(f, self.factor, at), 0) for f in self.solutions],
-        )
+        integrals = [one for one in integrals if one[0] > 0]
+        found = list[Residues]()
+        waiting = [(*self._solution(f, self.factor, at), 0) for f in self.solutions]
         while waiting:
-            left, start = waiting.pop()
-            if left and self._weight(left) <= self.degree:
+            degree, left, start = waiting.pop()
+            if left and degree <= self.degree:
                 found.append(left)
-                waiting += [
-                    (self._product(left, integrals[k]), k) for k in range(start, len(integrals))
-                ]
+                for k, (more, one) in enumerate(integrals[start:], start):
+                    waiting.append((degree + more, self._product(left, one), k))
         return found
 
     def _product(self, left: Residues, right: Residues) -> Residues:
