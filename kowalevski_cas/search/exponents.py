@@ -145,7 +145,7 @@ class LeadingPart:
     def _balance(self, sides: Sequence[fmpq_mpoly], equations: Branch) -> Balance:
         divisions = tuple(divided(side, equations) for side in sides)
         if any(rest for *_, rest in divisions):
-            raise Meaningless("the balances are not solved: give the constants values")
+            raise Meaningless("a balance is not solved for: try it with numbers for constants")
         solved, matrix = Branch(equations.solved, (), ()), []
         for k, side in enumerate(sides, 1):
             row = [
