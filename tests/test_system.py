@@ -372,6 +372,14 @@ def test_the_constants_for_which_a_polynomial_divides_its_derivative(lorenz):
     assert any("proved: F' = KF with K = −2σ where b = 2σ; " in repr(one) for one in found)
 
 
+def test_balances_and_their_exponents_are_claims(lorenz):
+    top = System(r"A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A-B)pq")
+    for system, exponents in ((lorenz, "-1, 2, 4"), (top, "-1, 2, 2")):
+        solved, roots, *_ = system.find_exponents()
+        assert {solved.verdict, roots.verdict} <= {Verdict.PROVED, Verdict.CONDITIONAL}
+        assert f"exponents {exponents}" in repr(roots)
+
+
 def test_a_file_that_claims_nothing_can_be_asked(cli):
     file = FILE.partition("F = ")[0] + 'special = lorenz.where("b=1")\n'
     code, out = cli("verify", file)

@@ -259,6 +259,10 @@ class System:
         """For which constants a polynomial divides its derivative: all cases, with cofactors."""
         return self._found("parameters", self._tex(polynomial))
 
+    def find_exponents(self) -> list[Stated]:
+        """The balances of the leading terms, and the Kowalevski exponents of each."""
+        return self._found("exponents")
+
     def _found(self, question: str, *words: str, **options: int) -> list[Stated]:
         """What the command ``find`` finds, as claims like any other.
 
