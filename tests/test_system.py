@@ -162,6 +162,15 @@ def test_equations_as_textbooks_print_them(field, moves, integral):
     assert system.integral(integral).verdict in (Verdict.PROVED, Verdict.CONDITIONAL)
 
 
+@pytest.mark.parametrize("number", [2, 3, 5, 6, 7])
+def test_roots_of_numbers_are_refuted_too(number):
+    """Modulo half of all primes there is no root of the number, and no point to try."""
+    root, twice = rf"\sqrt{number}", rf"\sqrt{{{4 * number}}}"
+    system = System(rf"\dot x={root}y,\ \dot y={twice}x")
+    assert system.identity(f"{twice}=-2{root}").verdict is Verdict.REFUTED
+    assert system.integral("x^2-y^2").verdict is Verdict.REFUTED
+
+
 def test_components_of_what_moves_move():
     M = r"\mathbf{M}"
     body = System(
