@@ -162,6 +162,25 @@ def test_equations_as_textbooks_print_them(field, moves, integral):
     assert system.integral(integral).verdict in (Verdict.PROVED, Verdict.CONDITIONAL)
 
 
+@pytest.mark.parametrize("number", [2, 3, 5, 6, 7])
+def test_roots_of_numbers_are_refuted_too(number):
+    """Modulo half of all primes there is no root of the number, and no point to try."""
+    root, twice = rf"\sqrt{number}", rf"\sqrt{{{4 * number}}}"
+    system = System(rf"\dot x={root}y,\ \dot y={twice}x")
+    assert system.identity(f"{twice}=-2{root}").verdict is Verdict.REFUTED
+    assert system.integral("x^2-y^2").verdict is Verdict.REFUTED
+
+
+def test_components_of_what_moves_move():
+    M = r"\mathbf{M}"
+    body = System(
+        rf"\dot{M}={M}\times\frac{{\partial H}}{{\partial{M}}},\quad H=aM_1^2+bM_2^2+cM_3^2",
+        vectors={M: ("M_1", "M_2", "M_3")},
+    )
+    assert body.scene.constants == ("a", "b", "c")
+    assert body.integral("H").verdict is Verdict.PROVED
+
+
 def test_vectors_are_given_by_components():
     omega, gamma = r"\boldsymbol{\omega}", r"\boldsymbol{\gamma}"
     body = System(
@@ -211,6 +230,22 @@ def test_a_name_that_nothing_gives_a_value_is_an_error(lorenz):
         lorenz.invariant("x=0, y=0")
     with pytest.raises(ValueError, match=r"expect “wrong”: a verdict is one of proved, "):
         lorenz.integral("x", expect="wrong")
+
+
+MATRIX = r"{\bf A}=\begin{pmatrix}x&y\\y&z\end{pmatrix}"
+
+
+def test_a_function_of_another_system_is_none_of_this_one(lorenz):
+    special = lorenz.where("b=1")
+    F, G, A = lorenz.define("F=x"), special.define("F=y"), lorenz.define(MATRIX)
+    assert lorenz.identity("F=x").verdict is special.identity("F=y").verdict is Verdict.PROVED
+    for wrong in (
+        lambda: lorenz.integral(G), lambda: special.integral(F), lambda: special.invariant(F),
+        lambda: special.implication("x=0", given=[F]), lambda: special.lax(A, A),
+        lambda: special.involution("x", F), lambda: special.define(F), lambda: special.where(F),
+    ):  # fmt: skip
+        with pytest.raises(ValueError, match="is defined elsewhere: define it on this system"):
+            wrong()
 
 
 # -- SymPy --------------------------------------------------------------------------
@@ -344,6 +379,14 @@ def test_the_constants_for_which_a_polynomial_divides_its_derivative(lorenz):
     found = lorenz.conditions(F)
     assert {one.verdict for one in found} == {Verdict.PROVED}
     assert any("proved: F' = KF with K = −2σ where b = 2σ; " in repr(one) for one in found)
+
+
+def test_balances_and_their_exponents_are_claims(lorenz):
+    top = System(r"A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A-B)pq")
+    for system, exponents in ((lorenz, "-1, 2, 4"), (top, "-1, 2, 2")):
+        solved, roots, *_ = system.find_exponents()
+        assert {solved.verdict, roots.verdict} <= {Verdict.PROVED, Verdict.CONDITIONAL}
+        assert f"exponents {exponents}" in repr(roots)
 
 
 def test_a_file_that_claims_nothing_can_be_asked(cli):

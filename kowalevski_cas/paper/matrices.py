@@ -112,10 +112,12 @@ def determinant(matrix: Rows) -> Formula:
         return matrix[0][0]
     terms: list[Formula] = []
     for k, entry in enumerate(matrix[0]):
+        if entry == Number(0):
+            continue
         minor = determinant(tuple((*row[:k], *row[k + 1 :]) for row in matrix[1:]))
         term = Product((entry, minor))
         terms.append(Negative(term) if k % 2 else term)
-    return Sum(tuple(terms))
+    return Sum(tuple(terms)) if terms else Number(0)
 
 
 def trace(matrix: Rows) -> Formula:

@@ -6,11 +6,12 @@ believed before it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import combinations, product
 from operator import mul
+from types import MappingProxyType
 from typing import Any
 
 from kowalevski_cas.algebra.linear import determinant
@@ -48,6 +49,7 @@ from kowalevski_cas.problem.goals import (
 )
 from kowalevski_cas.problem.kernel import check_complete, check_further, check_no_solution
 from kowalevski_cas.problem.place import Misplaced, Place
+from kowalevski_cas.problem.prune import moves
 from kowalevski_cas.problem.space import Equation, Meaningless
 
 ZERO = Number(0)
@@ -91,10 +93,12 @@ class Judge(Examiner):
         evidence: Evidence,
         sign: bool,
         at: Evaluation,
-        values: Sequence[Element] = (),
+        values: Mapping[str, Element] = MappingProxyType({}),
     ) -> None:
         self.accepted.starts(goal)
-        self.accepted.uses(values)
+        self.accepted.uses([*values.values()])
+        if moves(goal, values):
+            self.accepted.divides(at.masses)
         rule = _RULES.get((type(goal), type(evidence), sign))
         if rule is None:
             raise Unproved("it is no evidence for this goal")
@@ -221,7 +225,7 @@ class Judge(Examiner):
             for name in mine & set(goal.numbers):
                 if rational_terms(values[name]) is None:
                     raise Unproved(f"{name} is no number")
-            self._simple(one, inner, True, at.binding(values), list(values.values()))
+            self._simple(one, inner, True, at.binding(values), values)
 
     def _never(self, goal: Exists, evidence: Regardless) -> None:
         one = goal.goals[evidence.goal]

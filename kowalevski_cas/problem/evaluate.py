@@ -233,6 +233,14 @@ class Evaluation(Fold):
         for name, formula in change.formulas:
             yield name, self.image(old.derivative(old.scalar(formula))) * time
 
+    @cached_property
+    def masses(self) -> list[Element]:
+        """One over what stands before the rates in the equations of motion."""
+        factors = (self.components(row.factor) for row in self.setting.field)
+        found = [factor.inverse() for row in factors for factor in row]
+        change = self.setting.change
+        return found if change is None else [*map(self.image, self.other(change.old).masses)]
+
     def other(self, setting: Setting) -> Evaluation:
         """The evaluation of a space on which this one is built."""
         if self._others is None:

@@ -181,6 +181,13 @@ def _reach_goal(goal: Simple, bound: Iterable[str], reach: Reach) -> None:
         reach.name(name)
 
 
+def moves(goal: Simple, bound: Iterable[str]) -> bool:
+    """Whether a goal, in which some names are bound, is about the motion."""
+    reach = Reach(goal.space)
+    _reach_goal(goal, bound, reach)
+    return reach.moving
+
+
 def _reach_source(setting: Setting, reaches: dict[Setting, Reach]) -> None:
     """The formulas of a change, and the motion behind it, where the new field is needed."""
     change = setting.change

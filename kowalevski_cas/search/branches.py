@@ -31,7 +31,7 @@ class Branch:
     def vanishes(self, polynomial: fmpq_mpoly) -> bool:
         """Whether a polynomial is seen to be zero on the branch."""
         for place, equation in self.solved:
-            polynomial = _without(polynomial, place, equation)
+            polynomial = without(polynomial, place, equation)
         for one in self.rest:
             polynomial = divmod(polynomial, one)[1]
         return polynomial.is_zero()
@@ -204,7 +204,7 @@ def _put(factor: _Factor, place: int, equation: fmpq_mpoly) -> _Group | None:
     """The factors of a factor in which an unknown is replaced; ``None`` if it vanishes."""
     if not factor.degrees[place]:
         return (factor,)
-    polynomial = _without(factor.polynomial, place, equation)
+    polynomial = without(factor.polynomial, place, equation)
     return None if polynomial.is_zero() else _factors(polynomial)
 
 
@@ -213,7 +213,7 @@ def _reduced(solved: Solved) -> Solved:
     found: list[tuple[int, fmpq_mpoly]] = []
     for place, equation in reversed(solved):
         for other in found:
-            equation = _without(equation, *other)
+            equation = without(equation, *other)
         own = next(one for one in _factors(equation) if one.degrees[place])
         found.insert(0, (place, own.polynomial))
     return tuple(found)
@@ -229,7 +229,7 @@ def _part(polynomial: fmpq_mpoly, place: int, power: int) -> fmpq_mpoly:
     return polynomial.context().from_dict(terms)
 
 
-def _without(polynomial: fmpq_mpoly, place: int, equation: fmpq_mpoly) -> fmpq_mpoly:
+def without(polynomial: fmpq_mpoly, place: int, equation: fmpq_mpoly) -> fmpq_mpoly:
     """A polynomial times a power of the coefficient of an unknown, which is replaced."""
     degree = int(polynomial.degrees()[place])
     if not degree:

@@ -63,6 +63,10 @@ class Basis:
                 row[place] += row[k] * factor
         return row[: self.count]
 
+    def minimal(self) -> list[fmpq_mpoly]:
+        """The elements whose leading monomials no later one divides; they are a basis too."""
+        return [self.elements[k] for k in self._kept]
+
     def _enter(self, polynomial: fmpq_mpoly, made: Made) -> None:
         """Add an element, with the pairs that are needed (Gebauer and Möller)."""
         place, lead = len(self.elements), _lead(polynomial)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from itertools import combinations, islice
 
 from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring
@@ -12,7 +13,7 @@ from kowalevski_cas.notation import Conjugate, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Misplaced, Place, number_formula
-from kowalevski_cas.problem.space import Adjoined, Setting
+from kowalevski_cas.problem.space import Adjoined, Meaningless, Setting
 from kowalevski_cas.search.real import real_points
 
 Of = Callable[[Setting], Evaluation]
@@ -79,6 +80,8 @@ class PointFinder:
         It is sought among points in general position, and if ``most`` is not 0 where all variables
         vanish, and then where some do, as many as ``most``.
         """
+        with suppress(Meaningless):
+            divided = [*divided, *at.masses]
         avoid = [*at.granted, *at.ring.divided_by(divided)]
         names = self.names(at.setting)
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]

@@ -98,7 +98,8 @@ class System:
         components = vectors or {}
         laws, definitions, moving, others = roles(display, components)
         variables = tuple(part for one in moving for part in components.get(one, (one,)))
-        constants = tuple(part for one in others for part in components.get(one, (one,)))
+        parts = (part for one in others for part in components.get(one, (one,)))
+        constants = tuple(part for part in parts if part not in variables)
         words = "the equations of motion"
         scene = Scene(name or "the system", words, components, variables, constants, (*laws,))
         self._stand_on(rooted(scene.defining(*definitions), display))
@@ -170,7 +171,7 @@ class System:
 
     def invariant(self, *relations: Tex, expect: str = "") -> Stated:
         """No motion leaves the set on which these hold; a function stands for its zeros."""
-        zero = tuple(f"{one.name}=0" if isinstance(one, Function) else one for one in relations)
+        zero = tuple(f"{self._tex(F)}=0" if isinstance(F, Function) else F for F in relations)
         says = f"no motion leaves the set where {self._listed(zero)}"
         return self.states(InvariantRelations, "invariant", says, expect, relations=zero)
 
@@ -181,7 +182,7 @@ class System:
 
     def lax(self, first: Function, second: Function, expect: str = "") -> Stated:
         """A Lax pair of matrices: L' = LM - ML."""
-        L, M = first.name, second.name
+        L, M = self._tex(first), self._tex(second)
         says = "the equations of motion give this Lax equation"
         return self.states(Identity, "lax", says, expect, rf"\frac{{d}}{{dt}}{L}={L}{M}-{M}{L}")
 
@@ -258,6 +259,10 @@ class System:
         """For which constants a polynomial divides its derivative: all cases, with cofactors."""
         return self._found("parameters", self._tex(polynomial))
 
+    def find_exponents(self) -> list[Stated]:
+        """The balances of the leading terms, and the Kowalevski exponents of each."""
+        return self._found("exponents")
+
     def _found(self, question: str, *words: str, **options: int) -> list[Stated]:
         """What the command ``find`` finds, as claims like any other.
 
@@ -288,7 +293,11 @@ class System:
     def _tex(self, formula: Tex) -> str:
         if isinstance(formula, str):
             return formula
-        return formula.name if isinstance(formula, Function) else to_latex(self._of_sympy(formula))
+        if not isinstance(formula, Function):
+            return to_latex(self._of_sympy(formula))
+        if self.scene.definitions.get(formula.name) != formula.place:
+            raise ValueError(f"{formula!r} is defined elsewhere: define it on this system")
+        return formula.name
 
     def _of_sympy(self, expression: Any) -> Formula:
         return from_sympy(expression, self._name)
@@ -304,10 +313,11 @@ class System:
 
     def _place(self, id: str, formula: Tex) -> Printed:
         """Where a formula stands: where it was defined, or in a display of its own."""
+        tex = self._tex(formula)
         if isinstance(formula, Function):
             return formula.place
         known = {one.id for one in self.section.displays}
-        display = self.section.display(_new(id, known), self._tex(formula))
+        display = self.section.display(_new(id, known), tex)
         if len([*display]) != 1:
             raise ValueError(f"{display.tex}: one formula is expected; give each by itself")
         return display[1]

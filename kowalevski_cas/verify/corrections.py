@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
+from kowalevski_cas.algebra.points import NoPoint
 from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -90,7 +91,7 @@ def _screened(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Nei
 
 
 def _passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]) -> bool | None:
-    """Whether identities hold at points; ``None`` if there are other goals."""
+    """Whether identities hold at points; ``None`` if there are other goals, or no points."""
     from kowalevski_cas.problem.sampled import Sampled  # a recorded correction is only looked up
 
     try:
@@ -106,4 +107,6 @@ def _passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled
                 return False
     except (NotationError, Meaningless, ZeroDivisionError):
         return False
+    except NoPoint:  # as modulo a prime where a printed root of a number has no residue
+        return None
     return True

@@ -136,6 +136,16 @@ def test_darboux_polynomials_and_the_constants_for_which_there_are_some(tmp_path
     assert lines[-1] == "4 found"
 
 
+def test_kowalevski_exponents_of_two_fields(capsys):
+    words = ["find", "exponents", "kharlamov2002", "--scene", "Kowalevski case"]
+    assert main([*words, "--format", "json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert {one["verdict"] for one in found} == {"proved"}
+    principal = [one["says"] for one in found if ", principal" in one["says"]]
+    assert principal
+    assert all(one.startswith("exponents -1, 0, 0, 1, 2, 2, 3, 4, 4,") for one in principal)
+
+
 def test_what_is_written_to_the_file_is_proved_there(tmp_path, capsys):
     file = tmp_path / "special.py"
     field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-2sz"

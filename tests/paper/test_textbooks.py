@@ -291,3 +291,23 @@ def _of_sums(equation):
     scene = Scene("", "", variables=names)
     [outcome] = decide(section, Identity("c", scene, section.display("d", equation)[1], ""))
     return outcome
+
+
+@pytest.mark.parametrize(
+    ("motion", "integral", "mass"),
+    [
+        (r"m\dot x=0,\quad \dot y=1", "x", "m"),
+        (r"m\ddot x=0", r"\dot x", "m"),
+        (r"y\dot x=0,\quad \dot y=0", "x", "y"),
+        (r"m\dot x=0,\quad \dot y=0", "y", "m"),
+        (r"m\ddot x+\ddot y=0,\quad \ddot x+m\ddot y=0", r"\dot x", "m^2 - 1"),
+    ],
+)
+def test_a_mass_that_may_vanish_is_a_condition_also_where_nothing_acts(motion, integral, mass):
+    section = Section("1", "a textbook")
+    names = ("x", "y") if "y" in motion else ("x",)
+    scene = Scene("", "", variables=names, constants=("m",)).moving(section.display("m", motion))
+    claim = FirstIntegral("c", scene, section.display("d", integral)[1], "")
+    [outcome] = decide(section, claim)
+    assert str(outcome.verdict) == "conditional"
+    assert [to_latex(one.expression) for one in outcome.conditions] == [mass]
