@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from importlib import invalidate_caches
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -107,7 +108,8 @@ def load(name: str) -> Derivation:
     module = module_from_spec(spec)
     sys.modules[module_name] = module
     try:
-        spec.loader.exec_module(module)
+        with _without_bytecode(not file.is_relative_to(library())):
+            spec.loader.exec_module(module)
         return _derivation(module, file, folder.stem)
     except LibraryError:
         raise
@@ -115,6 +117,17 @@ def load(name: str) -> Derivation:
         place = _place(error, folder if inside else file, file)
         kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
         raise LibraryError(f"{place}: {kind}{error}") from error
+
+
+@contextmanager
+def _without_bytecode(wanted: bool) -> Iterator[None]:
+    """Keep no compiled code: Python takes it for current if a file is saved twice in a second."""
+    before = sys.dont_write_bytecode
+    sys.dont_write_bytecode = before or wanted
+    try:
+        yield
+    finally:
+        sys.dont_write_bytecode = before
 
 
 def owner(scene: Scene) -> tuple[Path, str] | None:

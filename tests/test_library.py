@@ -1,5 +1,8 @@
 """Derivations are found by name or by path, and loaded from their folders."""
 
+import os
+import sys
+
 import pytest
 
 from kowalevski_cas.library import LibraryError, available, find, library, load
@@ -89,3 +92,19 @@ def test_what_it_rests_on_and_is_not_there_is_an_error(tmp_path):
     (tmp_path / "__init__.py").write_text(ABOVE.format(below="euler1758"))
     with pytest.raises(LibraryError, match=r"__init__\.py:3: ModuleNotFoundError: .*euler1758"):
         load(str(tmp_path))
+
+
+@pytest.mark.parametrize("folder", [False, True])
+def test_what_is_loaded_is_what_was_saved_last(tmp_path, monkeypatch, folder):
+    """Also if it is saved twice in a second, with the same number of letters."""
+    monkeypatch.setattr(sys, "dont_write_bytecode", False)
+    said = "from kowalevski_cas import System\nsystem = System(r'{}')\n"
+    place = tmp_path / ("circle" if folder else "circle.py")
+    file = place / "__init__.py" if folder else place
+    file.parent.mkdir(exist_ok=True)
+    titles = []
+    for field in (r"\dot x=y,\dot y=-x", r"\dot u=v,\dot v=-u"):
+        file.write_text(said.format(field))
+        os.utime(file, (1, 1))
+        titles.append(load(str(place)).sections[0].title)
+    assert "$x$" in titles[0] and "$u$" in titles[1]
