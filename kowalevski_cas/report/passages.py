@@ -22,7 +22,7 @@ from kowalevski_cas.report.evidence import Evidence
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.places import Item, Section
-from kowalevski_cas.report.sentences import Phrases, listed, nonzero
+from kowalevski_cas.report.sentences import Phrases, capital, listed, nonzero
 from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Outcome, Verdict
@@ -63,10 +63,10 @@ class Passages:
             yield Paragraph(("Of the two values of a root we mean the one with ", *meant, "."))
         before = ""
         for item in section.items:
-            role = "" if item.all else item.role
-            if role != before and role in _ROLES:
-                yield Paragraph((f"{_ROLES[role]}:",), "note", leads=True)
-            before = role
+            what = "" if item.all else capital(item.source) or _ROLES.get(item.role, "")
+            if what and what != before:
+                yield Paragraph((*self.phrases.words(what), ":"), "note", leads=True)
+            before = what
             yield from self.item(item)
 
     def item(self, item: Item) -> Iterator[Block]:

@@ -28,7 +28,8 @@ class Item:
     """A display with the claims about it, or a claim about none, which has no rows.
 
     ``label`` is the number of the equation and ``display`` the name of what is displayed;
-    ``outcomes`` are about the whole; ``role`` says what a display is for that nobody claims.
+    ``outcomes`` are about the whole; ``role`` says what a display is for that nobody claims, and
+    ``source`` where one comes from that the paper does not print.
     """
 
     rows: tuple[Row, ...] = ()
@@ -36,6 +37,7 @@ class Item:
     label: str = ""
     role: str = ""
     display: str = ""
+    source: str = ""
 
     @property
     def all(self) -> tuple[Outcome, ...]:
@@ -152,9 +154,9 @@ def _displayed(display: Display, place: _Place, texts: Texts, roles: Roles) -> I
     except NotationError:
         own = tuple(outcome for row in place.rows.values() for outcome in row)
         row = Row((), texts.source(display), own)
-        return Item((row,), tuple(place.whole), display.label, role, display.id)
+        return Item((row,), tuple(place.whole), display.label, role, display.id, display.source)
     rows = tuple(
         Row((one.formula,), one.source, tuple(place.rows.get(number, ())))
         for number, one in enumerate(statements, 1)
     )
-    return Item(rows, tuple(place.whole), display.label, role, display.id)
+    return Item(rows, tuple(place.whole), display.label, role, display.id, display.source)

@@ -70,6 +70,12 @@ def test_what_nobody_claims_has_a_role(kharlamov: tuple[Section, ...]) -> None:
     assert items["(2)"].role == "vector field" and items["(11)"].role == "definition"
 
 
+def test_what_the_paper_does_not_print_has_a_source(kharlamov: tuple[Section, ...]) -> None:
+    items = {item.display: item for section in kharlamov for item in section.items}
+    assert items["over-M4"].source == "the relations (7) solved for two variables"
+    assert items["eq7"].source == ""
+
+
 def test_claims_that_were_not_run_leave_their_displays() -> None:
     derivation = load("kharlamov2002")
     whole = undecided(derivation)
