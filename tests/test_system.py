@@ -11,7 +11,7 @@ import pytest
 
 from kowalevski_cas import System
 from kowalevski_cas.cli import main
-from kowalevski_cas.notation import NotationError
+from kowalevski_cas.notation import NotationError, to_latex
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import verify
@@ -343,6 +343,14 @@ circle.integral(E)
     assert code == 0, out
     code, out = cli("verify", file.format("eq:15"))
     assert code == 2 and "lorenz.py:4: " in out and "no displays with the label eq:15" in out
+
+
+@pytest.mark.parametrize("term", [r"\frac{x-x}{y}", r"\frac{1-1}{y}", r"\frac{y^2}{y}-y"])
+def test_what_a_vanishing_term_divides_by_is_a_condition(term):
+    free = System(r"\dot x=y, \dot y=0")
+    for claim in (free.integral(f"y+{term}"), free.identity(f"y+{term}=y")):
+        assert claim.verdict is Verdict.CONDITIONAL
+        assert [to_latex(one) for one in claim.conditions] == ["y"]
 
 
 # -- questions ----------------------------------------------------------------------

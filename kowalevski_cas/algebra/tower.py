@@ -198,11 +198,11 @@ class Element:
         return not self.parts
 
     def __add__(self, other: Element) -> Element:
-        if not self.parts:
-            return other
-        if not other.parts:
-            return self
         left, right = self.denominator, other.denominator
+        if not self.parts and not left:
+            return other
+        if not other.parts and not right:
+            return self
         if left == right:
             return Element(self.ring, self.ring.add_parts(self.parts, other.parts), left)
         common = {k: max(left.get(k, 0), right.get(k, 0)) for k in (*left, *right)}
