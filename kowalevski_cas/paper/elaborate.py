@@ -100,13 +100,13 @@ class Elaboration(Moving):
         return tuple(name for name in self.roots if name in self.scene.variables)
 
     @cached_property
-    def nonzero(self) -> tuple[Formula, ...]:  # type: ignore[override]
+    def nonzero(self) -> tuple[Formula, ...]:  # type: ignore[override] # computed here, an attribute above
         """What the scene takes for granted not to vanish."""
         exponents = (Name(self.transcendental.instead(n)) for n in self.transcendental.exponents)
         return (*map(self.formula, self.scene.nonzero), *exponents)
 
     @cached_property
-    def conjugates(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override]
+    def conjugates(self) -> tuple[tuple[str, str], ...]:  # type: ignore[override] # computed here, an attribute above
         """The pairs of conjugate names; none if the unit is printed with another square."""
         if "i" in self.roots:
             step = self.step("i")

@@ -25,7 +25,7 @@ class Sampled(Evaluation):
     def __init__(self, exact: Evaluation) -> None:
         self.exact = exact
         self.programs = SampledPrograms(exact.ring.polynomials.generators)
-        super().__init__(exact.setting, exact.polynomials, self.programs, {})  # type: ignore[arg-type]
+        super().__init__(exact.setting, exact.polynomials, self.programs, {})  # type: ignore[arg-type] # a ring of programs
         self._memory: dict[tuple[int, bool], tuple[Formula, Value]] = {}
         ring = exact.ring
         for name, radicand, below in zip(ring.roots, ring.radicands, ring.below, strict=True):

@@ -155,7 +155,7 @@ class Space(Setting):
         return {step.name: step for step in self.steps}
 
     @property
-    def roots(self) -> tuple[str, ...]:  # type: ignore[override]
+    def roots(self) -> tuple[str, ...]:  # type: ignore[override] # computed here, an attribute above
         """The names of roots."""
         return tuple(step.name for step in self.steps if isinstance(step, Adjoined))
 
@@ -166,7 +166,7 @@ class Space(Setting):
         return tuple(name for name in self.roots if name in moving)
 
     @property
-    def powers(self) -> tuple[str, ...]:  # type: ignore[override]
+    def powers(self) -> tuple[str, ...]:  # type: ignore[override] # computed here, an attribute above
         """The names of powers."""
         return tuple(step.name for step in self.steps if isinstance(step, Raised))
 

@@ -71,7 +71,7 @@ class Stated(Shown):
         return self.outcome.verdict
 
     @property
-    def formulas(self) -> tuple[Formula, ...]:  # type: ignore[override]
+    def formulas(self) -> tuple[Formula, ...]:  # type: ignore[override] # computed here, an attribute above
         """What is claimed, as it is read."""
         return self.outcome.formulas
 

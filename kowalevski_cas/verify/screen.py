@@ -69,7 +69,7 @@ def screen(
 def _refuted(answer: Answer) -> Screened:
     values: dict[object, Value] = {Name(n): v for n, v in answer.point.items() if n}
     words = f"{answer.words}: {answer.left} and {answer.right}"
-    found = Counterexample(Point(values), answer.left, answer.right, words)  # type: ignore[arg-type]
+    found = Counterexample(Point(values), answer.left, answer.right, words)  # type: ignore[arg-type] # numbers, no formulas
     return Screened(Verdict.REFUTED, answer.words, found)
 
 

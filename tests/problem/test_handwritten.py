@@ -77,3 +77,30 @@ def tampered(claim, keys, share, most):
             true, why = is_true(other)
             assert true, f"{path} = {str(value)[:80]} got through: {why}"
     assert through < (most if share == 1 else 1) * len(changes)
+
+
+@pytest.mark.parametrize("coefficient", ["a", ["+", "a", ["*", "a", "a"]], 2**61 - 1, ["*", 2**61 - 1, "a"]])  # fmt: skip
+@pytest.mark.parametrize("degree", [1, 2, 3])
+def test_a_kernel_is_not_complete_by_what_vanishes_at_the_point_or_modulo_the_prime(
+    coefficient, degree
+):
+    """Of x' = 0, y' = 1 the integrals are the polynomials in x; x + c x^2 does not give x."""
+    listed = ["+", "x", ["*", coefficient, ["^", "x", 2]]]
+    data = {
+        "format": "kowalevski-cas certificate",
+        "version": 2,
+        "claim": "kernel",
+        "spaces": [
+            {"variables": ["x", "y"], "constants": ["a"], "field": [[["x"], 1, 0], [["y"], 1, 1]]}
+        ],
+        "goals": [
+            {"goal": "kernel", "space": 0, "factor": 0, "solutions": [1], "integrals": [listed],
+             "weights": [1, 1], "degree": degree}
+        ],
+        "sign": "holds",
+        "evidence": [{"point": {"roots": [], "values": [["a", 0], ["x", 1], ["y", 2]]}}],
+    }  # fmt: skip
+    with pytest.raises(checker.Rejected, match="one may be missing"):
+        checker.check(seal(data))
+    data["goals"][0]["integrals"] = ["x"]
+    assert checker.check(seal(data)).sign == "holds"

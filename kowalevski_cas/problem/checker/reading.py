@@ -100,7 +100,8 @@ def items(data: Json, *sizes: int) -> list[Json]:
     """A JSON list, of one of the sizes."""
     need(type(data) is list, "a list is expected")
     need(not sizes or len(data) in sizes, "a list has another length")
-    return data  # type: ignore[no-any-return]
+    found: list[Json] = data
+    return found
 
 
 def pairs(data: Json) -> list[list[Json]]:
@@ -111,13 +112,15 @@ def pairs(data: Json) -> list[list[Json]]:
 def integer(data: Json, least: int, most: int) -> int:
     """An integer between two bounds."""
     need(type(data) is int and least <= data <= most, "a number is odd")
-    return data  # type: ignore[no-any-return]
+    found: int = data
+    return found
 
 
 def label(data: Json) -> str:
     """A name."""
     need(type(data) is str and NAME.fullmatch(data), f"a name is odd: {data!a:.80}")
-    return data  # type: ignore[no-any-return]
+    found: str = data
+    return found
 
 
 def labels(data: Json) -> list[str]:
