@@ -146,6 +146,17 @@ def test_kowalevski_exponents_of_two_fields(capsys):
     assert all(one.startswith("exponents -1, 0, 0, 1, 2, 2, 3, 4, 4,") for one in principal)
 
 
+def test_an_integral_with_an_exponential_factor(tmp_path, capsys):
+    file = tmp_path / "node.py"
+    field = r"\dot x=x^2,\quad \dot y=y(1+x)"
+    file.write_text(f"from kowalevski_cas import System\nnode = System(r'{field}')\n")
+    assert main(["find", "darboux", str(file), "--degree", "1"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert all(line.split()[0] in ("proved", "conditional") for line in lines[:-1])
+    assert "so exp(1/x) is an exponential factor" in lines[2]
+    assert "y exp(1/x) is constant along every motion" in lines[3]
+
+
 @pytest.mark.parametrize("question", ["integrals", "darboux"])
 def test_several_processes_print_what_one_does(tmp_path, capsys, question):
     file = tmp_path / "volterra.py"

@@ -34,6 +34,7 @@ from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.verify.found import Finding
 
 if TYPE_CHECKING:
+    from kowalevski_cas.search.cofactor_relations import Exponential
     from kowalevski_cas.search.cofactor_relations import Relation as CofactorRelation
     from kowalevski_cas.search.darboux import Darboux
 
@@ -53,7 +54,7 @@ def search(
 ) -> Iterator[Finding]:
     """The Darboux polynomials, the lowest degrees first, and what is built from them."""
     from kowalevski_cas.problem.polynomial_fields import PolynomialField
-    from kowalevski_cas.search.cofactor_relations import relations
+    from kowalevski_cas.search.cofactor_relations import exponential_factors, relations
     from kowalevski_cas.search.darboux import darboux_polynomials
 
     def formula(element: Element) -> Formula:
@@ -76,7 +77,16 @@ def search(
             says = f"F' = KF with $K={to_latex(cofactor)}$"
             attributes = {"cofactor": to_latex(cofactor)}
             yield Finding(DarbouxPolynomial, scene, says, to_latex(value), attributes)
-    for relation in relations(PolynomialField(at), moving):
+    field = PolynomialField(at)
+    exponentials: list[Exponential] = []
+    for factor in exponential_factors(field, moving, arguments.degree):
+        exponentials.append(factor)
+        if factor.is_polynomial:
+            continue  # there are many of them: told where a product needs them
+        exponent, cofactor = formula(factor.exponent), formula(factor.cofactor)
+        says = f"so $e^{{{to_latex(exponent)}}}$ is an exponential factor"
+        yield Finding(Identity, scene, says, _equation(Derivative(exponent, scene.time), cofactor))
+    for relation in relations(field, moving, exponentials):
         yield _product(relation, moving, scene, formula)
 
 
