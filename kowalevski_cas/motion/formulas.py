@@ -13,7 +13,7 @@ from flint import fmpq
 
 from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
-from kowalevski_cas.notation import Formula, Name, replace
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.paper.closed_form import (
     ClosedForm,
     CriticalSets,
@@ -133,6 +133,4 @@ def _named(formula: Formula, wanted: Formula, name: Name) -> Formula:
     """The formula with a name in place of a subformula."""
     if formula == wanted:
         return name
-    for place, child in enumerate(formula.children()):
-        formula = replace(formula, (place,), _named(child, wanted, name))
-    return formula
+    return formula.mapped(lambda child: _named(child, wanted, name))

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import islice
 
 from kowalevski_cas.algebra.linear import Singular, solve
 from kowalevski_cas.algebra.present import formula_in, fraction_formula
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
+from kowalevski_cas.notation import Formula, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
@@ -60,15 +60,8 @@ def found(goal: Exists, finder: PointFinder, prove: Prove) -> Found | None:
 
 def _used(goal: Simple, values: dict[str, Formula], at: Evaluation) -> dict[str, Element]:
     """The values of the bound names that stand in a goal."""
-    mine = {name for formula in goal.formulas() for name in _names(formula)}
+    mine = {name for formula in goal.formulas() for name in formula.names()}
     return {name: at.scalar(value) for name, value in values.items() if name in mine}
-
-
-def _names(formula: Formula) -> Iterator[str]:
-    if isinstance(formula, Name):
-        yield formula.name
-    for child in formula.children():
-        yield from _names(child)
 
 
 def _linear(

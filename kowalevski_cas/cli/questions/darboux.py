@@ -24,6 +24,7 @@ from kowalevski_cas.notation import (
     Quotient,
     Relation,
     Sum,
+    times,
     to_latex,
 )
 from kowalevski_cas.paper.claims import DarbouxPolynomial, FirstIntegral, Identity, Implication
@@ -99,7 +100,7 @@ def _product(
     simple = len(powers) == len(used) and relation.exponential.is_zero
     if simple and not relation.multiplier:
         both = [(n, _power(base, Number(abs(n)))) for n, base in zip(powers, bases, strict=True)]
-        above, below = (_times([one for n, one in both if n * sign > 0]) for sign in (1, -1))
+        above, below = (times(*(one for n, one in both if n * sign > 0)) for sign in (1, -1))
         quotient = above if below == ONE else Quotient(above, below)
         return Finding(FirstIntegral, scene, INTEGRAL, to_latex(quotient))
     exponents = [formula(exponent) for exponent, _ in used]
@@ -120,10 +121,6 @@ def _product(
 
 def _power(base: Formula, exponent: Formula) -> Formula:
     return base if exponent == ONE else Power(base, exponent)
-
-
-def _times(factors: Sequence[Formula]) -> Formula:
-    return Product(tuple(factors)) if len(factors) > 1 else factors[0] if factors else ONE
 
 
 def _equation(left: Formula, right: Formula) -> str:

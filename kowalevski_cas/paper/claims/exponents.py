@@ -8,17 +8,9 @@ from fractions import Fraction
 from itertools import combinations
 from math import gcd
 
-from kowalevski_cas.notation import Formula, Name, Number, Partial, Power
+from kowalevski_cas.notation import Formula, Name, Number, Partial, Power, times
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import (
-    ONE,
-    equation,
-    equations,
-    expression,
-    rate,
-    times,
-    vanishes,
-)
+from kowalevski_cas.paper.claims.forms import ONE, equation, equations, expression, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
