@@ -9,8 +9,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from flint import fmpq
-
+from kowalevski_cas.algebra.flint import to_flint, to_fraction
 from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
 from kowalevski_cas.notation import Formula, Name
@@ -106,8 +105,7 @@ def hyperelliptic(values: str) -> Function:
 
 def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
     """The values of compiled formulas, by FLINT's rational numbers."""
-    values = compiled(*(fmpq(x.numerator, x.denominator) for x in state))
-    return [Fraction(int(value.p), int(value.q)) for value in values]
+    return [to_fraction(value) for value in compiled(*map(to_flint, state))]
 
 
 @cache

@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import Any
 
 from kowalevski_cas.algebra.linear import determinant
-from kowalevski_cas.algebra.numbers import rank
+from kowalevski_cas.algebra.numbers import rank, rational
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
@@ -35,7 +35,6 @@ from kowalevski_cas.problem.evidence import (
     Squares,
 )
 from kowalevski_cas.problem.examine import Examiner, Unproved, Vacuous, is_real, need_point
-from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import (
     Count,
     Exists,
@@ -179,7 +178,7 @@ class Judge(Examiner):
 
     def _not_positive(self, goal: Positive, evidence: At, at: Evaluation, sign: bool) -> None:
         place = self._point(at, evidence.point, at.differences(goal.given))
-        value = rational_terms(place(at.scalar(goal.formula)))
+        value = rational(place(at.scalar(goal.formula)))
         if value is None or value > 0:
             raise Unproved("it is positive at the point, or not rational")
 
@@ -222,7 +221,7 @@ class Judge(Examiner):
             mine = {n for f in one.formulas() for n in f.names() if n in goal.bound}
             values = {n: at.scalar(f) for n, f in evidence.values.items() if n in mine}
             for name in mine & set(goal.numbers):
-                if rational_terms(values[name]) is None:
+                if rational(values[name]) is None:
                     raise Unproved(f"{name} is no number")
             self._simple(one, inner, True, at.binding(values), values)
 
@@ -270,7 +269,7 @@ def _adds_to_zero(elements: Sequence[Element], weighted: Sequence[tuple[Fraction
 
 
 def _rational(number: Element) -> Fraction:
-    value = rational_terms(number)
+    value = rational(number)
     if value is None:
         raise Unproved("a value at a point is not rational")
     return value

@@ -7,13 +7,13 @@ from fractions import Fraction
 from itertools import islice
 
 from kowalevski_cas.algebra.linear import Singular, solve
+from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.present import formula_in, fraction_formula
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
-from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
@@ -164,7 +164,7 @@ def _no_numbers(
     for point in islice(real_points(at, names), 40 * WEIGHTED):
         candidate = Candidate(at, point)
         try:
-            values = [rational_terms(candidate(element)) for element in elements]
+            values = [rational(candidate(element)) for element in elements]
             candidate.point(names)
         except (ZeroDivisionError, Misplaced):
             continue

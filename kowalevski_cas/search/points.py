@@ -8,6 +8,7 @@ from itertools import count, islice, product
 
 from flint import fmpq, fmpq_mat, fmpq_mpoly
 
+from kowalevski_cas.algebra.flint import terms_of, to_flint, to_fraction
 from kowalevski_cas.algebra.numbers import square_root
 
 Assignment = dict[int, Fraction]
@@ -58,8 +59,7 @@ def points(
 
 def constant(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> Fraction:
     """The value of a polynomial at a point."""
-    value = next(iter(_value(polynomial, values).to_dict().values()), fmpq(0))
-    return Fraction(int(value.p), int(value.q))
+    return next(iter(terms_of(_value(polynomial, values)).values()), Fraction(0))
 
 
 def eliminate(
@@ -157,8 +157,8 @@ def _solve_one(polynomial: fmpq_mpoly) -> Assignment:
     if polynomial.degrees()[variable] > 2:
         return {}
     coefficients = [Fraction(0)] * 3
-    for exponents, value in polynomial.to_dict().items():
-        coefficients[exponents[variable]] = Fraction(int(value.p), int(value.q))
+    for exponents, value in terms_of(polynomial).items():
+        coefficients[exponents[variable]] = value
     c, b, a = coefficients
     if a == 0:
         return {variable: -c / b}
@@ -171,15 +171,13 @@ def _solve_linear(polynomials: list[fmpq_mpoly]) -> Assignment:
     unknowns = sorted({k for p in polynomials for k, d in enumerate(p.degrees()) if d})
     if not polynomials or len(unknowns) != len(polynomials):
         return {}
-    size = len(unknowns)
     matrix = [[_coefficient(p, k) for k in unknowns] for p in polynomials]
     right = [[-_coefficient(p, None)] for p in polynomials]
     try:
         solution = fmpq_mat(matrix).solve(fmpq_mat(right))
     except ZeroDivisionError:
         return {}
-    found = [solution[row, 0] for row in range(size)]
-    return {k: Fraction(int(v.p), int(v.q)) for k, v in zip(unknowns, found, strict=True)}
+    return {k: to_fraction(solution[row, 0]) for row, k in enumerate(unknowns)}
 
 
 def _coefficient(polynomial: fmpq_mpoly, variable: int | None) -> fmpq:
@@ -192,7 +190,7 @@ def _value(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> fmpq_mpoly
     context = polynomial.context()
     entered = list(context.gens())
     for k, value in values.items():
-        entered[k] = context.constant(fmpq(value.numerator, value.denominator))
+        entered[k] = context.constant(to_flint(value))
     return polynomial.compose(*entered, ctx=context)
 
 

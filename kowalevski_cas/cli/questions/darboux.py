@@ -10,6 +10,7 @@ import argparse
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.cli.session import natural
@@ -30,7 +31,6 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.claims import DarbouxPolynomial, FirstIntegral, Identity, Implication
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.verify.found import Finding
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ def _product(
         if not exponent.is_zero
     ]
     bases = [formula(one.polynomial) for _, one in used]
-    whole = [rational_terms(exponent) for exponent, _ in used]
+    whole = [rational(exponent) for exponent, _ in used]
     powers = [int(value) for value in whole if value is not None and value.denominator == 1]
     simple = len(powers) == len(used) and relation.exponential.is_zero
     if simple and not relation.multiplier:

@@ -11,10 +11,10 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from fractions import Fraction
 
 from flint import fmpq_mpoly
 
+from kowalevski_cas.algebra.flint import terms_of, to_fraction
 from kowalevski_cas.algebra.present import fraction_formula, name_formula, polynomial_formula
 from kowalevski_cas.notation import (
     Derivative,
@@ -116,7 +116,7 @@ class _Told:
         matrix = rf"\begin{{pmatrix}}{BELOW.join(rows)}\end{{pmatrix}}"
         _, cofactors, rest = balance.characteristic
         content, factors = rest.factor()
-        number = fraction_formula(Fraction(int(content.p), int(content.q)))
+        number = fraction_formula(to_fraction(content))
         powers = [
             self._formula(one) if k == 1 else Power(self._formula(one), Number(int(k)))
             for one, k in factors
@@ -131,8 +131,5 @@ class _Told:
         return [times(self._formula(c), self._formula(g)) for c, g in both if c]
 
     def _formula(self, polynomial: fmpq_mpoly) -> Formula:
-        terms = {
-            tuple(map(int, e[1:])): Fraction(int(v.p), int(v.q))
-            for e, v in polynomial.to_dict().items()
-        }
+        terms = {e[1:]: value for e, value in terms_of(polynomial).items()}
         return polynomial_formula(terms, self.names)
