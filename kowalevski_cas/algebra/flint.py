@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copyreg
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -70,3 +72,15 @@ class Arithmetic(Polynomials):
 
     def from_terms(self, terms: Mapping[tuple[int, ...], Fraction]) -> fmpq_mpoly:
         return polynomial_of(self.context, terms)
+
+
+def _restored(names: tuple[str, ...], order: str, terms: Terms) -> fmpq_mpoly:
+    return polynomial_of(fmpq_mpoly_ctx.get(names, Ordering(order)), terms)
+
+
+def _plain(polynomial: fmpq_mpoly) -> tuple[Any, ...]:
+    context = polynomial.context()
+    return _restored, (context.names(), context.ordering().value, terms_of(polynomial))
+
+
+copyreg.pickle(fmpq_mpoly, _plain)  # polynomials are sent from process to process
