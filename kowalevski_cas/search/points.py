@@ -58,8 +58,8 @@ def points(
 
 def constant(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> Fraction:
     """The value of a polynomial at a point."""
-    value = next(iter(_value(polynomial, values).to_dict().values()), fmpq(0))
-    return Fraction(int(value.p), int(value.q))
+    places = range(polynomial.context().nvars())
+    return _fraction(polynomial(*(_rational(values.get(k, Fraction(0))) for k in places)))
 
 
 def eliminate(
@@ -137,8 +137,8 @@ def _matched(sets: Sequence[set[int]]) -> bool:
 
 def _complete(constraints: list[fmpq_mpoly], unknowns: int, values: Assignment) -> bool:
     """Solve for the unknown variables, entering what is found; whether it could be done."""
+    left = _entering(values, constraints)
     while unknowns:
-        left = [c for c in (_value(c, values) for c in constraints) if not c.is_zero()]
         single = [c for c in left if sum(1 for d in c.degrees() if d) == 1]
         if single:
             found = _solve_one(single[0])
@@ -148,7 +148,8 @@ def _complete(constraints: list[fmpq_mpoly], unknowns: int, values: Assignment) 
             return False
         values.update(found)
         unknowns -= len(found)
-    return all(_value(c, values).is_zero() for c in constraints)
+        left = _entering(found, left)
+    return not left
 
 
 def _solve_one(polynomial: fmpq_mpoly) -> Assignment:
@@ -158,7 +159,7 @@ def _solve_one(polynomial: fmpq_mpoly) -> Assignment:
         return {}
     coefficients = [Fraction(0)] * 3
     for exponents, value in polynomial.to_dict().items():
-        coefficients[exponents[variable]] = Fraction(int(value.p), int(value.q))
+        coefficients[exponents[variable]] = _fraction(value)
     c, b, a = coefficients
     if a == 0:
         return {variable: -c / b}
@@ -179,7 +180,7 @@ def _solve_linear(polynomials: list[fmpq_mpoly]) -> Assignment:
     except ZeroDivisionError:
         return {}
     found = [solution[row, 0] for row in range(size)]
-    return {k: Fraction(int(v.p), int(v.q)) for k, v in zip(unknowns, found, strict=True)}
+    return {k: _fraction(v) for k, v in zip(unknowns, found, strict=True)}
 
 
 def _coefficient(polynomial: fmpq_mpoly, variable: int | None) -> fmpq:
@@ -188,12 +189,18 @@ def _coefficient(polynomial: fmpq_mpoly, variable: int | None) -> fmpq:
     return polynomial.to_dict().get(exponents, fmpq(0))
 
 
-def _value(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> fmpq_mpoly:
-    context = polynomial.context()
-    entered = list(context.gens())
-    for k, value in values.items():
-        entered[k] = context.constant(fmpq(value.numerator, value.denominator))
-    return polynomial.compose(*entered, ctx=context)
+def _entering(values: Assignment, constraints: list[fmpq_mpoly]) -> list[fmpq_mpoly]:
+    """What constraints say of the other variables, if these have values."""
+    entered: dict[str | int, fmpq] = {k: _rational(value) for k, value in values.items()}
+    return [c for c in (c.subs(entered) for c in constraints) if not c.is_zero()]
+
+
+def _rational(value: Fraction) -> fmpq:
+    return fmpq(value.numerator, value.denominator)
+
+
+def _fraction(value: fmpq) -> Fraction:
+    return Fraction(int(value.p), int(value.q))
 
 
 def _small_numbers() -> Iterator[Iterator[Fraction]]:
