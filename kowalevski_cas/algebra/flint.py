@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copyreg
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -57,3 +59,22 @@ class Arithmetic(Polynomials):
         return self.context.from_dict(
             {e: fmpq(value.numerator, value.denominator) for e, value in terms.items()}
         )
+
+
+def _restored(
+    names: tuple[str, ...], order: str, terms: Mapping[tuple[int, ...], tuple[int, int]]
+) -> fmpq_mpoly:
+    context = fmpq_mpoly_ctx.get(names, Ordering(order))
+    return context.from_dict({exponents: fmpq(*value) for exponents, value in terms.items()})
+
+
+def _plain(polynomial: fmpq_mpoly) -> tuple[Any, ...]:
+    context = polynomial.context()
+    terms = {
+        tuple(map(int, exponents)): (int(value.p), int(value.q))
+        for exponents, value in polynomial.to_dict().items()
+    }
+    return _restored, (context.names(), context.ordering().value, terms)
+
+
+copyreg.pickle(fmpq_mpoly, _plain)  # polynomials are sent from process to process

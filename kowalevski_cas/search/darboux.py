@@ -8,16 +8,17 @@ the motion is homogeneous, so is K, and the parts of F are Darboux polynomials: 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import product
+from itertools import product, tee
 from random import Random
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.kernels import PRIME, TooLarge
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.kernel import Residues, product_of, residues
 from kowalevski_cas.problem.polynomial_fields import (
@@ -28,7 +29,7 @@ from kowalevski_cas.problem.polynomial_fields import (
     number_of_monomials,
     primitive,
 )
-from kowalevski_cas.search.branches import Branch, branches
+from kowalevski_cas.search.branches import Branch, solved
 from kowalevski_cas.search.integrals import Span
 
 LARGEST = 500
@@ -44,7 +45,9 @@ class Darboux:
     equations: tuple[tuple[Element, Element], ...] = ()
 
 
-def darboux_polynomials(at: Evaluation, degree: int, special: bool = False) -> Iterator[Darboux]:
+def darboux_polynomials(
+    at: Evaluation, degree: int, special: bool = False, pool: Pool = HERE
+) -> Iterator[Darboux]:
     """Real Darboux polynomials up to a degree, the lowest first.
 
     They do not split over the rational numbers, and combinations of products of those before are
@@ -54,17 +57,17 @@ def darboux_polynomials(at: Evaluation, degree: int, special: bool = False) -> I
         at: the evaluation of a space, with FLINT.
         degree: the largest degree of a polynomial.
         special: whether the constants may have special values; else they are in general position.
+        pool: where the equations are solved, those of a leading monomial by themselves.
 
     Raises:
         Meaningless: the motion is no polynomial in the variables.
         TooLarge: what comes next has too many unknowns.
     """
     search = _Search(at, special)
-    for size in range(1, degree + 1):
-        if (count := number_of_monomials((1,) * search.field.size, size)) > LARGEST:
-            raise TooLarge(f"{count} unknown coefficients up to degree {size}")
-        for leading in monomials((1,) * search.field.size, size):
-            yield from search.led_by(leading)
+    ansatze, waiting = tee(search.ansatze(degree))
+    found = pool.map(solved, map(search.task, waiting))
+    for cases, ansatz in zip(found, ansatze, strict=True):
+        yield from search.new(ansatz, cases)
 
 
 class _Search:
@@ -77,13 +80,23 @@ class _Search:
         self.cofactors = [*_lighter(self.field)]
         self.gradings = self.field.weights
 
-    def led_by(self, leading: Exponents) -> Iterator[Darboux]:
-        """Those with a leading monomial, by degree and then in the order of the variables."""
-        ansatz = _Ansatz(self.field, self._below(leading), self.cofactors)
+    def ansatze(self, degree: int) -> Iterator[_Ansatz]:
+        """One for each leading monomial, by degree and then in the order of the variables."""
+        for size in range(1, degree + 1):
+            if (count := number_of_monomials((1,) * self.field.size, size)) > LARGEST:
+                raise TooLarge(f"{count} unknown coefficients up to degree {size}")
+            for leading in monomials((1,) * self.field.size, size):
+                yield _Ansatz(self.field, self._below(leading), self.cofactors)
+
+    def task(self, ansatz: _Ansatz) -> tuple[list[fmpq_mpoly], list[int], list[fmpq_mpoly]]:
+        """The equations of an ansatz, with the places of their unknowns, and what is not zero."""
         places = ansatz.places if self.special else ansatz.places[: ansatz.unknowns]
         granted = [self.field.polynomial(e) for e in self.at.granted if self._is_constant(e)]
-        nonzero = [ansatz.in_constants(terms) for terms in granted]
-        for branch in branches(ansatz.equations(), places, nonzero):
+        return ansatz.equations(), places, [ansatz.in_constants(terms) for terms in granted]
+
+    def new(self, ansatz: _Ansatz, cases: Iterable[Branch]) -> Iterator[Darboux]:
+        """What the solutions of its equations give besides what was found before."""
+        for branch in cases:
             one = None if branch.rest else self._irreducible(ansatz.solution(branch))
             if one is not None and self._is_new(one):
                 self.found.append(one)

@@ -10,17 +10,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations
+from itertools import chain, combinations
 from math import prod
 from operator import mul
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.polynomial_fields import PolynomialField
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.branches import Branch, branches, without
+from kowalevski_cas.search.branches import Branch, solved, without
 from kowalevski_cas.search.groebner import Basis
 
 LARGEST = 6
@@ -98,7 +99,7 @@ class LeadingPart:
         own = {(0, *e): fmpq(v.numerator, v.denominator) for e, v in terms.items()}
         return self.context.from_dict(own)
 
-    def balances(self) -> Iterator[Balance]:
+    def balances(self, pool: Pool = HERE) -> Iterator[Balance]:
         """All balances, by cases; constants are in general position.
 
         The equations are made homogeneous, so that no case is left out for having no real point.
@@ -114,14 +115,16 @@ class LeadingPart:
             one + (self.scale - 1) * (one - part)
             for one, part in zip(equations, self.leading, strict=True)
         ]
-        for k, variable in enumerate(self.variables):
-            zero, nonzero = self.variables[:k], [self.scale, variable]
-            for found in branches([*homogeneous, *zero], self.places, nonzero):
-                rest = self._rest(found)
-                if rest is not None:
-                    solved = ((place, self._at_one(one)) for place, one in found.solved)
-                    pairs = tuple((place, _monic(one, place)) for place, one in solved)
-                    yield self._balance(equations, Branch(pairs, rest, ()))
+        tasks = (
+            ([*homogeneous, *self.variables[:k]], self.places, [self.scale, variable])
+            for k, variable in enumerate(self.variables)
+        )
+        for found in chain.from_iterable(pool.map(solved, tasks)):
+            rest = self._rest(found)
+            if rest is not None:
+                at_one = ((place, self._at_one(one)) for place, one in found.solved)
+                pairs = tuple((place, _monic(one, place)) for place, one in at_one)
+                yield self._balance(equations, Branch(pairs, rest, ()))
 
     def _at_one(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """A polynomial at the scale 1, with leading coefficient 1."""

@@ -29,6 +29,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.claims import DarbouxPolynomial, FirstIntegral, Identity, Implication
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.verify.found import Finding
 
@@ -47,7 +48,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+def search(
+    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+) -> Iterator[Finding]:
     """The Darboux polynomials, the lowest degrees first, and what is built from them."""
     from kowalevski_cas.problem.polynomial_fields import PolynomialField
     from kowalevski_cas.search.cofactor_relations import relations
@@ -58,7 +61,7 @@ def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Ite
 
     at = on(scene).finder
     moving: list[Darboux] = []
-    for one in darboux_polynomials(at, arguments.degree, arguments.special):
+    for one in darboux_polynomials(at, arguments.degree, arguments.special, pool):
         value, cofactor = formula(one.polynomial), formula(one.cofactor)
         if one.equations:
             given = tuple(_equation(formula(a), formula(b)) for a, b in one.equations)

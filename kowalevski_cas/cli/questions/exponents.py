@@ -32,6 +32,7 @@ from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.search.exponents import Balance, LeadingPart
 from kowalevski_cas.verify.found import Finding
 
@@ -46,7 +47,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the question: none."""
 
 
-def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+def search(
+    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+) -> Iterator[Finding]:
     """Of each balance that it solves the leading equations, and its exponents."""
     letter = next(one for one in LETTERS if one not in {*scene.names()})
     scene = scene.having(constants=(letter,))
@@ -55,7 +58,7 @@ def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Ite
     space = Elaborations(Texts(words, on.texts.sources, on.texts.edits))(scene)
     part = LeadingPart(space.finder, letter)
     told = _Told(part, scene, words)
-    for balance in part.balances():
+    for balance in part.balances(pool):
         yield Finding(Identity, scene, told.balance(balance), told.equations(balance))
         yield Finding(Identity, scene, told.exponents(balance), told.characteristic(balance))
 
