@@ -179,7 +179,7 @@ def _solve_linear(polynomials: list[fmpq_mpoly]) -> Assignment:
         solution = fmpq_mat(matrix).solve(fmpq_mat(right))
     except ZeroDivisionError:
         return {}
-    return {k: toto_fraction(solution[row, 0]) for row, k in enumerate(unknowns)}
+    return {k: to_fraction(solution[row, 0]) for row, k in enumerate(unknowns)}
 
 
 def _coefficient(polynomial: fmpq_mpoly, variable: int | None) -> fmpq:
