@@ -77,8 +77,8 @@ def _found(
     failing: Statement, goal: Fails | Count, setting: Elaboration, condition: Formula
 ) -> Verdicts | None:
     """Evidence that a goal fails, or is denied, where a condition is violated."""
-    from kowalevski_cas.search.count import more_solutions
     from kowalevski_cas.search.find import Finder  # most evidence is read
+    from kowalevski_cas.search.levels import more_solutions
 
     finder = Finder(finder_of, failing.names)
     if isinstance(goal, Count):
