@@ -9,11 +9,10 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from flint import fmpq
-
+from kowalevski_cas.algebra.flint import to_flint, to_fraction
 from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
-from kowalevski_cas.notation import Formula, Name, replace
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.paper.closed_form import (
     ClosedForm,
     CriticalSets,
@@ -112,8 +111,7 @@ def hyperelliptic(values: str) -> Function:
 
 def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
     """The values of compiled formulas, by FLINT's rational numbers."""
-    values = compiled(*(fmpq(x.numerator, x.denominator) for x in state))
-    return [Fraction(int(value.p), int(value.q)) for value in values]
+    return [to_fraction(value) for value in compiled(*map(to_flint, state))]
 
 
 @cache
@@ -139,6 +137,4 @@ def _named(formula: Formula, wanted: Formula, name: Name) -> Formula:
     """The formula with a name in place of a subformula."""
     if formula == wanted:
         return name
-    for place, child in enumerate(formula.children()):
-        formula = replace(formula, (place,), _named(child, wanted, name))
-    return formula
+    return formula.mapped(lambda child: _named(child, wanted, name))
