@@ -14,8 +14,9 @@ from fractions import Fraction
 from itertools import product, tee
 from random import Random
 
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.kernels import PRIME, TooLarge
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.pool import HERE, Pool
@@ -121,7 +122,7 @@ class _Search:
         field = self.field
         context = fmpq_mpoly_ctx.get(field.names, Ordering.degrevlex)
         terms = field.polynomial(one.polynomial)
-        polynomial = context.from_dict({e: _rational(v) for e, v in terms.items()})
+        polynomial = polynomial_of(context, terms)
         factors = [
             (factor, power)
             for factor, power in polynomial.factor()[1]
@@ -129,7 +130,7 @@ class _Search:
         ]
         if len(factors) != 1 or factors[0][1] != 1:
             return None
-        found = {tuple(map(int, e)): _fraction(v) for e, v in factors[0][0].to_dict().items()}
+        found = terms_of(factors[0][0])
         return Darboux(field.element(primitive(found)), one.cofactor, one.equations)
 
     def _is_new(self, one: Darboux) -> bool:
@@ -194,8 +195,8 @@ class _Ansatz:
     def in_constants(self, terms: Terms) -> fmpq_mpoly:
         """A polynomial in the constants."""
         before = (0,) * self.unknowns
-        found = {(*before, *e[self.field.size :]): _rational(v) for e, v in terms.items()}
-        return self.context.from_dict(found)
+        found = {(*before, *e[self.field.size :]): v for e, v in terms.items()}
+        return polynomial_of(self.context, found)
 
     def equations(self) -> list[fmpq_mpoly]:
         """The coefficients of F′ − KF, those of the leading monomials first."""
@@ -210,10 +211,7 @@ class _Ansatz:
                 total = tuple(a + b for a, b in zip(own, factor, strict=True))
                 self._add(found, total, key, Fraction(-1))
         in_order = sorted(found, key=lambda e: (sum(e), e), reverse=True)
-        return [
-            self.context.from_dict({e: _rational(v) for e, v in found[key].items()})
-            for key in in_order
-        ]
+        return [polynomial_of(self.context, found[key]) for key in in_order]
 
     def _unit(self, place: int) -> Exponents:
         return tuple(int(k == place) for k in range(self.width))
@@ -257,8 +255,8 @@ class _Ansatz:
         before = (0,) * self.field.size
         return self.field.element(
             {
-                (*before, *map(int, exponents[self.unknowns :])): _fraction(value)
-                for exponents, value in polynomial.to_dict().items()
+                (*before, *exponents[self.unknowns :]): value
+                for exponents, value in terms_of(polynomial).items()
                 if not any(exponents[: self.unknowns])
             }
         )
@@ -292,11 +290,3 @@ def _degree(terms: Residues) -> int:
 def _added(left: Residues, right: Residues) -> Residues:
     total = {e: (left.get(e, 0) + right.get(e, 0)) % PRIME for e in left.keys() | right.keys()}
     return {exponents: value for exponents, value in total.items() if value}
-
-
-def _rational(value: Fraction) -> fmpq:
-    return fmpq(value.numerator, value.denominator)
-
-
-def _fraction(value: fmpq) -> Fraction:
-    return Fraction(int(value.p), int(value.q))

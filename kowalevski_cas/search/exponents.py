@@ -16,6 +16,7 @@ from operator import mul
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
+from kowalevski_cas.algebra.flint import polynomial_of, to_flint, to_fraction
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -96,8 +97,7 @@ class LeadingPart:
         return sum(map(mul, self.weights, exponents), Fraction(0))
 
     def _polynomial(self, terms: Terms) -> fmpq_mpoly:
-        own = {(0, *e): fmpq(v.numerator, v.denominator) for e, v in terms.items()}
-        return self.context.from_dict(own)
+        return polynomial_of(self.context, {(0, *e): v for e, v in terms.items()})
 
     def balances(self, pool: Pool = HERE) -> Iterator[Balance]:
         """All balances, by cases; constants are in general position.
@@ -108,7 +108,7 @@ class LeadingPart:
             Meaningless: it is not seen of a case that it is a balance.
         """
         equations = [
-            self.multiple * fmpq(w.numerator, w.denominator) * variable + part
+            self.multiple * to_flint(w) * variable + part
             for w, variable, part in zip(self.weights, self.variables, self.leading, strict=True)
         ]
         homogeneous = [
@@ -171,7 +171,7 @@ class LeadingPart:
             root = self.exponent - factor / slope if slope and slope.is_constant() else slope
             if slope and slope.is_constant() and root.is_constant():
                 value = root.leading_coefficient() if root else fmpq()
-                exponents += [Fraction(int(value.p), int(value.q))] * power
+                exponents += [to_fraction(value)] * power
             elif slope:
                 others += [factor] * power
         return tuple(sorted(exponents)), tuple(others)

@@ -19,9 +19,9 @@ from kowalevski_cas.notation import (
     Number,
     Product,
     Relation,
-    Sum,
     read,
     to_latex,
+    total,
 )
 from kowalevski_cas.paper.claims import (
     FirstIntegral,
@@ -87,7 +87,7 @@ def _equation(closure: Closure, on: Elaborations, scene: Scene) -> Formula:
         for elements in (closure.chain, closure.row)
     )
     terms = [Product((c, f)) for c, f in zip(row, chain, strict=True) if c != Number(0)]
-    combined = Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else Number(0)
+    combined = total(terms)
     return Relation((Derivative(chain[-1], scene.time), combined), ("=",))
 
 

@@ -23,9 +23,9 @@ from kowalevski_cas.notation import (
     Sum,
     read,
     to_latex,
+    total,
 )
 from kowalevski_cas.paper.claims import Identity, Implication, Union
-from kowalevski_cas.paper.claims.forms import total
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
