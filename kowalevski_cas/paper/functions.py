@@ -17,7 +17,7 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
                 raise Meaningless(f"{name} is used with {len(formula.arguments)} arguments")
             values = dict(zip(arguments, formula.arguments, strict=True))
             body = setting.definition(name)
-            if _is_applied(body, function):
+            if any(isinstance(n, Application) and n.function == function for n in body.nodes()):
                 raise Meaningless(f"{name} is defined by itself", function)
             own = [setting.texts.expression(argument) for argument in arguments]
             if [*formula.arguments] == own:
@@ -26,10 +26,3 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
                 raise Meaningless(f"{name} is used with other velocities: define it anew")
             return substitute(body, values)
     raise Meaningless(f"the function {formula.function} has no meaning here", formula.function)
-
-
-def _is_applied(formula: Formula, function: str) -> bool:
-    """Whether a function is applied somewhere in a formula."""
-    if isinstance(formula, Application) and formula.function == function:
-        return True
-    return any(_is_applied(child, function) for child in formula.children())

@@ -28,7 +28,9 @@ from kowalevski_cas.notation import (
     Summation,
     Vector,
     rank,
+    times,
     to_latex,
+    total,
 )
 from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.vocabulary import VECTOR
@@ -197,7 +199,7 @@ class Plain:
                 raise Meaningless(f"the power {base}^{symbol} is not declared", symbol)
             factor: Formula = Name(name if symbol else base)
             (above if multiple > 0 else below).extend([factor] * abs(multiple))
-        top: Formula = Product(tuple(above)) if len(above) > 1 else next(iter(above), Number(1))
+        top = times(*above)
         for factor in below:
             top = Quotient(top, factor)
         return top
@@ -220,11 +222,11 @@ def linear_exponent(formula: Formula) -> dict[str, int]:
         case Negative(argument):
             return {k: -v for k, v in linear_exponent(argument).items()}
         case Sum(terms):
-            total: dict[str, int] = {}
+            found: dict[str, int] = {}
             for term in terms:
                 for key, value in linear_exponent(term).items():
-                    total[key] = total.get(key, 0) + value
-            return total
+                    found[key] = found.get(key, 0) + value
+            return found
     raise Meaningless(f"{to_latex(formula)} is no exponent that can be used here")
 
 
@@ -247,7 +249,7 @@ def written_out(formula: Summation) -> Formula:
     match formula.first, formula.last:
         case Number(first), Number(last):
             terms = [_at(formula.body, formula.index, k) for k in range(first, last + 1)]
-            return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else Number(0)
+            return total(terms)
     shown = to_latex(formula)
     raise Meaningless(f"print both limits as numbers, for all terms to be known: {shown}")
 

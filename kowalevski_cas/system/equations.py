@@ -34,7 +34,6 @@ from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.plain import half_power, written_out
 from kowalevski_cas.paper.scene import BRACKET, Scene, head, is_bold, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed
-from kowalevski_cas.problem.prune import mentions
 
 _RATE = re.compile(r"\\dot\{([^{}]*)\}(.*)")
 _INDEX = re.compile("[i-n]")
@@ -60,7 +59,7 @@ def moving_by(display: Display, name: str, vectors: Mapping[str, tuple[str, ...]
     names = [
         one.name
         for formula in formulas.values()
-        for one in mentions(formula)
+        for one in formula.nodes()
         if isinstance(one, Name)
     ]
     _check(display, formulas, laws, moving, defined)
@@ -174,7 +173,7 @@ def _is_law(formula: Formula) -> bool:
 def _moving(formula: Formula) -> list[str]:
     """The names that stand under a derivative, or by whose rates something is derived."""
     if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector):
-        return [one.name for one in mentions(formula.argument) if isinstance(one, Name)]
+        return [one.name for one in formula.argument.nodes() if isinstance(one, Name)]
     found = [name for child in formula.children() for name in _moving(child)]
     rate = _RATE.fullmatch(formula.by) if isinstance(formula, Partial) else None
     return [rate[1] + rate[2], *found] if rate else found
@@ -182,9 +181,8 @@ def _moving(formula: Formula) -> list[str]:
 
 def _derived(formula: Formula) -> list[str]:
     """The names of which partial derivatives are printed."""
-    if isinstance(formula, Partial) and isinstance(formula.argument, Name):
-        return [formula.argument.name]
-    return [name for child in formula.children() for name in _derived(child)]
+    partial = (one.argument for one in formula.nodes() if isinstance(one, Partial))
+    return [argument.name for argument in partial if isinstance(argument, Name)]
 
 
 def with_parameters(scene: Scene, display: Display) -> Scene:
@@ -210,9 +208,7 @@ def rooted(scene: Scene, display: Display) -> Scene:
         named = {*place.heads.names} & {*scene.definitions}
         if named and len([*formula.children()]) > len(named) + 1:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
-    while waiting:
-        formula = waiting.pop()
-        waiting += formula.children()
+    for formula in (node for one in waiting for node in one.nodes()):
         if isinstance(formula, Conjugate):
             raise ValueError(f"{to_latex(formula)} is a conjugate, and all is real: rename it")
         root = _root(formula, vocabulary((scene,)))

@@ -146,6 +146,59 @@ def test_kowalevski_exponents_of_two_fields(capsys):
     assert all(one.startswith("exponents -1, 0, 0, 1, 2, 2, 3, 4, 4,") for one in principal)
 
 
+def test_an_integral_with_an_exponential_factor(tmp_path, capsys):
+    file = tmp_path / "node.py"
+    field = r"\dot x=x^2,\quad \dot y=y(1+x)"
+    file.write_text(f"from kowalevski_cas import System\nnode = System(r'{field}')\n")
+    assert main(["find", "darboux", str(file), "--degree", "1"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert all(line.split()[0] in ("proved", "conditional") for line in lines[:-1])
+    assert "so exp(1/x) is an exponential factor" in lines[2]
+    assert "y exp(1/x) is constant along every motion" in lines[3]
+
+
+@pytest.mark.parametrize("question", ["integrals", "darboux"])
+def test_several_processes_print_what_one_does(tmp_path, capsys, question):
+    file = tmp_path / "volterra.py"
+    field = r"\dot x=x(y-cz),\quad \dot y=y(z-x),\quad \dot z=z(cx-y)"
+    file.write_text(f"from kowalevski_cas import System\nchain = System(r'{field}')\n")
+    printed = []
+    for jobs in ("1", "3"):
+        assert main(["find", question, str(file), "--degree", "3", "--jobs", jobs]) == 0
+        printed.append(capsys.readouterr().out)
+    assert printed[0] == printed[1] and int(printed[0].split()[-2]) > 1
+
+
+@pytest.mark.slow
+def test_a_cluster_prints_what_one_process_does(tmp_path, capfd):
+    distributed = pytest.importorskip("distributed")
+    file = tmp_path / "lorenz.py"
+    field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-bz"
+    file.write_text(f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n")
+    words, printed = ["find", "darboux", str(file), "--degree", "3", "--special"], []
+    cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None)
+    with cluster:
+        for more in ([], ["--scheduler", cluster.scheduler_address]):
+            assert main([*words, *more]) == 0
+            printed.append(capfd.readouterr().out)
+    assert printed[0] == printed[1] and printed[0].endswith("7 found\n")
+
+
+@pytest.mark.slow
+def test_a_search_goes_on_from_what_was_found_when_its_time_was_over(tmp_path, capsys, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.setattr("kowalevski_cas.pool.BATCH", 0)
+    file = tmp_path / "lorenz.py"
+    field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-bz"
+    file.write_text(f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n")
+    words = ["find", "darboux", str(file), "--degree", "4", "--special", "--jobs", "1"]
+    assert main([*words, "--timeout", "1"]) == 3
+    assert [*(tmp_path / "cache").rglob("*/*")]
+    assert main([*words, "--timeout", "60"]) == 0
+    assert capsys.readouterr().out.endswith("11 found\n")
+    assert not [*(tmp_path / "cache").rglob("*/*")]
+
+
 def test_what_is_written_to_the_file_is_proved_there(tmp_path, capsys):
     file = tmp_path / "special.py"
     field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-2sz"

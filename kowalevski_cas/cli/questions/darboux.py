@@ -1,7 +1,8 @@
 """Find the Darboux polynomials of a scene of a derivation, up to a degree: F' = KF.
 
 Neither F nor K is given. What is a combination of products of those found before is left out. With
---special, they are found for special values of the constants too.
+--special, they are found for special values of the constants too; with --cofactor, those for one K,
+and that there are no others is claimed: only that question is linear.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import argparse
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.cli.session import natural
@@ -24,15 +26,24 @@ from kowalevski_cas.notation import (
     Quotient,
     Relation,
     Sum,
+    times,
     to_latex,
 )
-from kowalevski_cas.paper.claims import DarbouxPolynomial, FirstIntegral, Identity, Implication
+from kowalevski_cas.paper.claims import (
+    AllDarboux,
+    DarbouxPolynomial,
+    FirstIntegral,
+    Identity,
+    Implication,
+)
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.problem.fold import rational_terms
+from kowalevski_cas.pool import HERE, Pool
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.found import Finding
 
 if TYPE_CHECKING:
+    from kowalevski_cas.search.cofactor_relations import Exponential
     from kowalevski_cas.search.cofactor_relations import Relation as CofactorRelation
     from kowalevski_cas.search.darboux import Darboux
 
@@ -43,22 +54,33 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--degree", type=natural, default=2, metavar="N", help="the highest degree (2)"
     )
     parser.add_argument(
+        "--cofactor",
+        default="",
+        metavar="K",
+        help="this K only, in LaTeX: a linear question, so that there is no other F is proved too",
+    )
+    parser.add_argument(
         "--special", action="store_true", help="constants may have special values as well"
     )
 
 
-def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+def search(
+    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+) -> Iterator[Finding]:
     """The Darboux polynomials, the lowest degrees first, and what is built from them."""
     from kowalevski_cas.problem.polynomial_fields import PolynomialField
-    from kowalevski_cas.search.cofactor_relations import relations
+    from kowalevski_cas.search.cofactor_relations import exponential_factors, relations
     from kowalevski_cas.search.darboux import darboux_polynomials
 
     def formula(element: Element) -> Formula:
         return formula_of(element, on.texts.vocabulary)
 
+    if arguments.cofactor:
+        yield from _with_cofactor(on, scene, arguments, pool)
+        return
     at = on(scene).finder
     moving: list[Darboux] = []
-    for one in darboux_polynomials(at, arguments.degree, arguments.special):
+    for one in darboux_polynomials(at, arguments.degree, arguments.special, pool):
         value, cofactor = formula(one.polynomial), formula(one.cofactor)
         if one.equations:
             given = tuple(_equation(formula(a), formula(b)) for a, b in one.equations)
@@ -73,8 +95,50 @@ def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Ite
             says = f"F' = KF with $K={to_latex(cofactor)}$"
             attributes = {"cofactor": to_latex(cofactor)}
             yield Finding(DarbouxPolynomial, scene, says, to_latex(value), attributes)
-    for relation in relations(PolynomialField(at), moving):
+    field = PolynomialField(at)
+    exponentials: list[Exponential] = []
+    for factor in exponential_factors(field, moving, arguments.degree):
+        exponentials.append(factor)
+        if factor.is_polynomial:
+            continue  # there are many of them: told where a product needs them
+        exponent, cofactor = formula(factor.exponent), formula(factor.cofactor)
+        says = f"so $e^{{{to_latex(exponent)}}}$ is an exponential factor"
+        yield Finding(Identity, scene, says, _equation(Derivative(exponent, scene.time), cofactor))
+    for relation in relations(field, moving, exponentials):
         yield _product(relation, moving, scene, formula)
+
+
+def _with_cofactor(
+    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool
+) -> Iterator[Finding]:
+    """All F with F' = KF for a given K, and that there are no others."""
+    from kowalevski_cas.search.integrals import first_integrals
+
+    def tex(element: Element) -> str:
+        return to_latex(formula_of(element, on.texts.vocabulary))
+
+    at, degree = on(scene).finder, arguments.degree
+    cofactor = at.scalar(on(scene).formula(arguments.cofactor))
+    if cofactor.is_zero:
+        raise Meaningless("these are the first integrals: `find integrals` finds them")
+    integrals = [*first_integrals(at, degree, (), pool)]
+    found = list[str]()
+    for element in first_integrals(at, degree, (), pool, cofactor, integrals):
+        found.append(tex(element))
+        says, attributes = "F' = KF", {"cofactor": arguments.cofactor}
+        yield Finding(DarbouxPolynomial, scene, says, found[-1], attributes)
+    known = "a combination of these" if found else "zero"
+    known += " by polynomials in first integrals" if found and integrals else ""
+    words = f"each polynomial F up to degree {degree} with F' = KF is {known}"
+    if scene.constants:
+        words += ", for almost all values of the constants"
+    attributes = {
+        "cofactor": arguments.cofactor,
+        "solutions": tuple(found),
+        "integrals": tuple(map(tex, integrals)) if found else (),
+        "degree": degree,
+    }
+    yield Finding(AllDarboux, scene, words, attributes=attributes)
 
 
 ONE = Number(1)
@@ -94,12 +158,12 @@ def _product(
         if not exponent.is_zero
     ]
     bases = [formula(one.polynomial) for _, one in used]
-    whole = [rational_terms(exponent) for exponent, _ in used]
+    whole = [rational(exponent) for exponent, _ in used]
     powers = [int(value) for value in whole if value is not None and value.denominator == 1]
     simple = len(powers) == len(used) and relation.exponential.is_zero
     if simple and not relation.multiplier:
         both = [(n, _power(base, Number(abs(n)))) for n, base in zip(powers, bases, strict=True)]
-        above, below = (_times([one for n, one in both if n * sign > 0]) for sign in (1, -1))
+        above, below = (times(*(one for n, one in both if n * sign > 0)) for sign in (1, -1))
         quotient = above if below == ONE else Quotient(above, below)
         return Finding(FirstIntegral, scene, INTEGRAL, to_latex(quotient))
     exponents = [formula(exponent) for exponent, _ in used]
@@ -120,10 +184,6 @@ def _product(
 
 def _power(base: Formula, exponent: Formula) -> Formula:
     return base if exponent == ONE else Power(base, exponent)
-
-
-def _times(factors: Sequence[Formula]) -> Formula:
-    return Product(tuple(factors)) if len(factors) > 1 else factors[0] if factors else ONE
 
 
 def _equation(left: Formula, right: Formula) -> str:
