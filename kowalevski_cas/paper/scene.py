@@ -322,13 +322,6 @@ class Scene:
         moving = (*self.variables, *self.vectors)
         return {*moving, *map(dotted, moving), self.time}.issuperset(head(name)[1])
 
-    def moving_names(self) -> Iterator[str]:
-        """What may depend on the time: variables, definitions, and vectors that have such parts."""
-        still = {*self.constants, *self.undefined}
-        names = {*self.variables, *self.definitions} - still
-        yield from names
-        yield from (name for name, parts in self.vectors.items() if not names.isdisjoint(parts))
-
     def branches(self) -> Iterator[Printed]:
         """The places that print a value for a root: they choose one of two values."""
         for name, place in self.roots.items():
@@ -388,6 +381,9 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
     capitals = {n for n in bold if n.startswith(r"\mathbf{") and n[8].isupper()}
     printed = {head(n)[0] for s in scenes for n, p in s.definitions.items() if p.heads.matrix}
     matrices = frozenset((capitals | printed) - vectors)
+    still = {n for s in scenes for n in (*s.constants, *s.undefined)}
+    moving = {n for s in scenes for n in (*s.variables, *s.definitions)} - still
+    parts = ((name, parts) for scene in scenes for name, parts in scene.vectors.items())
     return Vocabulary(
         scalars=times.union(name for scene in scenes for name in scene.names()),
         vectors=frozenset(bold) - matrices,
@@ -396,5 +392,5 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
             head(n)[0] for s in scenes for n in s.definitions if head(n)[1] and n[:2] != BRACKET
         ).union(FUNCTIONS),
         times=times,
-        moving=frozenset(name for scene in scenes for name in scene.moving_names()),
+        moving=frozenset(moving.union(n for n, own in parts if not moving.isdisjoint(own))),
     )
