@@ -17,6 +17,7 @@ from kowalevski_cas.paper.closed_form import (
     ClosedForm,
     CriticalSets,
     HyperellipticForm,
+    LevelsOnM4,
     Member,
     Values,
 )
@@ -96,6 +97,11 @@ def critical_values() -> tuple[Function, Function]:
     sets = _offered(CriticalSets)
     M4, N4 = (compiled(values, CriticalSets) for values in (sets.M4_values, sets.N4_values))
     return M4, N4
+
+
+def polynomial_on_M4() -> Function:
+    """The polynomial of ξ whose real roots count the tori of M⁴, by ξ, h, j, p and r."""
+    return compiled(_offered(LevelsOnM4).polynomial, LevelsOnM4)
 
 
 def hyperelliptic(values: str) -> Function:
