@@ -54,7 +54,14 @@ from kowalevski_cas.paper.scene import Scene, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.pool import HERE
 from kowalevski_cas.system.answers import Function, Stated
-from kowalevski_cas.system.equations import moving_by, restricted, rooted, with_parameters
+from kowalevski_cas.system.equations import (
+    bold,
+    moving_by,
+    restricted,
+    rooted,
+    with_parameters,
+    with_time,
+)
 from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
@@ -96,12 +103,15 @@ class System:
         self.symbols: dict[str, Any] = {}
         """The symbols of SymPy in which the system is written, by their names here."""
         self.prefix = f"{name}-" if name else ""
+        if not isinstance(field, str | Mapping):
+            raise TypeError(f"LaTeX, or right sides by the variables of SymPy, and not {field!r}")
         if not isinstance(field, str):
             rows = (rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items())
             field = r",\quad ".join(rows)
         self.section = Section(name or "1", "")
-        display = self.section.display(f"{self.prefix}field", field)
-        self._stand_on(moving_by(display, name, vectors or {}))
+        components = bold(vectors or {})
+        display = self.section.display(f"{self.prefix}field", with_time(field, components))
+        self._stand_on(moving_by(display, name, components))
         moving, constant = self.scene.variables, self.scene.constants
         self.section.title = _echo(moving, constant, "${}$".format)
 
