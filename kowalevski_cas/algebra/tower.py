@@ -86,6 +86,9 @@ class Ring:
     def multiply(self, left: Polynomial, right: Polynomial) -> Polynomial:
         """The product of two polynomials, counted."""
         self.products += 1
+        one = self.polynomials.one
+        if left is one or right is one:
+            return right if left is one else left
         return self._product(left, right)
 
     def add_parts(self, left: Parts, right: Parts) -> Parts:
