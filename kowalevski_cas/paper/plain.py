@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from functools import cached_property
+from itertools import pairwise
 
 from kowalevski_cas.notation import (
     Application,
@@ -263,7 +264,11 @@ def _at(formula: Formula, index: str, value: int) -> Formula:
     parts = _INDEX.findall(low)
     if index not in parts:
         return formula
-    if {*"+-"} & {*parts} and re.search(r"[^-+,]{2}", "".join(p[:1] for p in parts)):
+    before = (one for one, other in pairwise(parts) if other == index and one.isdecimal())
+    crowded = re.search(r"[^-+,]{2}", "".join(p[:1] for p in parts))
+    if any(int(one) > 1 for one in before) or (
+        crowded and (value > 9 or {*"+-"} & {*parts})  # 2i may be two indices, or a product
+    ):
         raise Meaningless(f"what is the index of {to_latex(formula)}? write the terms out")
     low = "".join(str(value) if part == index else part for part in parts)
     if re.fullmatch(r"\d+(?:[+-]\d+)+", low):  # as in q_{i+1}

@@ -9,9 +9,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from kowalevski_cas.notation import Formula, Name, Negative, Number, PoissonBracket, Relation
+from kowalevski_cas.notation import Formula, Name, Negative, Number, PoissonBracket
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import members, rate, times, total, vanishes
+from kowalevski_cas.paper.claims.forms import function, rate, times, total, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import BRACKET, head
@@ -39,9 +39,9 @@ class Casimir(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        (function,) = _functions(on, (self.own,))
-        yield identity(space, *_central(space, [function]))
-        yield Rank(space, (space.plain(function),), (), 1)
+        own = function(on, space, self.own)
+        yield identity(space, *_central(space, [own]))
+        yield Rank(space, (space.plain(own),), (), 1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,8 +51,11 @@ class Involution(Claim):
     functions: tuple[Printed, ...]
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
+        if len(self.functions) < 2:
+            raise Meaningless("two functions at least are in involution")
         space = on(self.scene)
-        yield identity(space, *_commuting(space, _functions(on, self.functions)))
+        functions = [function(on, space, place) for place in self.functions]
+        yield identity(space, *_commuting(space, functions))
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.functions
@@ -73,7 +76,12 @@ class LiouvilleIntegrable(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        integrals, casimirs = _functions(on, self.integrals), _functions(on, self.casimirs)
+        integrals, casimirs = (
+            [function(on, space, place) for place in places]
+            for places in (self.integrals, self.casimirs)
+        )
+        if not integrals:
+            raise Meaningless("the first of the integrals is the Hamiltonian: there is none")
         variables = [Name(name) for name in space.variables]
         size, rank = len(variables), 2 * len(integrals)
         if size != rank + len(casimirs):
@@ -98,12 +106,6 @@ class LiouvilleIntegrable(Claim):
         yield from (*self.integrals, *self.casimirs)
 
 
-def _functions(on: Elaborations, places: Sequence[Printed]) -> list[Formula]:
-    """What stands at each place, or is defined there."""
-    formulas = (on.texts.formula(place) for place in places)
-    return [members(f)[0] if isinstance(f, Relation) else f for f in formulas]
-
-
 def _bracket(space: Elaboration, left: Formula, right: Formula) -> Formula:
     return space.plain(PoissonBracket(left, right))
 
@@ -122,8 +124,8 @@ def _jacobi(space: Elaboration) -> Iterator[Goal]:
 
 def _central(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equation]:
     """That functions commute with every variable."""
-    for function in functions:
-        yield from (vanishes(_bracket(space, function, Name(x))) for x in space.variables)
+    for f in functions:
+        yield from (vanishes(_bracket(space, f, Name(x))) for x in space.variables)
 
 
 def _commuting(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equation]:
