@@ -10,7 +10,7 @@ from signal import SIGINT
 
 import pytest
 import sympy
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas import System
@@ -180,6 +180,33 @@ def test_equations_as_textbooks_print_them(field, moves, integral):
     system = System(field)
     assert repr(system) == moves
     assert system.integral(integral).verdict in (Verdict.PROVED, Verdict.CONDITIONAL)
+
+
+def test_a_name_with_a_square_is_no_printed_root():
+    """It may be either root, and the printed one is not negative."""
+    plane = System(r"\dot x=ru, \dot u=cx").where("r^2=x^2+c^2")
+    for equation in (r"\sqrt{x^2+c^2}=r", r"r\sqrt{x^2+c^2}=r^2", r"\sqrt{c^2+x^2}-r=0"):
+        outcome = plane.identity(equation).outcome
+        assert outcome.verdict is Verdict.ERROR
+        assert "r may be" in outcome.message and "or its opposite: print r" in outcome.message
+    assert plane.identity("r^2-c^2=x^2").verdict is Verdict.PROVED
+
+
+numbers = st.integers(1, 60)
+
+
+@settings(max_examples=10)
+@given(numbers, numbers, st.integers(-4, 4), numbers, st.booleans())
+def test_roots_of_numbers_depend_on_each_other_as_they_do(m, n, a, b, true):
+    product = sympy.sqrt(m) * sympy.sqrt(n)
+    if true:  # as the program of a school would write it
+        a, root = product.as_coeff_Mul()
+        b = root**2
+    system = System(r"\dot x=1")
+    F = system.define(rf"F=\sqrt{{{m}}}\sqrt{{\frac{{{n}}}{{4}}}}-\frac{{{a}}}{{2}}\sqrt{{{b}}}")
+    equal = product == a * sympy.sqrt(b)
+    wanted = Verdict.PROVED if equal else Verdict.REFUTED
+    assert system.identity(f"{F.name}=0").verdict is wanted
 
 
 @pytest.mark.parametrize("number", [2, 3, 5, 6, 7])
@@ -415,7 +442,9 @@ circle.integral(E)
     assert code == 2 and "lorenz.py:4: " in out and "no displays with the label eq:15" in out
 
 
-@pytest.mark.parametrize("term", [r"\frac{x-x}{y}", r"\frac{1-1}{y}", r"\frac{y^2}{y}-y"])
+@pytest.mark.parametrize(
+    "term", [r"\frac{x-x}{y}", r"\frac{1-1}{y}", r"\frac{y^2}{y}-y", r"(\frac{1}{y})^0-1"]
+)
 def test_what_a_vanishing_term_divides_by_is_a_condition(term):
     free = System(r"\dot x=y, \dot y=0")
     for claim in (free.integral(f"y+{term}"), free.identity(f"y+{term}=y")):

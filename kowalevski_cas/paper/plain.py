@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import pairwise
 
+from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import (
     Application,
     Conjugate,
@@ -38,6 +39,7 @@ from kowalevski_cas.paper.brackets import Brackets
 from kowalevski_cas.paper.matrices import OF_MATRICES, rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
+from kowalevski_cas.paper.roots import root_of_number
 from kowalevski_cas.paper.scene import head
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
@@ -78,6 +80,8 @@ class Plain:
                 return self(self._applied(formula)) if known is None else known
             case Root() if (value := self._printed_value(formula)) is not None:
                 return value
+            case Root(argument):
+                return self._positive(Root(self(argument)))
             case Power(Name(base), exponent) if not _is_whole(exponent):
                 return self._symbolic(base, exponent)
             case PoissonBracket(left, right):
@@ -175,6 +179,20 @@ class Plain:
         if not (square - self.setting.finder.scalar(self(root.argument))).is_zero:
             raise Meaningless(f"the value at {printed.place} is not {name}")
         return value
+
+    def _positive(self, root: Root) -> Formula:
+        """A printed root; raises :class:`Meaningless` if a name has its square, and either sign.
+
+        Those of numbers are made of roots of primes.
+        """
+        if (number := root_of_number(root.argument)) is not None:
+            roots = (Root(Number(prime)) for prime in number[1])
+            return reduce(lambda a, b: Product((a, b)), roots, fraction_formula(number[0]))
+        name = self.setting.finder.root_name(root.argument)
+        if name in self.setting.scene.roots and not name.startswith(r"\sqrt"):
+            shown = to_latex(root)
+            raise Meaningless(f"{name} may be {shown} or its opposite: print {name}, not {shown}")
+        return root
 
     def printed_root(self, root: Root) -> tuple[str, Printed] | None:
         """The name of a root for which a place prints a value, and the place."""

@@ -34,7 +34,7 @@ class Sampled(Evaluation):
             self._values[name, False] = value
         for name in self.names:
             self._values[name, False] = self.programs.generator(name)
-        self.roots = [(self.carry(square), self.carry(root)) for square, root in exact.roots]
+        self.roots = {name: self.carry(square) for name, square in exact.roots.items()}
 
     def __call__(self, formula: Formula, conjugated: bool = False) -> Value:
         key = (id(formula), conjugated)
