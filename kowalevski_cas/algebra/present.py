@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from math import lcm
@@ -17,9 +17,10 @@ from kowalevski_cas.notation import (
     Power,
     Product,
     Quotient,
-    Sum,
     Vocabulary,
     read,
+    times,
+    total,
 )
 
 LONGEST = 14_000
@@ -145,10 +146,8 @@ def _lowered(exponents: tuple[int, ...], place: int) -> tuple[int, ...]:
 
 def polynomial_formula(terms: Terms, names: Sequence[Formula]) -> Formula:
     """The formula of a polynomial, its terms in descending order."""
-    if not terms:
-        return Number(0)
-    summands = [_term(e, terms[e], names) for e in sorted(terms, reverse=True)]
-    return Sum(tuple(summands)) if len(summands) > 1 else summands[0]
+    powers = {e: (_power(n, k) for n, k in zip(names, e, strict=True) if k) for e in terms}
+    return total(multiple(terms[e], powers[e]) for e in sorted(terms, reverse=True))
 
 
 @cache
@@ -172,12 +171,9 @@ def fraction_formula(value: Fraction) -> Formula:
     return Negative(shown) if value < 0 else shown
 
 
-def _term(exponents: tuple[int, ...], value: Fraction, names: Sequence[Formula]) -> Formula:
-    factors = [_power(n, e) for n, e in zip(names, exponents, strict=True) if e]
-    size = abs(value)
-    if size != 1 or not factors:
-        factors.insert(0, fraction_formula(size))
-    shown = Product(tuple(factors)) if len(factors) > 1 else factors[0]
+def multiple(value: Fraction, factors: Iterable[Formula]) -> Formula:
+    """A product with a rational number before it, and the sign before that."""
+    shown = times(fraction_formula(abs(value)), *factors)
     return Negative(shown) if value < 0 else shown
 
 
@@ -193,7 +189,7 @@ def _power(base: Formula, exponent: int) -> Formula:
 def _over(above: Formula, below: list[Formula]) -> Formula:
     if not below:
         return above
-    divisor = Product(tuple(below)) if len(below) > 1 else below[0]
+    divisor = times(*below)
     if isinstance(above, Negative):
         return Negative(Quotient(above.argument, divisor))
     return Quotient(above, divisor)

@@ -6,7 +6,7 @@ from fractions import Fraction
 from functools import cache
 
 from kowalevski_cas.algebra import load
-from kowalevski_cas.algebra.numbers import prime_factors
+from kowalevski_cas.algebra.numbers import prime_factors, rational
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element, Ring
@@ -14,7 +14,6 @@ from kowalevski_cas.notation import Constant, Formula, Name, Number, Power, to_l
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.space import Adjoined, Meaningless, Space
 
 
@@ -25,7 +24,7 @@ def root_of_number(radicand: Formula) -> tuple[Fraction, tuple[int, ...]] | None
     for the root of anything else.
     """
     try:
-        value = rational_terms(_numbers().scalar(radicand))
+        value = rational(_numbers().scalar(radicand))
     except Meaningless:
         return None
     if value is None or value <= 0:
@@ -55,7 +54,7 @@ def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
     own = Power(Name(name), Number(2))
     if len(members) == 2 and own in members:
         other = members[members[0] == own]
-        if not _mentions(other, name):
+        if name not in other.names():
             return Adjoined(name, setting.plain(other))
     at = setting.free([name])
     sides = [plain for m in members if (plain := _known(at, setting, m)) is not None]
@@ -107,7 +106,3 @@ def _known(at: Evaluation, setting: Meaning, member: Formula) -> Formula | None:
     except Meaningless:
         return None
     return plain
-
-
-def _mentions(formula: Formula, name: str) -> bool:
-    return formula == Name(name) or any(_mentions(child, name) for child in formula.children())

@@ -55,6 +55,7 @@ from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.pool import HERE
 from kowalevski_cas.processes import each
 from kowalevski_cas.system.answers import Function, Stated
 from kowalevski_cas.system.equations import restricted, roles, rooted
@@ -89,6 +90,8 @@ class System:
 
     seconds = 60.0
     """For each claim, and for each question."""
+    pool = HERE
+    """Where searches are done: ``Pool(jobs=4)`` for four processes."""
 
     def __init__(
         self,
@@ -291,7 +294,7 @@ class System:
         asked = parser.parse_args(told)
 
         def answered(scene: Scene) -> tuple[Scene, list[Finding], str]:
-            return scene, *found(module.search(on, scene, asked), self.seconds)
+            return scene, *found(module.search(on, scene, asked, self.pool), self.seconds)
 
         ((scene, findings, unfinished),) = each(answered, [self.scene])
         if unfinished:
