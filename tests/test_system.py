@@ -479,6 +479,17 @@ def test_each_answer_has_its_time(capsys):
     assert chain.integral("x").verdict is Verdict.TIMEOUT
 
 
+def test_that_there_is_no_darboux_polynomial_with_a_cofactor(lorenz):
+    (none,) = lorenz.find_darboux(degree=3, cofactor=r"-2\sigma")
+    assert none.verdict is Verdict.PROVED and "is zero" in none.claim.words
+    special = lorenz.where(r"b=2\sigma")
+    found, complete = special.find_darboux(degree=3, cofactor=r"-2\sigma")
+    assert found.verdict is complete.verdict is Verdict.PROVED
+    assert "a combination of these" in complete.claim.words
+    with pytest.raises(ValueError, match="find integrals"):
+        lorenz.find_darboux(degree=2, cofactor="0")
+
+
 def test_that_there_is_no_integral_is_an_answer(lorenz):
     (none,) = lorenz.find_integrals(degree=2)
     assert none.verdict is Verdict.PROVED and none.formulas == ()

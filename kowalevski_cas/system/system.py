@@ -263,9 +263,13 @@ class System:
         """
         return self._found("integrals", degree=degree, weighted=weighted)
 
-    def find_darboux(self, degree: int, special: bool = False) -> list[Stated]:
-        """The Darboux polynomials up to a degree, perhaps for ``special`` constants too."""
-        return self._found("darboux", degree=degree, special=special)
+    def find_darboux(self, degree: int, special: bool = False, cofactor: Tex = "") -> list[Stated]:
+        """The Darboux polynomials up to a degree, perhaps for ``special`` constants too.
+
+        Those for one ``cofactor`` only, if it is given, and that there are no others.
+        """
+        K = self._tex(cofactor)
+        return self._found("darboux", degree=degree, special=special, cofactor=K)
 
     def find_closure(self, seed: Tex, order: int = 4) -> list[Stated]:
         """Invariant sets from a function and its derivatives, up to an order."""
@@ -279,15 +283,15 @@ class System:
         """The balances of the leading terms, and the Kowalevski exponents of each."""
         return self._found("exponents")
 
-    def _found(self, question: str, *words: str, **options: int) -> list[Stated]:
+    def _found(self, question: str, *words: str, **options: int | str) -> list[Stated]:
         """What the command ``find`` finds, as claims like any other.
 
         What is found in time is claimed; if something may be left, that is said.
         """
-        forecast(self.scene, options.get("degree", 0))
+        forecast(self.scene, int(options.get("degree", 0)))
         module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
         module.add_arguments(parser)
-        told = [f"--{name}={value}" for name, value in options.items() if type(value) is int]
+        told = [f"--{name}={value}" for name, value in options.items() if type(value) is not bool]
         told += [f"--{name}" for name, value in options.items() if value is True]
         on = Elaborations(Texts(vocabulary((self.scene,))))
         told += ["--", *words] if words else []
