@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from math import lcm
@@ -25,12 +25,24 @@ from kowalevski_cas.notation import (
 LONGEST = 14_000
 """The bits of the longest number that is printed."""
 
+Polynomial = Callable[[Terms, Sequence[Formula]], Formula]
+"""How the formula of a polynomial is written."""
+
 
 def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
     """The formula of an element in the names of its ring as they are read, to be shown.
 
     A root above the line with its square below it goes below.
     """
+    return _read(element, vocabulary, polynomial_formula)
+
+
+def product_of(element: Element, vocabulary: Vocabulary) -> Formula:
+    """The same formula, with polynomials in their irreducible factors."""
+    return _read(element, vocabulary, _product)
+
+
+def _read(element: Element, vocabulary: Vocabulary, polynomial: Polynomial) -> Formula:
     ring, terms, below, divisors = _cancelled(element)
     names = [name_formula(name, vocabulary) for name in ring.names]
     width = len(ring.polynomials.generators)
@@ -44,7 +56,7 @@ def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
             for index in inner:
                 below[index] -= 1
             shown.append(names[width + bit])
-    return _fraction(terms, below, divisors, names, shown)
+    return _fraction(terms, below, divisors, names, polynomial, shown)
 
 
 def formula_in(element: Element) -> Formula:
@@ -56,7 +68,7 @@ def formula_in(element: Element) -> Formula:
         # The generator is the root times what it is over.
         over = None if under is None else polynomial_formula(under.terms()[0], plain)
         names.append(Name(root) if over is None else Product((over, Name(root))))
-    return _fraction(terms, below, divisors, names)
+    return _fraction(terms, below, divisors, names, polynomial_formula)
 
 
 def _cancelled(element: Element) -> tuple[Ring, Terms, dict[int, int], dict[int, Terms]]:
@@ -87,17 +99,22 @@ def _fraction(
     below: Mapping[int, int],
     divisors: Mapping[int, Terms],
     names: Sequence[Formula],
+    polynomial: Polynomial,
     roots: Sequence[Formula] = (),
 ) -> Formula:
     """A polynomial with integer coefficients over a number, divisors and roots."""
     factor = lcm(*(value.denominator for value in terms.values()))
-    top = polynomial_formula({e: v * factor for e, v in terms.items()}, names)
+    top = polynomial({e: v * factor for e, v in terms.items()}, names)
     bottom: list[Formula] = [Number(factor)] if factor > 1 else []
-    bottom += [
-        _power(polynomial_formula(divisors[index], names), exponent)
-        for index, exponent in below.items()
-        if exponent
-    ]
+    for index, exponent in below.items():
+        divisor = polynomial(divisors[index], names)
+        if isinstance(divisor, Negative):
+            divisor = divisor.argument
+            if exponent % 2:
+                top = top.argument if isinstance(top, Negative) else Negative(top)
+        if exponent:
+            power = _power(divisor, exponent)
+            bottom += power.factors if isinstance(power, Product) else (power,)
     return _over(top, [*bottom, *roots])
 
 
@@ -149,6 +166,32 @@ def polynomial_formula(terms: Terms, names: Sequence[Formula]) -> Formula:
         return Number(0)
     summands = [_term(e, terms[e], names) for e in sorted(terms, reverse=True)]
     return Sum(tuple(summands)) if len(summands) > 1 else summands[0]
+
+
+def _product(terms: Terms, names: Sequence[Formula]) -> Formula:
+    """The formula of a polynomial in its irreducible factors."""
+    if len(terms) < 2:
+        return polynomial_formula(terms, names)
+    from kowalevski_cas.algebra.factors import irreducible_factors
+
+    number, factors = terms[max(terms)], irreducible_factors(terms)
+    factors.sort(key=lambda one: (len(one[0]) > 1, [-e for e in max(one[0])]))
+    for k, (factor, exponent) in enumerate(factors):
+        number /= factor[max(factor)] ** exponent
+        if exponent % 2 and number < 0 and min(factor.values()) < 0:
+            number, factors[k] = -number, ({e: -v for e, v in factor.items()}, exponent)
+    parts = [fraction_formula(abs(number))] if abs(number) != 1 else []
+    parts += [_power(_sum(factor, names), exponent) for factor, exponent in factors]
+    shown = Product(tuple(parts)) if len(parts) > 1 else parts[0]
+    return Negative(shown) if number < 0 else shown
+
+
+def _sum(terms: Terms, names: Sequence[Formula]) -> Formula:
+    """The formula of a polynomial, its terms in descending order behind a positive one."""
+    order = sorted(terms, reverse=True)
+    first = next((exponents for exponents in order if terms[exponents] > 0), order[0])
+    shown = [_term(e, terms[e], names) for e in sorted(order, key=lambda e: e != first)]
+    return Sum(tuple(shown)) if len(shown) > 1 else shown[0]
 
 
 @cache

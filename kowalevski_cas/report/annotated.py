@@ -123,12 +123,12 @@ class _Annotated:
         if display.id in self.begins:
             blocks.insert(0, Paragraph((), anchor=self.begins[display.id]))
         for item in items:
-            if item.all or not typed.inline:
+            if item.stated or not typed.inline:
                 blocks += self.contents.passages.item(item)
         if not typed.inline:
             return Placed((), tuple(blocks))
         shown_here: list[Inline] = [*listed([(one,) for one in formulas], ", ")]
-        for outcome in own.all[:1]:
+        for outcome in own.outcomes[:1]:
             sign = Link(f"claim.{anchor(outcome.claim)}", (Sign(outcome.verdict),))
             shown_here += ["\u00a0", sign]
         return Placed(tuple(shown_here) or (Code(typed.tex),), tuple(blocks), inline=True)
@@ -190,8 +190,8 @@ class _Annotated:
         """Where a reference to a display leads."""
         items = self.items.get(display.id, ()) if display else ()
         own: Sequence[Item] = [item for item in items if display and item.display == display.id]
-        if own and own[0].all:
-            return f"claim.{anchor(own[0].all[0].claim)}"
+        if own and own[0].outcomes:
+            return f"claim.{anchor(own[0].outcomes[0].claim)}"
         return f"display.{anchor(own[0].display)}" if own else "paper"
 
 
