@@ -12,8 +12,9 @@ import os
 import pickle
 import signal
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from contextlib import closing, contextmanager, suppress
+from itertools import islice
 from math import inf
 from select import select
 from time import monotonic
@@ -93,7 +94,7 @@ def time_limit(seconds: float | None) -> Iterator[None]:
 
 def each(
     work: Callable[[Item], Result],
-    items: Sequence[Item],
+    items: Iterable[Item],
     jobs: int = os.cpu_count() or 1,
     heard: Callable[..., None] = lambda *words: None,
 ) -> Iterator[Result]:
@@ -105,24 +106,50 @@ def each(
     if this ends early.
 
     Raises:
-        ProcessDied: a process died, and not under a limit.
+        ProcessDied: a process died, and not under a limit, and so did one that was begun anew.
     """
+    done = dict[int, _Process[Item, Result]]()
+    following = 0
+    with closing(_as_done(work, items, jobs, heard)) as finished:
+        for process in finished:
+            done[process.place] = process
+            while following in done:
+                yield done.pop(following).result
+                following += 1
+
+
+def as_done(work: Callable[[Item], Result], items: Iterable[Item], jobs: int) -> Iterator[Result]:
+    """The results of :func:`each` item, as they come."""
+    with closing(_as_done(work, items, jobs, lambda *words: None)) as finished:
+        for process in finished:
+            yield process.result
+
+
+def _as_done(
+    work: Callable[[Item], Result],
+    items: Iterable[Item],
+    jobs: int,
+    heard: Callable[..., None],
+) -> Generator[_Process[Item, Result], None, None]:
+    """The processes, when their work is done or has failed; an item is taken when one is free."""
+    waiting = (_Process(work, item, place) for place, item in enumerate(items))
     if not hasattr(os, "fork"):
-        yield from map(work, items)
+        for process in waiting:
+            process.results = [work(process.item)]
+            yield process
         return
-    processes = [_Process(work, item, place) for place, item in enumerate(items)]
-    waiting, running = processes[::-1], list[_Process[Item, Result]]()
+    running = list[_Process[Item, Result]]()
     try:
-        for process in processes:
-            while not process.done:
-                while waiting and len(running) < max(1, jobs):
-                    running.append(waiting.pop())
-                    running[-1].start()
-                _listen(running, heard)
-                running = [one for one in running if not one.done]
-            if process.error is not None:
-                raise process.error
-            yield from process.results
+        while True:
+            for process in islice(waiting, max(1, jobs) - len(running)):
+                process.start()
+                running.append(process)
+            if not running:
+                return
+            _listen(running, heard)
+            finished = [one for one in running if one.done]
+            running = [one for one in running if not one.done]
+            yield from finished
     finally:
         left = [process for process in running if process.runs]
         for process in left:
@@ -140,7 +167,7 @@ class _Process(Generic[Item, Result]):
         self.given_up: dict[int, Exception] = {}
         self.results: list[Result] = []
         self.error: BaseException | None = None
-        self.runs = False
+        self.runs = self.again = False
 
     def start(self) -> None:
         """Begin the work, or begin it anew."""
@@ -163,6 +190,13 @@ class _Process(Generic[Item, Result]):
     def done(self) -> bool:
         """Whether the work is done, or has failed."""
         return bool(self.results) or self.error is not None
+
+    @property
+    def result(self) -> Result:
+        """What the work has given; its error is raised."""
+        if self.error is not None:
+            raise self.error
+        return self.results[0]
 
     @property
     def deadline(self) -> float:
@@ -194,14 +228,20 @@ class _Process(Generic[Item, Result]):
             self.end()
 
     def give_up(self, limit: int | None, error: Exception | None = None) -> None:
-        """End the process; the next one does not come under this limit, if there is any."""
+        """End the process; the next one does not come under this limit, if there is any.
+
+        Without a limit the work is done once more: memory may have been short for a while.
+        """
         how = self.end()
         error = error or ProcessDied(f"the process that worked on it has died ({how})")
-        if limit is None:
-            self.error = error
-        else:
+        if limit is not None:
             self.given_up[limit] = error
-            self.start()
+        elif self.again:
+            self.error = error
+            return
+        else:
+            self.again = True
+        self.start()
 
     def send(self, number: signal.Signals) -> None:
         """Send a signal to the process, and to those that it has begun."""

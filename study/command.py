@@ -1,7 +1,8 @@
 """Measure what each way of checking costs, how sure it is, and where it fails; draw the charts.
 
 Every measurement is stored at once: an interrupted study is continued by the same
-command. Rows that another machine or other versions measured are not continued.
+command. Rows that another machine or other versions measured are not continued. With several
+jobs the times are those of a machine that has other work.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from pathlib import Path
 from kowalevski_cas.cli import exits, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
 from kowalevski_cas.pictures import save, style
+from kowalevski_cas.pool import Pool
 from study import STEPS, Row, load
 from study.page import write_page
 from study.step import DISAGREEMENT, LEFT_OUT
@@ -29,6 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quick", action="store_true", help="small cases only, under a minute")
     words = f"write there ({FULL}; {QUICK} with --quick)"
     parser.add_argument("-o", "--output", type=Path, metavar="DIR", help=words)
+    session.add_pool(parser, 1)
     again = parser.add_mutually_exclusive_group()
     again.add_argument("--afresh", action="store_true", help="forget what was measured before")
     again.add_argument("--draw", action="store_true", help="draw what is stored, measure nothing")
@@ -60,7 +63,10 @@ def run(arguments: argparse.Namespace) -> int:
 def _rows(name: str, folder: Path, arguments: argparse.Namespace) -> list[Row]:
     if not arguments.draw:
         with session.progress_bar() as progress:
-            return measure(name, load(name), folder, arguments.quick, progress, arguments.afresh)
+            pool = Pool(arguments.jobs, arguments.scheduler)
+            return measure(
+                name, load(name), folder, arguments.quick, progress, arguments.afresh, pool
+            )
     if rows := stored(name, folder):
         return rows
     raise CommandError(f"nothing is stored for “{name}” in {folder}", NOTHING)

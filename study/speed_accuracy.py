@@ -148,7 +148,7 @@ def summaries(rows: Iterable[Row]) -> list[Summary]:
 def draw(rows: Sequence[Row]) -> Figure:
     """A line a method, by classes from the surest down; time along the axis."""
     found = summaries(rows)
-    figure = new_figure(height=0.9 + 0.235 * len(found))
+    figure = new_figure(height=0.9 + 0.27 * len(found))
     axes = figure.subplots()
     _times(axes, found)
     for line, one in enumerate(found):
@@ -196,10 +196,10 @@ def _line(axes: Axes, line: int, one: Summary) -> None:
     axes.plot([time], [line], zorder=3, ms=6, **look.points(full))
     if one.words:
         left, right = axes.get_xlim()
-        after = time * time < left * right
-        text: dict[str, Any] = {"ha": "left" if after else "right", "va": "center", "size": 7.5}
+        after = low * high < left * right  # where there is more room
+        text: dict[str, Any] = {"ha": "left" if after else "right", "va": "center", "size": 7}
         axes.annotate(
-            one.words, (high if after else low, line), (5 if after else -5, 0),
+            one.words.replace("; ", "\n"), (high if after else low, line), (5 if after else -5, 0),
             textcoords="offset points", **text,
         )  # fmt: skip
 

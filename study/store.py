@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from kowalevski_cas.files import write
+from kowalevski_cas.pool import HERE, Pool
+from study import load
 from study.machine import machine
-from study.step import Row, Step
+from study.step import Row, Step, Task
 
 Progress = Callable[[str, int, int], None]
 Key = tuple[str, str]
@@ -21,7 +24,13 @@ def data_file(folder: Path, name: str) -> Path:
 
 
 def measure(
-    name: str, step: Step, folder: Path, quick: bool, progress: Progress, afresh: bool = False
+    name: str,
+    step: Step,
+    folder: Path,
+    quick: bool,
+    progress: Progress,
+    afresh: bool = False,
+    pool: Pool = HERE,
 ) -> list[Row]:
     """The rows of a step: those that are stored, and those that were missing, measured now.
 
@@ -37,12 +46,27 @@ def measure(
     before, known = _read(path)
     rows = {key: known[key] for key in tasks if key in known and before == header and not afresh}
     write(path, "".join(map(_line, (header, *rows.values()))))
-    for done, (key, task) in enumerate(tasks.items()):
-        if key not in rows:
-            progress(f"{name}: {task.method}, {task.case}", done, len(tasks))
-            with path.open("a", encoding="utf-8") as file:
-                file.write(_line(task.row()))
+    _TASKS[name, quick] = tasks
+    missing = [key for key in tasks if key not in rows]
+    for done, row in enumerate(pool.map(partial(_row, name, quick), missing, ordered=False), 1):
+        with path.open("a", encoding="utf-8") as file:
+            file.write(_line(row))
+        progress(f"{name}: {row['method']}, {row['case']}", len(rows) + done, len(tasks))
+    measured = _read(path)[1]
+    write(path, "".join(map(_line, (header, *(measured[key] for key in tasks)))))
     return stored(name, folder)
+
+
+_TASKS: dict[tuple[str, bool], Mapping[Key, Task]] = {}
+"""The tasks of steps, as far as this process knows them."""
+
+
+def _row(name: str, quick: bool, key: Key) -> Row:
+    """Measure one task of a step."""
+    if (name, quick) not in _TASKS:
+        found = load(name).measure(quick)
+        _TASKS[name, quick] = {(task.method, task.case): task for task in found}
+    return _TASKS[name, quick][key].row()
 
 
 def stored(name: str, folder: Path) -> list[Row]:

@@ -16,9 +16,10 @@ from fractions import Fraction
 from random import Random
 from typing import Any
 
-from flint import acb, acb_mat, arb, ctx, fmpq
+from flint import acb, acb_mat, arb, ctx
 
 from kowalevski_cas.algebra.derivation import along
+from kowalevski_cas.algebra.flint import to_flint
 from kowalevski_cas.algebra.points import Answer, ExactPoint, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program, Programs
 from kowalevski_cas.algebra.residue_points import plan
@@ -146,7 +147,7 @@ def random_point(names: Iterable[str], random: Random) -> ExactPoint:
 
 def number(value: Fraction) -> acb:
     """A rational number as a ball."""
-    return acb(arb(fmpq(value.numerator, value.denominator)))
+    return acb(arb(to_flint(value)))
 
 
 def exact_balls(exact: ExactPoint) -> dict[str, acb]:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
+from flint import Ordering, fmpq_mpoly_ctx
 
-from flint import Ordering, fmpq, fmpq_mpoly_ctx
-
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.polynomials import Terms
 
 
@@ -18,16 +17,7 @@ def irreducible_factors(terms: Terms) -> list[tuple[Terms, int]]:
     """
     size = len(next(iter(terms)))
     context = fmpq_mpoly_ctx.get(tuple(f"g{k}" for k in range(size)), Ordering.lex)
-    polynomial = context.from_dict(
-        {exponents: fmpq(v.numerator, v.denominator) for exponents, v in terms.items()}
-    )
     return [
-        (
-            {
-                tuple(map(int, exponents)): Fraction(int(value.p), int(value.q))
-                for exponents, value in factor.to_dict().items()
-            },
-            int(exponent),
-        )
-        for factor, exponent in polynomial.factor()[1]
+        (terms_of(factor), int(exponent))
+        for factor, exponent in polynomial_of(context, terms).factor()[1]
     ]

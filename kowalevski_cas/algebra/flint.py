@@ -2,12 +2,34 @@
 
 from __future__ import annotations
 
+import copyreg
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.polynomials import Polynomials, Terms
+
+
+def to_fraction(value: fmpq) -> Fraction:
+    """A rational number of FLINT as one of Python."""
+    return Fraction(int(value.p)) if value.q == 1 else Fraction(int(value.p), int(value.q))
+
+
+def to_flint(value: int | Fraction) -> fmpq:
+    """A rational number of Python as one of FLINT."""
+    return fmpq(value.numerator, value.denominator)
+
+
+def terms_of(polynomial: fmpq_mpoly) -> Terms:
+    """The neutral form of a polynomial."""
+    return {tuple(map(int, e)): to_fraction(value) for e, value in polynomial.to_dict().items()}
+
+
+def polynomial_of(context: fmpq_mpoly_ctx, terms: Mapping[tuple[int, ...], Fraction]) -> fmpq_mpoly:
+    """The polynomial with this neutral form."""
+    return context.from_dict({exponents: to_flint(value) for exponents, value in terms.items()})
 
 
 class Arithmetic(Polynomials):
@@ -27,7 +49,7 @@ class Arithmetic(Polynomials):
         return self._generators[index]
 
     def constant(self, value: Fraction) -> fmpq_mpoly:
-        return self.context.constant(fmpq(value.numerator, value.denominator))
+        return self.context.constant(to_flint(value))
 
     def derivative(self, polynomial: fmpq_mpoly, index: int) -> fmpq_mpoly:
         return polynomial.derivative(index)
@@ -46,14 +68,19 @@ class Arithmetic(Polynomials):
         return polynomial.degrees()
 
     def terms(self, polynomial: fmpq_mpoly) -> Terms:
-        return {
-            tuple(map(int, exponents)): Fraction(int(value.p), int(value.q))
-            if value.q != 1
-            else Fraction(int(value.p))
-            for exponents, value in polynomial.to_dict().items()
-        }
+        return terms_of(polynomial)
 
     def from_terms(self, terms: Mapping[tuple[int, ...], Fraction]) -> fmpq_mpoly:
-        return self.context.from_dict(
-            {e: fmpq(value.numerator, value.denominator) for e, value in terms.items()}
-        )
+        return polynomial_of(self.context, terms)
+
+
+def _restored(names: tuple[str, ...], order: str, terms: Terms) -> fmpq_mpoly:
+    return polynomial_of(fmpq_mpoly_ctx.get(names, Ordering(order)), terms)
+
+
+def _plain(polynomial: fmpq_mpoly) -> tuple[Any, ...]:
+    context = polynomial.context()
+    return _restored, (context.names(), context.ordering().value, terms_of(polynomial))
+
+
+copyreg.pickle(fmpq_mpoly, _plain)  # polynomials are sent from process to process

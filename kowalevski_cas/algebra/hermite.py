@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from kowalevski_cas.algebra.linear import determinant
 from kowalevski_cas.algebra.tower import Element
 
 
@@ -24,17 +25,3 @@ def hermite_minors(coefficients: Sequence[Element]) -> list[Element]:
         sums.append(total)
     matrix = [[sums[i + j] for j in range(size)] for i in range(size)]
     return [determinant([row[:k] for row in matrix[:k]]) for k in range(1, size + 1)]
-
-
-def determinant(matrix: list[list[Element]]) -> Element:
-    """The determinant of a small matrix, by expansion along the first row."""
-    first, *rest = matrix
-    if not rest:
-        return first[0]
-    total = first[0].ring.zero
-    for column, entry in enumerate(first):
-        if not entry.is_zero:
-            minor = determinant([row[:column] + row[column + 1 :] for row in rest])
-            product = entry * minor
-            total = total - product if column % 2 else total + product
-    return total

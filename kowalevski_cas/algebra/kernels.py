@@ -9,6 +9,8 @@ from typing import Any
 
 from flint import nmod_mat
 
+from kowalevski_cas.pool import HERE, Pool
+
 PRIME = 2**61 - 1
 
 LARGEST = 40_000_000
@@ -28,10 +30,10 @@ def residue(value: Fraction) -> int:
     return value.numerator * pow(value.denominator, -1, PRIME) % PRIME
 
 
-def rank(columns: Sequence[Mapping[Any, int]]) -> int:
+def rank(columns: Sequence[Mapping[Any, int]], pool: Pool = HERE) -> int:
     """The rank of columns of residues."""
     blocks = ([columns[k] for k in block] for block in _blocks(columns))
-    return sum(_matrix(block).rank() for block in blocks)
+    return sum(pool.map(_rank, blocks))
 
 
 def kernel(columns: Sequence[Column]) -> list[list[Fraction]]:
@@ -85,6 +87,10 @@ def _matrix(columns: Sequence[Mapping[Any, int]]) -> nmod_mat:
         for key, value in column.items():
             entries[places[key] * width + k] = value
     return nmod_mat(height, width, entries, PRIME)
+
+
+def _rank(columns: Sequence[Mapping[Any, int]]) -> int:
+    return int(_matrix(columns).rank())
 
 
 def _kernel(columns: Sequence[Column]) -> list[list[Fraction]]:

@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from random import Random
 
-from flint import fmpz, nmod
+from flint import fmpz, nmod, nmod_mat
 
 from kowalevski_cas.algebra.bounds import Sizes
 from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
@@ -143,7 +143,8 @@ def _refutation(question: Question, point: Valuation, prime: int) -> Answer | No
         if (value := point(program)) != 0:
             return _no(question, point, prime, str(int(value)), "0", "left minus right side")
     if question.rows:
-        found = rank([[point(entry) for entry in row] for row in question.rows])
+        entries = [int(point(entry)) for row in question.rows for entry in row]
+        found = nmod_mat(len(question.rows), len(question.rows[0]), entries, prime).rank()
         if found != question.rank:
             left, right = str(found), str(question.rank)
             return _no(question, point, prime, left, right, "the rank there, and the one claimed")
@@ -156,21 +157,3 @@ def _no(
     found = point.coordinates(question.ring)
     values = {name: str(int(value)) for name, value in found.items()}
     return Answer(False, f"{words}, modulo {prime}", point=values, left=left, right=right)
-
-
-def rank(rows: list[list[nmod]]) -> int:
-    """The rank of a matrix of residues."""
-    rows = [list(row) for row in rows]
-    found = 0
-    while rows:
-        pivot = rows.pop()
-        column = next((k for k, entry in enumerate(pivot) if int(entry)), None)
-        if column is None:
-            continue
-        found += 1
-        factors = [row[column] / pivot[column] for row in rows]
-        rows = [
-            [a - f * b for a, b in zip(row, pivot, strict=True)]
-            for f, row in zip(factors, rows, strict=True)
-        ]
-    return found

@@ -46,13 +46,14 @@ def square_root(value: Fraction) -> Fraction | None:
     return None
 
 
-def rational(number: Element) -> Fraction | None:
-    """The value of a number that is rational; ``None`` if it is not."""
-    if number.is_zero:
+def rational(element: Element) -> Fraction | None:
+    """The value of an element that is a rational number; ``None`` if it is none."""
+    parts = element.terms()
+    if not parts:
         return Fraction(0)
-    if number.parts.keys() != {0} or number.denominator:
+    if element.denominator or parts.keys() != {0} or any(map(any, parts[0])):
         return None
-    (value,) = number.terms()[0].values()
+    (value,) = parts[0].values()
     return value
 
 

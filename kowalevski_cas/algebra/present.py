@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from math import lcm
@@ -17,9 +17,10 @@ from kowalevski_cas.notation import (
     Power,
     Product,
     Quotient,
-    Sum,
     Vocabulary,
     read,
+    times,
+    total,
 )
 
 LONGEST = 14_000
@@ -162,36 +163,32 @@ def _lowered(exponents: tuple[int, ...], place: int) -> tuple[int, ...]:
 
 def polynomial_formula(terms: Terms, names: Sequence[Formula]) -> Formula:
     """The formula of a polynomial, its terms in descending order."""
-    if not terms:
-        return Number(0)
-    summands = [_term(e, terms[e], names) for e in sorted(terms, reverse=True)]
-    return Sum(tuple(summands)) if len(summands) > 1 else summands[0]
+    return _sum(terms, names, sorted(terms, reverse=True))
+
+
+def _sum(terms: Terms, names: Sequence[Formula], order: Sequence[tuple[int, ...]]) -> Formula:
+    powers = {e: (_power(n, k) for n, k in zip(names, e, strict=True) if k) for e in terms}
+    return total(multiple(terms[e], powers[e]) for e in order)
 
 
 def _product(terms: Terms, names: Sequence[Formula]) -> Formula:
-    """The formula of a polynomial in its irreducible factors."""
+    """The formula of a polynomial in its irreducible factors, each with a positive term first."""
     if len(terms) < 2:
         return polynomial_formula(terms, names)
     from kowalevski_cas.algebra.factors import irreducible_factors
 
     number, factors = terms[max(terms)], irreducible_factors(terms)
-    factors.sort(key=lambda one: (len(one[0]) > 1, [-e for e in max(one[0])]))
-    for k, (factor, exponent) in enumerate(factors):
+    factors.sort(key=lambda one: (len(one[0]), [-e for e in max(one[0])]))
+    shown = []
+    for factor, exponent in factors:
         number /= factor[max(factor)] ** exponent
         if exponent % 2 and number < 0 and min(factor.values()) < 0:
-            number, factors[k] = -number, ({e: -v for e, v in factor.items()}, exponent)
-    parts = [fraction_formula(abs(number))] if abs(number) != 1 else []
-    parts += [_power(_sum(factor, names), exponent) for factor, exponent in factors]
-    shown = Product(tuple(parts)) if len(parts) > 1 else parts[0]
-    return Negative(shown) if number < 0 else shown
-
-
-def _sum(terms: Terms, names: Sequence[Formula]) -> Formula:
-    """The formula of a polynomial, its terms in descending order behind a positive one."""
-    order = sorted(terms, reverse=True)
-    first = next((exponents for exponents in order if terms[exponents] > 0), order[0])
-    shown = [_term(e, terms[e], names) for e in sorted(order, key=lambda e: e != first)]
-    return Sum(tuple(shown)) if len(shown) > 1 else shown[0]
+            number, factor = -number, {e: -v for e, v in factor.items()}
+        order = sorted(factor, reverse=True)
+        first = next(e for e in order if factor[e] > 0)
+        order.sort(key=lambda e: e != first)
+        shown.append(_power(_sum(factor, names, order), exponent))
+    return multiple(number, shown)
 
 
 @cache
@@ -215,12 +212,9 @@ def fraction_formula(value: Fraction) -> Formula:
     return Negative(shown) if value < 0 else shown
 
 
-def _term(exponents: tuple[int, ...], value: Fraction, names: Sequence[Formula]) -> Formula:
-    factors = [_power(n, e) for n, e in zip(names, exponents, strict=True) if e]
-    size = abs(value)
-    if size != 1 or not factors:
-        factors.insert(0, fraction_formula(size))
-    shown = Product(tuple(factors)) if len(factors) > 1 else factors[0]
+def multiple(value: Fraction, factors: Iterable[Formula]) -> Formula:
+    """A product with a rational number before it, and the sign before that."""
+    shown = times(fraction_formula(abs(value)), *factors)
     return Negative(shown) if value < 0 else shown
 
 
@@ -236,7 +230,7 @@ def _power(base: Formula, exponent: int) -> Formula:
 def _over(above: Formula, below: list[Formula]) -> Formula:
     if not below:
         return above
-    divisor = Product(tuple(below)) if len(below) > 1 else below[0]
+    divisor = times(*below)
     if isinstance(above, Negative):
         return Negative(Quotient(above.argument, divisor))
     return Quotient(above, divisor)

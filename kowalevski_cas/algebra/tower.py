@@ -18,8 +18,6 @@ from typing import Any
 from kowalevski_cas.algebra.polynomials import Polynomial, Polynomials, Terms
 
 Parts = dict[int, Polynomial]
-Neutral = tuple[dict[int, Terms], list[tuple[Terms, int]]]
-"""An element in no library's form: the numerator by roots, and the divisors with exponents."""
 
 
 class Ring:
@@ -171,16 +169,6 @@ class Ring:
         convert = self.polynomials.from_terms
         return self.element({m: convert(t) for m, t in parts.items()}, {})
 
-    def from_neutral(self, neutral: Neutral) -> Element:
-        """The element with this neutral form."""
-        numerator, divisors = neutral
-        result = self.from_terms(numerator)
-        denominator = {
-            self.divisor(self.polynomials.from_terms(terms)): exponent
-            for terms, exponent in divisors
-        }
-        return Element(self, result.parts, denominator)
-
 
 class Element:
     """An element of a :class:`Ring`: numerator by roots, denominator by divisors."""
@@ -284,9 +272,3 @@ class Element:
     def terms(self) -> dict[int, Terms]:
         """The neutral form of the numerator: a polynomial for each product of roots."""
         return {m: self.ring.polynomials.terms(p) for m, p in self.parts.items()}
-
-    def neutral(self) -> Neutral:
-        """The neutral form of the element, to be carried to another arithmetic."""
-        terms = self.ring.polynomials.terms
-        divisors = self.ring.divisors
-        return self.terms(), [(terms(divisors[k]), e) for k, e in self.denominator.items()]

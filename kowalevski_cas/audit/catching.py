@@ -5,15 +5,21 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
 from time import perf_counter
 
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.equivalence import equivalence
 from kowalevski_cas.audit.mutants import Mutant
-from kowalevski_cas.audit.session import AS_BEFORE
+from kowalevski_cas.audit.session import AS_BEFORE, AuditSession
 from kowalevski_cas.audit.source import Source
-from kowalevski_cas.processes import each, tell
+from kowalevski_cas.library import load
+from kowalevski_cas.pool import HERE, Pool
+from kowalevski_cas.processes import each, tell, watched
+from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.verify.record import load_record
 
 
 @dataclass(frozen=True)
@@ -73,17 +79,40 @@ class Measurement:
         return Counter(result.repair for result in self.results if result.repair)
 
 
+@dataclass(frozen=True)
 class Measure:
-    """Audits mutants against the audit of the source as it is."""
+    """Audits mutants against the audit of the source as it is, which is made once in a process.
 
-    def __init__(self, base: Audit) -> None:
-        self.base = base
-        self.verdicts = _signature(base)
+    Args:
+        folder: where the derivation is kept.
+        path: the name of the source.
+        text: the source.
+        timeout: the seconds for each claim.
+    """
+
+    folder: Path
+    path: str
+    text: str
+    timeout: float
+
+    @property
+    def base(self) -> Audit:
+        """The audit of the source as it is."""
+        return _audited(self)
+
+    @property
+    def verdicts(self) -> dict[str, object]:
+        """What that says, by claim and by formula."""
+        return _signature(self.base)
 
     def __call__(self, mutant: Mutant) -> Caught:
-        """The result for one mutant."""
+        """The result for one mutant, in a process in which limits hold."""
+        if not watched():
+            _audited(self)
+            (caught,) = each(self, [mutant])
+            return caught
         start = perf_counter()
-        found = audit(Source(self.base.source.path, mutant.text), self.base.session.base)
+        found = audit(Source(self.path, mutant.text), self.base.session.base)
         seconds = perf_counter() - start
         after = _signature(found)
         changed = tuple(
@@ -136,6 +165,17 @@ class Measure:
         return "restored" if any(edit.formula == mutant.before for edit in edits) else "true"
 
 
+@cache
+def _audited(measure: Measure) -> Audit:
+    session = AuditSession(
+        load(str(measure.folder)),
+        certificates=load_certificates(measure.folder),
+        timeout=measure.timeout,
+        record=load_record(measure.folder),
+    )
+    return audit(Source(measure.path, measure.text), session)
+
+
 def _signature(found: Audit) -> dict[str, object]:
     """Verdicts and repairs, by claim and by formula."""
     claims: dict[str, object] = {
@@ -162,14 +202,11 @@ def _of(outcome: Outcome) -> object:
     )
 
 
-def measure(base: Audit, mutants: Sequence[Mutant], jobs: int = 1) -> Measurement:
-    """Audit mutants of an audited source, so many at once; it tells how far it has come.
-
-    Their processes share what the audit of the source has computed.
-    """
+def measure(work: Measure, mutants: Sequence[Mutant], pool: Pool = HERE) -> Measurement:
+    """Audit mutants of a source; it tells how far it has come."""
     start = perf_counter()
     found = Measurement()
-    for result in each(Measure(base), mutants, jobs):
+    for result in pool.map(work, mutants):
         found.results.append(result)
         tell("mutants", len(found.results), len(mutants))
     found.seconds = perf_counter() - start

@@ -32,5 +32,4 @@ def degree(formula: Formula) -> int:
 
 def _largest(formula: Formula) -> int:
     """The largest number in a formula."""
-    own = abs(formula.value) if isinstance(formula, Number) else 0
-    return max([own, *(_largest(child) for child in formula.children())])
+    return max((one.value for one in formula.nodes() if isinstance(one, Number)), default=0)

@@ -33,7 +33,13 @@ COMMANDS = {
     "record": "search anew, and write the record of verdicts and the certificates",
 }
 
-EXTRAS = {"numpy": "motion", "scipy": "motion", "matplotlib": "motion", "heyoka": "taylor"}
+EXTRAS = {
+    "numpy": "motion",
+    "scipy": "motion",
+    "matplotlib": "motion",
+    "heyoka": "taylor",
+    "distributed": "cluster",
+}
 """Libraries that a plain install leaves out, and the extra that brings each."""
 
 _HELP = argparse.RawDescriptionHelpFormatter

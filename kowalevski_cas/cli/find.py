@@ -23,6 +23,7 @@ from kowalevski_cas.notation import NotationError, to_latex, to_plain
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.processes import tell, time_limit
 from kowalevski_cas.verify.found import Finding, with_findings
@@ -53,6 +54,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
             "--write", action="store_true", help="append what is proved to the file, as claims"
         )
         session.add_timeout(one, 60.0, "for the search, and for each claim")
+        session.add_pool(one)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -61,7 +63,8 @@ def run(arguments: argparse.Namespace) -> int:
     scene = _scene(derivation, arguments.scene)
     forecast(scene, getattr(arguments, "degree", 0))
     file, name = _owner(scene) if arguments.write else (None, "")
-    (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments, name), [None])
+    pool = session.pool(arguments)
+    (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments, name, pool), [None])
     if file is not None:
         write(file, file.read_text(encoding="utf-8") + answer.claims)
     outcomes = answer.run.outcomes
@@ -89,7 +92,7 @@ class _Answer:
 
 
 def _answer(
-    derivation: Derivation, scene: Scene, arguments: argparse.Namespace, name: str
+    derivation: Derivation, scene: Scene, arguments: argparse.Namespace, name: str, pool: Pool
 ) -> _Answer:
     """The answer to a question; what was found before it had to stop is kept."""
     from kowalevski_cas.algebra.kernels import TooLarge
@@ -98,13 +101,14 @@ def _answer(
     findings: list[Finding] = []
     end = monotonic() + arguments.timeout
     try:
-        search: Iterator[Finding] = arguments.search(on, scene, arguments)
+        search: Iterator[Finding] = arguments.search(on, scene, arguments, pool)
         while True:
             with time_limit(end - monotonic()):
                 findings.append(next(search))
             tell(f"{len(findings)} found", 0, 1)
     except StopIteration:
         unfinished = ""
+        pool.forget()
     except TimeoutError:
         unfinished = f"it took more than {arguments.timeout:g} s: give it a longer --timeout"
     except TooLarge as error:

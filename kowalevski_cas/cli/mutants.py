@@ -8,18 +8,16 @@ be read. The seed of the sample is printed; --seed repeats it.
 from __future__ import annotations
 
 import argparse
-import os
 import random
 from collections import Counter
 from pathlib import Path
 
-from kowalevski_cas.audit.audit import audit
-from kowalevski_cas.audit.catching import Measurement, measure
+from kowalevski_cas.audit.catching import Measure, Measurement, measure
 from kowalevski_cas.audit.mutants import every, sample
 from kowalevski_cas.audit.source import Source, SourceError, read_source
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.audit import auditing, chosen
+from kowalevski_cas.cli.audit import chosen
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED, CommandError
 
 
@@ -36,9 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--sample", type=int, default=300, metavar="N", help="how many (300)")
     parser.add_argument("--all", action="store_true", help="every mutant instead of a sample")
     parser.add_argument("--seed", type=int, metavar="N", help="seed of the sample")
-    parser.add_argument(
-        "--jobs", type=int, default=os.cpu_count() or 1, metavar="N", help="processes"
-    )
+    session.add_pool(parser)
     session.add_timeout(parser, 1)
 
 
@@ -57,14 +53,16 @@ def run(arguments: argparse.Namespace) -> int:
         source = synthetic(derivation)
     print(f"{source.path} by {derivation.name}, seed {seed}", flush=True)
 
+    pool = session.pool(arguments)
+
     def measured(source: Source) -> Measurement:
-        base = audit(source, auditing(folder, derivation, ("flint",), arguments.timeout))
-        mutants = (
-            every(base) if arguments.all else sample(base, arguments.sample, random.Random(seed))
-        )
-        return measure(base, list(mutants), arguments.jobs)
+        work = Measure(folder, source.path, source.text, arguments.timeout)
+        chosen = random.Random(seed)
+        mutants = every(work.base) if arguments.all else sample(work.base, arguments.sample, chosen)
+        return measure(work, list(mutants), pool)
 
     (found,) = session.watched(measured, [source])
+    pool.forget()
     if not found.results:
         raise CommandError("no mutants can be made of this source", NOTHING)
     print(report(found), end="")

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
@@ -12,6 +14,7 @@ from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.library import LibraryError, available, find, load
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
@@ -136,6 +139,37 @@ def add_timeout(
         metavar="SECONDS",
         help=f"{what} ({seconds:g})",
     )
+
+
+HOW = {"jobs", "scheduler", "timeout", "format", "write"}
+"""Arguments that do not say what is asked, but how."""
+
+
+def add_pool(parser: argparse.ArgumentParser, jobs: int = os.cpu_count() or 1) -> None:
+    """The arguments by which a command is told where independent tasks are done."""
+    parser.add_argument(
+        "--jobs", type=_positive, default=jobs, metavar="N", help=f"processes at once ({jobs})"
+    )
+    parser.add_argument(
+        "--scheduler", default="", metavar="ADDRESS", help="a Dask cluster that works instead"
+    )
+
+
+def pool(arguments: argparse.Namespace) -> Pool:
+    """Where tasks are done; what the same question had found when it was interrupted is there."""
+    package = Path(__file__).parents[1]
+    saved = max(file.stat().st_mtime_ns for file in package.rglob("*.py"))
+    asked = {k: v for k, v in vars(arguments).items() if k not in HOW and not callable(v)}
+    words = repr((package, saved, Path.cwd(), sorted(asked.items())))
+    folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "kowalevski-cas"
+    file = folder / sha256(words.encode()).hexdigest()[:32]
+    return Pool(arguments.jobs, arguments.scheduler, file)
+
+
+def _positive(text: str) -> int:
+    if not (value := natural(text)):
+        raise argparse.ArgumentTypeError("at least one is needed")
+    return value
 
 
 def _seconds(text: str) -> float:

@@ -55,6 +55,24 @@ class Fields:
         k, gap = formulas.critical_values()[0](j)
         return k + 0 * h, (self._pr[0] ** 2 * h - gap) / 2
 
+    def tori_on_M4(self, h: Array, j: Array) -> Integers:
+        """The number of tori on M⁴ at the energy h where J₃ = j; zero where there is no motion.
+
+        Each two negative roots of the polynomial in ξ double the number, and there are no motions
+        where it has a positive one.
+        """
+        p, r = self._pr
+        places = np.arange(-2.0, 3.0)
+        (values,) = formulas.polynomial_on_M4()(p * places[:, None], h.ravel(), j.ravel(), p, r)
+        first, *rest = np.linalg.solve(np.vander(places), values)
+        companion = np.zeros((h.size, 4, 4))
+        companion[:, 0], companion[:, [1, 2, 3], [0, 1, 2]] = -np.array(rest / first).T, 1.0
+        roots = np.linalg.eigvals(companion)
+        real, negative = roots.imag == 0, roots.real < 0
+        doubled = np.sum(real & negative, axis=1) // 2
+        found: Integers = np.where(np.any(real & ~negative, axis=1), 0, 2**doubled)
+        return found.reshape(h.shape)
+
     def on_N4(self, h: Array, m: Array) -> tuple[Array, Array]:
         """The values of K and G on N⁴ at the energy h."""
         p, r = self._pr

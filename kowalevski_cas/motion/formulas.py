@@ -9,15 +9,15 @@ from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from flint import fmpq
-
+from kowalevski_cas.algebra.flint import to_flint, to_fraction
 from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
-from kowalevski_cas.notation import Formula, Name, replace
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.paper.closed_form import (
     ClosedForm,
     CriticalSets,
     HyperellipticForm,
+    LevelsOnM4,
     Member,
     Values,
 )
@@ -99,6 +99,11 @@ def critical_values() -> tuple[Function, Function]:
     return M4, N4
 
 
+def polynomial_on_M4() -> Function:
+    """The polynomial of ξ whose real roots count the tori of M⁴, by ξ, h, j, p and r."""
+    return compiled(_offered(LevelsOnM4).polynomial, LevelsOnM4)
+
+
 def hyperelliptic(values: str) -> Function:
     """These values of the :class:`~kowalevski_cas.paper.closed_form.HyperellipticForm`, on O⁴."""
     return compiled(getattr(_offered(HyperellipticForm), values), HyperellipticForm)
@@ -106,8 +111,7 @@ def hyperelliptic(values: str) -> Function:
 
 def exactly(compiled: Function, state: list[Fraction]) -> list[Fraction]:
     """The values of compiled formulas, by FLINT's rational numbers."""
-    values = compiled(*(fmpq(x.numerator, x.denominator) for x in state))
-    return [Fraction(int(value.p), int(value.q)) for value in values]
+    return [to_fraction(value) for value in compiled(*map(to_flint, state))]
 
 
 @cache
@@ -133,6 +137,4 @@ def _named(formula: Formula, wanted: Formula, name: Name) -> Formula:
     """The formula with a name in place of a subformula."""
     if formula == wanted:
         return name
-    for place, child in enumerate(formula.children()):
-        formula = replace(formula, (place,), _named(child, wanted, name))
-    return formula
+    return formula.mapped(lambda child: _named(child, wanted, name))

@@ -11,11 +11,12 @@ from dataclasses import dataclass
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 from functools import cached_property
-from math import isqrt
 from typing import Any
 
-from flint import arb, ctx, fmpq
+from flint import arb, ctx
 
+from kowalevski_cas.algebra.flint import to_flint
+from kowalevski_cas.algebra.numbers import square_root
 from kowalevski_cas.motion.phases import as_fraction
 
 Real = int | float | str | Fraction
@@ -114,7 +115,7 @@ class Parameters:
 
     @cached_property
     def _root(self) -> Fraction | None:
-        return rational_root(self.ell_square)
+        return square_root(self.ell_square)
 
     @property
     def ell(self) -> arb:
@@ -202,22 +203,15 @@ def usable(value: Real) -> Fraction:
     return number
 
 
-def rational_root(square: Fraction) -> Fraction | None:
-    """The root of a square of a rational number, and None for any other number."""
-    above, below = isqrt(square.numerator), isqrt(square.denominator)
-    root = Fraction(above, below)
-    return root if root**2 == square else None
-
-
 def root(square: Fraction) -> Fraction:
     """The root of a rational number, at the precision of FLINT's context if it is irrational."""
-    exactly = rational_root(square)
+    exactly = square_root(square)
     return as_fraction(ball(square).sqrt()) if exactly is None else exactly
 
 
 def ball(value: Fraction) -> arb:
     """A rational number as a ball at the precision of FLINT's context."""
-    return arb(fmpq(value.numerator, value.denominator))
+    return arb(to_flint(value))
 
 
 def precision(bits: int) -> Any:

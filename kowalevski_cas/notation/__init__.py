@@ -35,6 +35,8 @@ from kowalevski_cas.notation.formula import (
     Summation,
     Unwritten,
     Vector,
+    times,
+    total,
 )
 from kowalevski_cas.notation.heads import Heads, heads
 from kowalevski_cas.notation.latex import to_latex
@@ -97,9 +99,11 @@ __all__ = [
     "split_display",
     "substitute",
     "subtree",
+    "times",
     "to_latex",
     "to_mathml",
     "to_plain",
     "to_sympy",
     "to_typst",
+    "total",
 ]

@@ -183,4 +183,4 @@ def is_small_change(before: Formula, after: Formula) -> bool:
 
 
 def _size(formula: Formula) -> int:
-    return 1 + sum(map(_size, formula.children()))
+    return sum(1 for _ in formula.nodes())

@@ -8,7 +8,7 @@ and of a scene.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, fields
 from functools import cache
 from typing import Any
@@ -29,6 +29,18 @@ class Formula:
                 yield value
             elif isinstance(value, tuple):
                 yield from (item for item in value if isinstance(item, Formula))
+
+    def nodes(self) -> Iterator[Formula]:
+        """The formula and all its subformulas, each before those below it, from left to right."""
+        waiting: list[Formula] = [self]
+        while waiting:
+            one = waiting.pop()
+            yield one
+            waiting += reversed([*one.children()])
+
+    def names(self) -> set[str]:
+        """The names that stand in the formula."""
+        return {one.name for one in self.nodes() if isinstance(one, Name)}
 
     def mapped(self, change: Callable[[Formula], Formula]) -> Formula:
         """The formula with its children changed; itself, if no child is another one."""
@@ -244,6 +256,18 @@ class Relation(Formula):
     def is_equality(self) -> bool:
         """Whether all members are said to be equal."""
         return EQUALITIES.issuperset(self.signs)
+
+
+def total(terms: Iterable[Formula]) -> Formula:
+    """The sum of any number of terms."""
+    found = tuple(terms)
+    return Sum(found) if len(found) > 1 else found[0] if found else Number(0)
+
+
+def times(*factors: Formula) -> Formula:
+    """The product of any number of factors, without those that are 1."""
+    kept = tuple(factor for factor in factors if factor != Number(1))
+    return Product(kept) if len(kept) > 1 else kept[0] if kept else Number(1)
 
 
 @dataclass(frozen=True)

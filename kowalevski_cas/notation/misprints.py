@@ -22,6 +22,7 @@ from kowalevski_cas.notation.formula import (
     Root,
     Sum,
     Unwritten,
+    times,
 )
 from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.values import rank
@@ -77,12 +78,6 @@ def misprints(
         yield from _moves(place, vocabulary)
     for place in places:
         yield from _missing(place, names, vocabulary)
-
-
-def product(factors: Iterable[Formula]) -> Formula:
-    """The factors as one formula; ones vanish, and no factors are one."""
-    kept = tuple(factor for factor in factors if factor != ONE)
-    return Product(kept) if len(kept) > 1 else kept[0] if kept else ONE
 
 
 def _places(formula: Formula) -> Iterator[_Place]:
@@ -196,7 +191,7 @@ def _coefficients(place: _Place) -> Iterator[Misprint]:
         if not isinstance(factors[0], Number):
             for number in (TWO, HALF):
                 words = f"insert ${to_latex(number)}$ before ${to_latex(node)}$"
-                yield Misprint("coefficient", place.path, product((number, *factors)), words)
+                yield Misprint("coefficient", place.path, times(number, *factors), words)
 
 
 def _factors(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
@@ -204,7 +199,7 @@ def _factors(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
         whole = rank(place.node, vocabulary)
         factors = place.node.factors
         for index, factor in enumerate(factors):
-            rest = product(factors[:index] + factors[index + 1 :])
+            rest = times(*factors[:index], *factors[index + 1 :])
             words = f"omit ${to_latex(factor)}$ in ${to_latex(place.node)}$"
             if rank(rest, vocabulary) == whole:
                 yield Misprint("factor", place.path, rest, words)
@@ -227,7 +222,7 @@ def _missing(place: _Place, names: list[str], vocabulary: Vocabulary) -> Iterato
         if behind:
             first = len(factors)
         with_name = (*factors[:first], Name(name), *factors[first:])
-        yield Misprint("missing", place.path, product(with_name), words)
+        yield Misprint("missing", place.path, times(*with_name), words)
 
 
 def _moves(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
@@ -236,15 +231,15 @@ def _moves(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
     if isinstance(node, Quotient):
         above, below = _factors_of(node.numerator), _factors_of(node.denominator)
         for index, factor in enumerate(below):
-            rest = product(below[:index] + below[index + 1 :])
-            up = product((*above, factor))
+            rest = times(*below[:index], *below[index + 1 :])
+            up = times(*above, factor)
             moved = up if rest == ONE else Quotient(up, rest)
             words = f"move ${to_latex(factor)}$ from the denominator to the numerator"
             yield Misprint("power", place.path, moved, words)
         for index, factor in enumerate(above):
             if factor != ONE and rank(factor, vocabulary) == SCALAR:
-                rest = product(above[:index] + above[index + 1 :])
-                moved = Quotient(rest, product((*below, factor)))
+                rest = times(*above[:index], *above[index + 1 :])
+                moved = Quotient(rest, times(*below, factor))
                 words = f"move ${to_latex(factor)}$ from the numerator to the denominator"
                 yield Misprint("power", place.path, moved, words)
     elif isinstance(node, Product) and not isinstance(place.parent, Quotient):

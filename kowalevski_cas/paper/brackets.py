@@ -21,6 +21,7 @@ from kowalevski_cas.notation import (
     Sum,
     Vector,
     substitute,
+    total,
 )
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.scene import BRACKET, EPSILON, head, is_indexed
@@ -73,7 +74,7 @@ class Brackets:
             first = Product((by(f, x), by(g, y)))
             second = Product((by(f, y), by(g, x)))
             terms.append(Product((value, Sum((first, Negative(second))))))
-        return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else Number(0)
+        return total(terms)
 
     def _instances(self, name: str) -> Iterator[tuple[tuple[str, str], Formula]]:
         """A printed bracket with all values of its indices, as brackets of variables."""
@@ -85,13 +86,13 @@ class Brackets:
         stems = sorted({argument[:-1] for argument in arguments})
         for i, j in product(DIGITS, DIGITS):
             terms = [self._indexed(formula, stems, i + j + k) for k in DIGITS]
-            total: Formula = Sum(tuple(terms))
+            found: Formula = Sum(tuple(terms))
             pair = []
             for argument, digit in zip(arguments, (i, j), strict=True):
                 variable, factor = self._variable(argument[:-1] + digit)
-                total = total if factor == Number(1) else Quotient(total, factor)
+                found = found if factor == Number(1) else Quotient(found, factor)
                 pair.append(variable)
-            yield (pair[0], pair[1]), total
+            yield (pair[0], pair[1]), found
 
     def _indexed(self, formula: Formula, stems: list[str], indices: str) -> Formula:
         values: dict[str, Formula] = {

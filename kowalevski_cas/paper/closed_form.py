@@ -84,6 +84,18 @@ class CriticalSets:
 
 
 @dataclass(frozen=True, eq=False)
+class LevelsOnM4:
+    r"""The levels of H and J₃ on M⁴.
+
+    Args:
+        polynomial: the value at ξ of the polynomial whose real roots count the tori of a level,
+            by :math:`\xi, h, j, p, r`.
+    """
+
+    polynomial: Values
+
+
+@dataclass(frozen=True, eq=False)
 class HyperellipticForm:
     r"""The motions on O⁴ by two variables on a curve of genus 2, :math:`u_1` and :math:`u_2=n/v`.
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from kowalevski_cas.algebra.linear import Singular, solve
 from kowalevski_cas.algebra.present import polynomial_formula
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name, Number, Sum
+from kowalevski_cas.notation import Formula, Name, total
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.space import Meaningless
 
@@ -63,6 +63,4 @@ def _combination(factors: Sequence[Element], names: Sequence[str]) -> Formula:
             (value,) = part.values()
             bits = tuple(mask >> bit & 1 for bit in range(len(roots)))
             terms.append(polynomial_formula({(1, *bits): value}, [Name(name), *roots]))
-    if not terms:
-        return Number(0)
-    return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
+    return total(terms)

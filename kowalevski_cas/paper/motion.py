@@ -132,13 +132,13 @@ def _row(left: Formula, setting: Meaning) -> Motion | None:
 
 def _has_rate(formula: Formula) -> bool:
     """Whether something is derived by the time in a formula."""
-    return isinstance(formula, Derivative) or any(map(_has_rate, formula.children()))
+    return any(isinstance(one, Derivative) for one in formula.nodes())
 
 
 def marks(equations: Sequence[Formula]) -> set[str]:
     """How the derivatives in equations are printed: with dots, with primes, by a variable."""
-    found = {formula.mark for formula in equations if isinstance(formula, Derivative)}
-    return found.union(*(marks([*formula.children()]) for formula in equations))
+    nodes = (one for formula in equations for one in formula.nodes())
+    return {one.mark for one in nodes if isinstance(one, Derivative)}
 
 
 def _solved(

@@ -29,7 +29,9 @@ from kowalevski_cas.notation import (
     Vector,
     rank,
     substitute,
+    times,
     to_latex,
+    total,
 )
 from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.vocabulary import VECTOR
@@ -153,7 +155,7 @@ class Plain:
                     raise Meaningless(f"{name} is used with {len(formula.arguments)} arguments")
                 values = dict(zip(arguments, formula.arguments, strict=True))
                 body = self.setting.definition(name)
-                if _applies(body, function):
+                if any(isinstance(n, Application) and n.function == function for n in body.nodes()):
                     raise Meaningless(f"{name} is defined by itself", function)
                 own = [self.setting.texts.expression(argument) for argument in arguments]
                 if [*formula.arguments] == own:
@@ -197,7 +199,7 @@ class Plain:
                 raise Meaningless(f"the power {base}^{symbol} is not declared", symbol)
             factor: Formula = Name(name if symbol else base)
             (above if multiple > 0 else below).extend([factor] * abs(multiple))
-        top: Formula = Product(tuple(above)) if len(above) > 1 else next(iter(above), Number(1))
+        top = times(*above)
         for factor in below:
             top = Quotient(top, factor)
         return top
@@ -220,11 +222,11 @@ def linear_exponent(formula: Formula) -> dict[str, int]:
         case Negative(argument):
             return {k: -v for k, v in linear_exponent(argument).items()}
         case Sum(terms):
-            total: dict[str, int] = {}
+            found: dict[str, int] = {}
             for term in terms:
                 for key, value in linear_exponent(term).items():
-                    total[key] = total.get(key, 0) + value
-            return total
+                    found[key] = found.get(key, 0) + value
+            return found
     raise Meaningless(f"{to_latex(formula)} is no exponent that can be used here")
 
 
@@ -232,19 +234,12 @@ def _is_whole(exponent: Formula) -> bool:
     return isinstance(exponent.argument if isinstance(exponent, Negative) else exponent, Number)
 
 
-def _applies(formula: Formula, function: str) -> bool:
-    """Whether a function is applied somewhere in a formula."""
-    if isinstance(formula, Application) and formula.function == function:
-        return True
-    return any(_applies(child, function) for child in formula.children())
-
-
 def written_out(formula: Summation) -> Formula:
     """The terms of a sum; raises :class:`Meaningless` if its limits are no numbers."""
     match formula.first, formula.last:
         case Number(first), Number(last):
             terms = [_at(formula.body, formula.index, k) for k in range(first, last + 1)]
-            return Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else Number(0)
+            return total(terms)
     shown = to_latex(formula)
     raise Meaningless(f"print both limits as numbers, for all terms to be known: {shown}")
 

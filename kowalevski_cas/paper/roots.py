@@ -24,7 +24,7 @@ def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
     own = Power(Name(name), Number(2))
     if len(members) == 2 and own in members:
         other = members[members[0] == own]
-        if not _mentions(other, name):
+        if name not in other.names():
             return Adjoined(name, setting.plain(other))
     at = setting.free([name])
     sides = [plain for m in members if (plain := _known(at, setting, m)) is not None]
@@ -76,7 +76,3 @@ def _known(at: Evaluation, setting: Meaning, member: Formula) -> Formula | None:
     except Meaningless:
         return None
     return plain
-
-
-def _mentions(formula: Formula, name: str) -> bool:
-    return formula == Name(name) or any(_mentions(child, name) for child in formula.children())

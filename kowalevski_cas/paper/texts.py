@@ -29,6 +29,7 @@ from kowalevski_cas.notation import (
     read,
     read_display,
     split_display,
+    times,
 )
 
 
@@ -254,7 +255,7 @@ def _scale(formula: Formula) -> Formula | None:
             scale = _scale(argument)
             return None if scale is None else Negative(scale)
         case Product((*rest, Name("t"))):
-            return rest[0] if len(rest) == 1 else Product(tuple(rest))
+            return times(*rest)
     return None
 
 

@@ -22,7 +22,9 @@ from kowalevski_cas.notation import (
     Product,
     Quotient,
     Sum,
+    times,
     to_latex,
+    total,
 )
 from kowalevski_cas.problem.space import Adjoined, Let, Meaningless, Motion, Step
 
@@ -112,14 +114,14 @@ class Transcendental:
             case Sum() | Negative():
                 return formula.mapped(of)
             case Product(factors):
-                return _summed(
-                    _product([*factors[:k], of(factor), *factors[k + 1 :]])
+                return total(
+                    times(*factors[:k], of(factor), *factors[k + 1 :])
                     for k, factor in enumerate(factors)
                 )
             case Power(base, Number(exponent)) if exponent > 1:
-                return _product([Number(exponent), Power(base, Number(exponent - 1)), of(base)])
+                return times(Number(exponent), Power(base, Number(exponent - 1)), of(base))
             case Quotient(above, below):
-                turned = Sum((_product([of(above), below]), Negative(_product([above, of(below)]))))
+                turned = Sum((times(of(above), below), Negative(times(above, of(below)))))
                 return Quotient(turned, Power(below, TWO))
         raise Meaningless(f"print the derivative of {to_latex(formula)} by {name}", name)
 
@@ -155,13 +157,13 @@ class Transcendental:
         }[function]
 
     def _exponential(self, terms: list[tuple[str, int]]) -> Formula:
-        above: list[Formula] = [ONE]
+        above: list[Formula] = []
         below: list[Formula] = []
         for name, count in terms:
             (above if count > 0 else below).append(
                 Power(Name(self.instead(name)), Number(2 * abs(count)))
             )
-        return Quotient(_product(above), _product(below)) if below else _product(above)
+        return Quotient(times(*above), times(*below)) if below else times(*above)
 
     def _circular(self, terms: list[tuple[str, int]]) -> tuple[Formula, Formula]:
         """The cosine and the sine of a sum, by the addition theorems."""
@@ -183,19 +185,10 @@ class Transcendental:
 
 def _arguments(formula: Formula) -> Iterator[tuple[str, frozenset[str]]]:
     """The names under sines and exponentials, with the kind of function."""
-    if isinstance(formula, Application):
-        for kind in (CIRCULAR, EXPONENTIAL):
-            if formula.function in kind:
-                yield from ((name, kind) for name in _names(formula))
-    for child in formula.children():
-        yield from _arguments(child)
-
-
-def _names(formula: Formula) -> Iterator[str]:
-    if isinstance(formula, Name):
-        yield formula.name
-    for child in formula.children():
-        yield from _names(child)
+    for one in formula.nodes():
+        if isinstance(one, Application):
+            kinds = (kind for kind in (CIRCULAR, EXPONENTIAL) if one.function in kind)
+            yield from ((name, kind) for kind in kinds for name in one.names())
 
 
 def _terms(formula: Formula, sign: int) -> Iterator[tuple[str, int]]:
@@ -212,12 +205,3 @@ def _terms(formula: Formula, sign: int) -> Iterator[tuple[str, int]]:
             yield name, sign * count
         case _:
             yield "", 0
-
-
-def _summed(terms: Iterable[Formula]) -> Formula:
-    return Sum(tuple(terms))
-
-
-def _product(factors: list[Formula]) -> Formula:
-    kept = tuple(factor for factor in factors if factor != ONE)
-    return Product(kept) if len(kept) > 1 else kept[0] if kept else ONE

@@ -6,7 +6,7 @@ believed before it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import combinations, product
@@ -15,9 +15,9 @@ from types import MappingProxyType
 from typing import Any
 
 from kowalevski_cas.algebra.linear import determinant
-from kowalevski_cas.algebra.numbers import rank
+from kowalevski_cas.algebra.numbers import rank, rational
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
+from kowalevski_cas.notation import Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.count import check_roots, check_solutions, square
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -35,7 +35,6 @@ from kowalevski_cas.problem.evidence import (
     Squares,
 )
 from kowalevski_cas.problem.examine import Examiner, Unproved, Vacuous, is_real, need_point
-from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import (
     Count,
     Exists,
@@ -179,7 +178,7 @@ class Judge(Examiner):
 
     def _not_positive(self, goal: Positive, evidence: At, at: Evaluation, sign: bool) -> None:
         place = self._point(at, evidence.point, at.differences(goal.given))
-        value = rational_terms(place(at.scalar(goal.formula)))
+        value = rational(place(at.scalar(goal.formula)))
         if value is None or value > 0:
             raise Unproved("it is positive at the point, or not rational")
 
@@ -215,15 +214,14 @@ class Judge(Examiner):
     def _exists(self, goal: Exists, evidence: Found) -> None:
         if set(evidence.values) != set(goal.bound):
             raise Unproved("a bound name has no value")
-        if set(goal.bound) - {n for one in goal.goals for f in one.formulas() for n in _names(f)}:
+        if set(goal.bound).difference(*(f.names() for one in goal.goals for f in one.formulas())):
             raise Unproved("a bound name is not used")
         for one, inner in zip(goal.goals, evidence.evidence, strict=True):
             at = self.of(one.space)
-            used = {name for formula in one.formulas() for name in _names(formula)}
-            mine = used & set(goal.bound)
+            mine = {n for f in one.formulas() for n in f.names() if n in goal.bound}
             values = {n: at.scalar(f) for n, f in evidence.values.items() if n in mine}
             for name in mine & set(goal.numbers):
-                if rational_terms(values[name]) is None:
+                if rational(values[name]) is None:
                     raise Unproved(f"{name} is no number")
             self._simple(one, inner, True, at.binding(values), values)
 
@@ -271,7 +269,7 @@ def _adds_to_zero(elements: Sequence[Element], weighted: Sequence[tuple[Fraction
 
 
 def _rational(number: Element) -> Fraction:
-    value = rational_terms(number)
+    value = rational(number)
     if value is None:
         raise Unproved("a value at a point is not rational")
     return value
@@ -296,10 +294,3 @@ _RULES: dict[tuple[type, type, bool], Rule] = {
     (Kernel, Further, False): Judge._kernel,
 }
 """What checks a kind of evidence for a kind of goal, or against it."""
-
-
-def _names(formula: Formula) -> Iterator[str]:
-    if isinstance(formula, Name):
-        yield formula.name
-    for child in formula.children():
-        yield from _names(child)

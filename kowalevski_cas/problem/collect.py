@@ -5,7 +5,18 @@ from __future__ import annotations
 from collections.abc import Container
 from itertools import product
 
-from kowalevski_cas.notation import Formula, Name, Negative, Number, Power, Product, Quotient, Sum
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    times,
+    total,
+)
 from kowalevski_cas.problem.space import Meaningless
 
 Monomial = tuple[str, ...]
@@ -38,9 +49,7 @@ def collect(formula: Formula, bound: Container[str]) -> Collected:
 
 
 def _mentions(formula: Formula, bound: Container[str]) -> bool:
-    if isinstance(formula, Name):
-        return formula.name in bound
-    return any(_mentions(child, bound) for child in formula.children())
+    return any(name in bound for name in formula.names())
 
 
 def _sum(parts: list[Collected]) -> Collected:
@@ -48,14 +57,12 @@ def _sum(parts: list[Collected]) -> Collected:
     for part in parts:
         for monomial, coefficient in part.items():
             groups.setdefault(monomial, []).append(coefficient)
-    return {m: Sum(tuple(terms)) if len(terms) > 1 else terms[0] for m, terms in groups.items()}
+    return {m: total(terms) for m, terms in groups.items()}
 
 
 def _product(parts: list[Collected]) -> Collected:
     terms: list[Collected] = []
     for choice in product(*(part.items() for part in parts)):
         monomial = tuple(sorted(name for names, _ in choice for name in names))
-        factors = tuple(c for _, c in choice if c != Number(1))
-        whole = Product(factors) if len(factors) > 1 else factors[0] if factors else Number(1)
-        terms.append({monomial: whole})
+        terms.append({monomial: times(*(coefficient for _, coefficient in choice))})
     return _sum(terms)

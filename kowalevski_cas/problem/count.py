@@ -7,12 +7,12 @@ from fractions import Fraction
 from itertools import combinations
 
 from kowalevski_cas.algebra.hermite import hermite_minors
+from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.present import divided
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Factor, Roots, Row, Solutions
-from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Space
@@ -78,7 +78,7 @@ def _free(goal: Count, at: Evaluation, elements: list[Element]) -> None:
 def _without(element: Element, factors: list[Element]) -> Element:
     """A polynomial without these factors, as far as it is a product of them and numbers."""
     for factor in factors:
-        while rational_terms(element) is None:
+        while rational(element) is None:
             quotient = divided(element.terms()[0], factor.terms()[0])
             if quotient is None:
                 break
@@ -165,7 +165,7 @@ def _factor(entry: Factor, at: Evaluation, known: list[Element]) -> tuple[Elemen
 def square(number: Formula, base: Formula, at: Evaluation) -> Element:
     """A square with a positive rational factor; raises :class:`Misplaced` if it may be negative."""
     factor, value = at.scalar(number), at.scalar(base)
-    if (rational_terms(factor) or Fraction(0)) <= 0:
+    if (rational(factor) or Fraction(0)) <= 0:
         raise Misplaced("a square has no positive factor")
     if not (at.scalar(base, True) - value).is_zero:
         raise Misplaced("a square is one of what is not real")
@@ -177,7 +177,7 @@ def _minors(found: Roots, inner: Evaluation, factors: list[Element]) -> None:
     minors = hermite_minors(coefficients)
     for minor, (number, powers) in zip(minors, found.minors, strict=True):
         value = inner.scalar(number)
-        if (rational_terms(value) or Fraction(0)) <= 0:
+        if (rational(value) or Fraction(0)) <= 0:
             raise Misplaced("a minor is not shown to be positive")
         for factor, power in zip(factors, powers, strict=True):
             value = value * factor**power

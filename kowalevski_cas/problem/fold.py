@@ -278,14 +278,3 @@ _RULES: dict[type[Formula], Callable[[Any, Fold, bool], Value]] = {
     ScalarProduct: _scalar_product,
     CrossProduct: _cross_product,
 }
-
-
-def rational_terms(element: Element) -> Fraction | None:
-    """The value of an element that is a rational number; ``None`` if it is none."""
-    parts = element.terms()
-    if not parts:
-        return Fraction(0)
-    if element.denominator or parts.keys() != {0} or any(map(any, parts[0])):
-        return None
-    (value,) = parts[0].values()
-    return value

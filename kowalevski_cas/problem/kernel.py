@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from kowalevski_cas.algebra.kernels import PRIME, rank, residue
+from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Kernel
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.polynomial_fields import (
@@ -58,7 +58,7 @@ class Ansatz:
         """The residue of a constant that stands in the statement, if it is rational."""
         if name not in place.point.values:
             return None
-        value = rational_terms(place(self.at.scalar(Name(name))))
+        value = rational(place(self.at.scalar(Name(name))))
         return None if value is None else residue(value)
 
     def columns(self) -> Iterator[Residues]:

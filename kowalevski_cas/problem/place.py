@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from fractions import Fraction
 from functools import cache
 from itertools import combinations
 from math import gcd, isqrt
 
 from kowalevski_cas.algebra.numbers import Substitution
 from kowalevski_cas.algebra.polynomials import Polynomials
-from kowalevski_cas.algebra.present import fraction_formula
+from kowalevski_cas.algebra.present import multiple
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
     Formula,
@@ -22,6 +21,7 @@ from kowalevski_cas.notation import (
     Quotient,
     Root,
     Sum,
+    total,
 )
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
@@ -152,10 +152,8 @@ def number_formula(number: Element) -> Formula:
             for bit, name in enumerate(ring.roots):
                 if mask >> bit & 1:
                     factors.append(_root(name, ring.radicands[bit]))
-            terms.append(_times(value, factors))
-    if not terms:
-        return Number(0)
-    return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
+            terms.append(multiple(value, factors))
+    return total(terms)
 
 
 def _root(name: str, radicand: Element) -> Formula:
@@ -170,12 +168,3 @@ def _root(name: str, radicand: Element) -> Formula:
         raise Misplaced("a value at the point is an imaginary root")
     root: Formula = Root(Number(whole))
     return root if value.denominator == 1 else Quotient(root, Number(value.denominator))
-
-
-def _times(value: Fraction, factors: list[Formula]) -> Formula:
-    if not factors:
-        return fraction_formula(value)
-    size = abs(value)
-    parts = [*([fraction_formula(size)] if size != 1 else []), *factors]
-    product = Product(tuple(parts)) if len(parts) > 1 else parts[0]
-    return Negative(product) if value < 0 else product

@@ -70,19 +70,7 @@ class PolynomialField:
 
     def derivative(self, exponents: Exponents) -> Terms:
         """The derivative of a monomial along the field, less the factor times the monomial."""
-        total: Terms = {
-            tuple(a + b for a, b in zip(exponents, other, strict=True)): -value
-            for other, value in self.factor.items()
-        }
-        for k, rate in enumerate(self.rates):
-            if not exponents[k]:
-                continue
-            for other, value in rate.items():
-                key = tuple(
-                    a + b - (j == k) for j, (a, b) in enumerate(zip(exponents, other, strict=True))
-                )
-                total[key] = total.get(key, Fraction(0)) + exponents[k] * value
-        return {key: value for key, value in total.items() if value}
+        return derivative(exponents, self.rates, self.factor)
 
     def element(self, terms: Terms) -> Element:
         """A polynomial in the names as an element of the ring of the evaluation."""
@@ -136,6 +124,23 @@ class PolynomialField:
             sum(w * e for w, e in zip(weights[:-1], exponents, strict=True))
             for weights in self.gradings
         )
+
+
+def derivative(exponents: Exponents, rates: Sequence[Terms], factor: Terms) -> Terms:
+    """The derivative of a monomial if variables have these rates, less a multiple of it."""
+    total: Terms = {
+        tuple(a + b for a, b in zip(exponents, other, strict=True)): -value
+        for other, value in factor.items()
+    }
+    for k, rate in enumerate(rates):
+        if not exponents[k]:
+            continue
+        for other, value in rate.items():
+            key = tuple(
+                a + b - (j == k) for j, (a, b) in enumerate(zip(exponents, other, strict=True))
+            )
+            total[key] = total.get(key, Fraction(0)) + exponents[k] * value
+    return {key: value for key, value in total.items() if value}
 
 
 def monomials(weights: Sequence[int], weight: int) -> Iterator[Exponents]:

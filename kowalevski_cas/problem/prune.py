@@ -27,14 +27,11 @@ Mentions = tuple[Formula, ...]
 def mentions(formula: Formula) -> Mentions:
     """The names and printed roots in a formula, from left to right, and whether it moves."""
     found: dict[Formula, None] = {}
-    waiting = [formula]
-    while waiting:
-        one = waiting.pop()
+    for one in formula.nodes():
         if isinstance(one, Name | Root):
             found[one] = None
         elif isinstance(one, Derivative):
             found[MOTION] = None
-        waiting += reversed(list(one.children()))
     return tuple(found)
 
 

@@ -27,13 +27,13 @@ class Sampled(Evaluation):
         self.programs = SampledPrograms(exact.ring.polynomials.generators)
         super().__init__(exact.setting, exact.polynomials, self.programs, {})  # type: ignore[arg-type] # a ring of programs
         self._memory: dict[tuple[int, bool], tuple[Formula, Value]] = {}
+        for name in self.names:
+            self._values[name, False] = self.programs.generator(name)
         ring = exact.ring
         for name, radicand, below in zip(ring.roots, ring.radicands, ring.below, strict=True):
             generator = self.programs.adjoin(name, self.carry(radicand))
             value = generator if below is None else generator * self.carry(below).inverse()
             self._values[name, False] = value
-        for name in self.names:
-            self._values[name, False] = self.programs.generator(name)
         self.roots = [(self.carry(square), self.carry(root)) for square, root in exact.roots]
 
     def __call__(self, formula: Formula, conjugated: bool = False) -> Value:
@@ -49,26 +49,14 @@ class Sampled(Evaluation):
         """An exact element as a program."""
         if isinstance(element, Program):
             return element
-        image = self._generators_image(element)
+        image = self.image(element, self._generator)
         assert isinstance(image, Program)
         return image
 
-    def _generators_image(self, element: Element) -> Element:
-        """The image in which each generator of the ring is itself."""
-        ring = element.ring
-        total: Element = self.programs.zero
-        names = ring.polynomials.generators
-        for mask, terms in element.terms().items():
-            value = self._substituted(terms, names, self.programs.generator)
-            for bit, root in enumerate(ring.roots):
-                if mask >> bit & 1:
-                    value = value * self.programs.generator(root)
-            total = total + value
-        for index, exponent in element.denominator.items():
-            terms = ring.polynomials.terms(ring.divisors[index])
-            value = self._substituted(terms, names, self.programs.generator)
-            total = total * value**-exponent
-        return total
+    def _generator(self, name: str) -> Element:
+        value = self._values[name, False]
+        assert isinstance(value, Element)
+        return value
 
     def _defined(self, name: str, conjugated: bool) -> Value:
         step = self.setting.step(name)

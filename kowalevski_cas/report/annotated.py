@@ -28,7 +28,7 @@ from kowalevski_cas.report.document import (
     Text,
 )
 from kowalevski_cas.report.names import anchor
-from kowalevski_cas.report.places import Item, sections
+from kowalevski_cas.report.places import Item, names, sections
 from kowalevski_cas.report.prose import FIRST, Placed, read_article
 from kowalevski_cas.report.sentences import listed
 from kowalevski_cas.verify.outcome import Run, Verdict
@@ -59,7 +59,7 @@ class _Annotated:
             audit.session.texts.vocabulary,
         )  # fmt: skip
         paper = sections(run, derivation, audit.session.texts)
-        self.contents = Contents(run, paper, {}, ())
+        self.contents = Contents(run, paper, names(paper), {}, ())
         self.items: dict[str, list[Item]] = {}
         self.begins: dict[str, str] = {}
         for section in paper:

@@ -28,7 +28,7 @@ from kowalevski_cas.report.graph import picture
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.passages import Passages
-from kowalevski_cas.report.places import Section, names
+from kowalevski_cas.report.places import Name, Section, names
 from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.sentences import Phrases, counted, listed, nonzero
 from kowalevski_cas.report.witnesses import Witness, arithmetics
@@ -51,21 +51,23 @@ def contents(
         programs: which programs confirm which certificates.
         plates: the pictures of the derivation.
     """
-    return Contents(run, sections, certified or {}, programs).document(plates)
+    called = names(sections)
+    return Contents(run, sections, called, certified or {}, programs).document(plates)
 
 
 class Contents:
-    """The parts of a report of a run."""
+    """The parts of a report of a run, in which claims are ``called`` so."""
 
     def __init__(
         self,
         run: Run,
         sections: Sequence[Section],
+        called: Mapping[str, Name],
         certified: Mapping[str, str],
         programs: Sequence[Witness],
     ) -> None:
         self.run, self.sections, self.certified, self.programs = run, sections, certified, programs
-        self.phrases = Phrases(run.vocabulary, names(sections))
+        self.phrases = Phrases(run.vocabulary, called)
         self.passages = Passages(self.phrases, certified, programs)
         copied = any(section.copied for section in sections)
         self.findings = Findings(self.phrases, run.outcomes, copied)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import count, groupby, zip_longest
 
@@ -195,11 +196,10 @@ def _row(place: _Place, printed: Printed) -> list[Outcome]:
 
 
 def _displayed(display: Display, place: _Place, texts: Texts, roles: Roles) -> Item:
-    role = roles.at(Printed(display, 1).place).name
-    try:
+    role, rows = roles.at(Printed(display, 1).place).name, ()
+    with suppress(NotationError):
         rows = tuple(Row((one.formula,), one.source) for one in texts.statements(display))
-    except NotationError:
-        rows = (Row((), texts.source(display)),)
+    rows = rows or (Row((), texts.source(display)),)
     stated = tuple(_stated(rows, place))
     return Item(rows, stated, display.label, role, display.id, display.source)
 

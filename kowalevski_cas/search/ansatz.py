@@ -13,8 +13,10 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations_with_replacement
 
-from flint import fmpq, fmpq_mpoly, nmod_mat
+from flint import fmpq_mpoly
 
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of
+from kowalevski_cas.algebra.kernels import kernel
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.weights import gradings
 
@@ -25,7 +27,6 @@ Column = tuple[int, Monomial]
 Combination = tuple[fmpq_mpoly, list[fmpq_mpoly]]
 """A polynomial u and cofactors c: u times the target is the sum of c[k] times generator k."""
 
-PRIME = 2**61 - 1
 
 MOST = 600
 """How many unknown coefficients are solved for."""
@@ -45,7 +46,7 @@ def multiple(
     The degree of u is the least for which one is found, and at most ``degree``. No u is itself
     a combination of the generators: it would vanish wherever these do.
     """
-    polynomials = [terms for one in (target, *generators) if (terms := _terms(one))]
+    polynomials = [terms for one in (target, *generators) if (terms := terms_of(one))]
     weights = gradings(polynomials)
     context = target.context()
     places = [k for k in range(context.nvars()) if any(m[k] for p in polynomials for m in p)]
@@ -68,7 +69,7 @@ def _combinations(
     target: fmpq_mpoly, generators: Sequence[fmpq_mpoly], block: Sequence[Monomial]
 ) -> Iterator[Combination]:
     """Those in which the target is multiplied by terms with monomials of a block."""
-    goal, terms = _terms(target), [_terms(generator) for generator in generators]
+    goal, terms = terms_of(target), [terms_of(generator) for generator in generators]
     multiples = [_multiple(goal, monomial) for monomial in block]
     start = list(dict.fromkeys(monomial for one in multiples for monomial in one))
     columns = _columns(start, terms) or _columns(start, terms, max(map(sum, start)))
@@ -76,18 +77,11 @@ def _combinations(
         return
     context, size = target.context(), len(columns)
     for solution in _relations([_multiple(terms[k], m) for k, m in columns], multiples):
-        unit = context.from_dict({block[k - size]: v for k, v in solution.items() if k >= size})
-        parts: list[dict[Monomial, fmpq]] = [{} for _ in generators]
-        for place, value in solution.items():
-            if place < size:
-                k, monomial = columns[place]
-                parts[k][monomial] = -value
-        cofactors = [context.from_dict(part) for part in parts]
-        total = unit * target
-        for cofactor, generator in zip(cofactors, generators, strict=True):
-            total -= cofactor * generator
-        if total.is_zero():
-            yield unit, cofactors
+        unit = polynomial_of(context, dict(zip(block, solution[size:], strict=True)))
+        parts: list[Terms] = [{} for _ in generators]
+        for (k, monomial), value in zip(columns, solution[:size], strict=True):
+            parts[k][monomial] = -value
+        yield unit, [polynomial_of(context, part) for part in parts]
 
 
 def _columns(
@@ -114,29 +108,13 @@ def _columns(
     return [*columns]
 
 
-def _relations(known: Sequence[Terms], new: Sequence[Terms]) -> Iterator[dict[int, fmpq]]:
-    """Each of the new polynomials that depends on those before it, as a relation modulo a prime.
+def _relations(known: Sequence[Terms], new: Sequence[Terms]) -> list[list[Fraction]]:
+    """Each of the new polynomials that depends on those before it, as a relation of all of them.
 
     It is given by the coefficients of all polynomials, the new ones after the known ones.
     """
-    rows: dict[Monomial, int] = {}
-    entries = [
-        (rows.setdefault(monomial, len(rows)), place, _residue(value))
-        for place, terms in enumerate((*known, *new))
-        for monomial, value in terms.items()
-    ]
-    matrix = nmod_mat(len(rows), len(known) + len(new), PRIME)
-    for row, place, residue in entries:
-        matrix[row, place] = residue
-    reduced, rank = matrix.rref()
-    pivots: list[int] = []
-    for place in range(len(known) + len(new)):
-        if len(pivots) < rank and int(reduced[len(pivots), place]):
-            pivots.append(place)
-        elif place >= len(known):
-            relation = {p: _rational(int(reduced[row, place])) for row, p in enumerate(pivots)}
-            relation[place] = Fraction(-1)
-            yield {p: fmpq(-v.numerator, v.denominator) for p, v in relation.items() if v}
+    found = (one for one in kernel([*known, *new]) if any(one[len(known) :]))
+    return sorted(found, key=lambda one: max(place for place, value in enumerate(one) if value))
 
 
 def _multiple(terms: Terms, by: Monomial) -> Terms:
@@ -145,23 +123,3 @@ def _multiple(terms: Terms, by: Monomial) -> Terms:
 
 def _times(one: Monomial, other: Monomial) -> Monomial:
     return tuple(a + b for a, b in zip(one, other, strict=True))
-
-
-def _terms(polynomial: fmpq_mpoly) -> Terms:
-    return {
-        tuple(map(int, exponents)): Fraction(int(value.p), int(value.q))
-        for exponents, value in polynomial.to_dict().items()
-    }
-
-
-def _residue(value: Fraction) -> int:
-    return value.numerator * pow(value.denominator, -1, PRIME) % PRIME
-
-
-def _rational(residue: int) -> Fraction:
-    """The fraction with small numerator and denominator that has this residue."""
-    above, below, high, low = residue, 1, PRIME, 0
-    while 2 * above * above > PRIME:
-        quotient = high // above
-        high, above, low, below = above, high - quotient * above, below, low - quotient * below
-    return Fraction(above, below)

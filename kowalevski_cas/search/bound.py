@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from itertools import islice
 
 from kowalevski_cas.algebra.linear import Singular, solve
+from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.present import formula_in, fraction_formula
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name, Negative, Number, Sum
+from kowalevski_cas.notation import Formula, Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
-from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
@@ -60,15 +60,8 @@ def found(goal: Exists, finder: PointFinder, prove: Prove) -> Found | None:
 
 def _used(goal: Simple, values: dict[str, Formula], at: Evaluation) -> dict[str, Element]:
     """The values of the bound names that stand in a goal."""
-    mine = {name for formula in goal.formulas() for name in _names(formula)}
+    mine = {name for formula in goal.formulas() for name in formula.names()}
     return {name: at.scalar(value) for name, value in values.items() if name in mine}
-
-
-def _names(formula: Formula) -> Iterator[str]:
-    if isinstance(formula, Name):
-        yield formula.name
-    for child in formula.children():
-        yield from _names(child)
 
 
 def _linear(
@@ -171,7 +164,7 @@ def _no_numbers(
     for point in islice(real_points(at, names), 40 * WEIGHTED):
         candidate = Candidate(at, point)
         try:
-            values = [rational_terms(candidate(element)) for element in elements]
+            values = [rational(candidate(element)) for element in elements]
             candidate.point(names)
         except (ZeroDivisionError, Misplaced):
             continue

@@ -30,8 +30,10 @@ class Branch:
 
     def vanishes(self, polynomial: fmpq_mpoly) -> bool:
         """Whether a polynomial is seen to be zero on the branch."""
+        own = polynomial.degrees()
         for place, equation in self.solved:
-            polynomial = without(polynomial, place, equation)
+            if own[place]:  # what is put in for one of these unknowns brings in none of the others
+                polynomial = without(polynomial, place, equation)
         for one in self.rest:
             polynomial = divmod(polynomial, one)[1]
         return polynomial.is_zero()
@@ -57,6 +59,11 @@ def branches(
         others = ((j, other) for j, other in enumerate(found) if j != k and one.is_part(other))
         if not any(j < k or not other.is_part(one) for j, other in others):
             yield one
+
+
+def solved(task: tuple[Iterable[fmpq_mpoly], Sequence[int], Iterable[fmpq_mpoly]]) -> list[Branch]:
+    """The cases of :func:`branches` for its arguments: a task for a pool."""
+    return [*branches(*task)]
 
 
 class _Factor:

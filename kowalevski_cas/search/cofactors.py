@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_fraction
+from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.search.ansatz import Combination, combination, multiple
 
@@ -112,12 +113,12 @@ class Flat:
 
     def polynomial(self, element: Element) -> fmpq_mpoly:
         """The numerator of an element."""
-        terms = {}
+        terms: Terms = {}
         for mask, part in element.terms().items():
             roots = tuple(mask >> bit & 1 for bit in reversed(range(self.roots)))
             for exponents, value in part.items():
-                terms[roots + exponents] = fmpq(value.numerator, value.denominator)
-        return self.context.from_dict(terms)
+                terms[roots + exponents] = value
+        return polynomial_of(self.context, terms)
 
     def without_roots(self, element: Element) -> tuple[Element, fmpq_mpoly]:
         """The roots that divide a numerator, as an element, and the numerator without them."""
@@ -133,10 +134,8 @@ class Flat:
     def element(self, polynomial: fmpq_mpoly) -> Element:
         """A polynomial as an element of the tower."""
         total = self.ring.zero
-        for exponents, value in polynomial.to_dict().items():
-            exponents = tuple(map(int, exponents))
-            coefficient = Fraction(int(value.p), int(value.q))
-            product = self.ring.from_terms({0: {exponents[self.roots :]: coefficient}})
+        for exponents, value in terms_of(polynomial).items():
+            product = self.ring.from_terms({0: {exponents[self.roots :]: value}})
             for bit, exponent in enumerate(reversed(exponents[: self.roots])):
                 if exponent:
                     product = product * self.ring.generator(self.ring.roots[bit]) ** exponent
@@ -146,7 +145,7 @@ class Flat:
     def inverse(self, polynomial: fmpq_mpoly) -> Element:
         """One over a polynomial, divided by one irreducible factor after another."""
         content, factors = polynomial.factor()
-        result = self.ring.number(1 / Fraction(int(content.p), int(content.q)))
+        result = self.ring.number(1 / to_fraction(content))
         for factor, exponent in factors:
             result = result * self.element(factor).inverse() ** int(exponent)
         return result

@@ -1,93 +1,38 @@
-"""All solutions of equations: solved by the roots of one equation, or listed for some constants.
-
-The equations have to be solved for some variables at once; what is left has to set homogeneous
-polynomials in the other variables equal to expressions in the constants.
-"""
+"""All solutions of equations, by the roots of an eliminant."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from fractions import Fraction
 
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq_mpoly
 
+from kowalevski_cas.algebra.flint import to_fraction
 from kowalevski_cas.algebra.hermite import hermite_minors
-from kowalevski_cas.algebra.numbers import square_root
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in, fraction_formula, polynomial_formula
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product
 from kowalevski_cas.problem.count import eliminant_value
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.evidence import Evidence, Factor, Point, Roots, Solutions
+from kowalevski_cas.problem.evidence import Evidence, Factor, Point, Roots
 from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.eliminants import Eliminant, eliminant
-from kowalevski_cas.search.exact_solutions import many, small_points, value
+from kowalevski_cas.search.levels import (
+    System,
+    constants_for,
+    more_solutions,
+    small_points,
+    solution,
+    system_of,
+    value,
+    written_point,
+)
 from kowalevski_cas.search.place import PointFinder
-from kowalevski_cas.search.points import eliminate
 from kowalevski_cas.search.squares import sum_of_squares
-
-Values = tuple[Fraction, ...]
-
-
-@dataclass
-class System:
-    """Levels :math:`P_j(x) = p_j`: polynomials in the unknowns, and values in the constants.
-
-    ``solved`` gives the other variables through the unknowns.
-    """
-
-    at: Evaluation
-    unknowns: list[str]
-    levels: list[fmpq_mpoly]
-    values: list[Element]
-    solved: list[tuple[str, fmpq_mpoly]]
-
-    def terms(self, polynomial: fmpq_mpoly) -> Terms:
-        """A polynomial in neutral form, in the unknowns."""
-        places = [self.at.names.index(name) for name in self.unknowns]
-        terms = self.at.ring.polynomials.terms(polynomial)
-        return {tuple(e[k] for k in places): v for e, v in terms.items()}
-
-
-def system_of(goal: Count, at: Evaluation) -> System | None:
-    """The system for the unknowns; ``None`` if the equations are of another form."""
-    elements = at.differences(goal.equations)
-    if any(e.denominator or e.parts.keys() - {0} for e in elements):
-        return None
-    polynomials = [e.parts[0] for e in elements if not e.is_zero]
-    places = {name: at.names.index(name) for name in goal.names}
-    rest, solved = eliminate(polynomials, list(places.values()))
-    gone = {place for place, _ in solved}
-    unknowns = [name for name, place in places.items() if place not in gone]
-    levels, values = [], []
-    own = {places[name] for name in unknowns}
-    for polynomial in rest:
-        inner: dict[tuple[int, ...], fmpq] = {}
-        outer: dict[tuple[int, ...], fmpq] = {}
-        for exponents, coefficient in polynomial.to_dict().items():
-            inside = any(exponents[k] for k in own)
-            if inside and any(e for k, e in enumerate(exponents) if k not in own):
-                return None
-            (inner if inside else outer)[exponents] = coefficient
-        context = polynomial.context()
-        levels.append(context.from_dict(inner))
-        values.append(at.ring.element({0: -context.from_dict(outer)}, {}))
-    back = [(at.names[place], expression) for place, expression in solved]
-    return System(at, unknowns, levels, values, _through(back, at))
-
-
-def _through(solved: list[tuple[str, fmpq_mpoly]], at: Evaluation) -> list[tuple[str, fmpq_mpoly]]:
-    """Variables that were solved for in turn, all through the unknowns."""
-    images = list(at.ring.polynomials.zero.context().gens())
-    found = []
-    for name, expression in reversed(solved):
-        images[at.names.index(name)] = expression.compose(*images)
-        found.append((name, images[at.names.index(name)]))
-    return found[::-1]
 
 
 class Builder:
@@ -107,12 +52,16 @@ class Builder:
         """A polynomial in the form and the parameters."""
         return polynomial_formula(terms, [Name(self.root), *self.parameters])
 
-    def roots(self) -> Roots | None:
-        """The evidence; ``None`` if not all minors are sums of squares, or a step fails."""
+    def _coefficients(self) -> list[Terms]:
+        """Those of the eliminant in the parameters, the constant one first, without the last."""
         size = max(key[0] for key in self.found.equation)
         rows: list[Terms] = [{} for _ in range(size + 1)]
         for (power, *others), coefficient in self.found.equation.items():
             rows[power][(0, *others)] = coefficient
+        return rows[:-1]
+
+    def roots(self) -> Roots | None:
+        """The evidence; ``None`` if not all minors are sums of squares, or a step fails."""
         form = polynomial_formula(
             {
                 tuple(int(j == k) for j in range(len(self.system.unknowns))): Fraction(c)
@@ -124,7 +73,7 @@ class Builder:
         draft = Roots(
             root=self.root,
             form=form,
-            eliminant=tuple(map(self.formula, rows[:-1])),
+            eliminant=tuple(map(self.formula, self._coefficients())),
             solved=tuple(self._solved()),
             rows=(),
             quotients=(),
@@ -132,19 +81,18 @@ class Builder:
             minors=(),
             point=Point({}),
         )
-        rows_found = self._rows(draft)
+        rows = self._rows(draft)
         quotients = self._quotients(draft)
         split = self._split(draft)
-        if rows_found is None or quotients is None or split is None:
+        if rows is None or quotients is None or split is None:
             return None
         factors, minors = split
         point = self._point([self.at.scalar(factor.factor) for factor in factors])
         if point is None:
             return None
-        return Roots(
-            draft.root, form, draft.eliminant, draft.solved, rows_found, quotients,
-            factors, minors, point,
-        )  # fmt: skip
+        return replace(
+            draft, rows=rows, quotients=quotients, factors=factors, minors=minors, point=point
+        )
 
     def _solved(self) -> list[tuple[str, Formula, Formula]]:
         """Each variable by numerator and denominator."""
@@ -212,12 +160,8 @@ class Builder:
         self, draft: Roots
     ) -> tuple[tuple[Factor, ...], tuple[tuple[Formula, tuple[int, ...]], ...]] | None:
         """The minors of Hermite as products of factors, each a sum of squares."""
-        size = len(draft.eliminant)
         ring = Ring(self.at.polynomials(("s", *(f"p{k}" for k in range(len(self.parameters))))))
-        rows: list[Terms] = [{} for _ in range(size + 1)]
-        for (power, *others), coefficient in self.found.equation.items():
-            rows[power][(0, *others)] = coefficient
-        minors = hermite_minors([ring.from_terms({0: row}) for row in rows[:-1]])
+        minors = hermite_minors([ring.from_terms({0: row}) for row in self._coefficients()])
         below = [ring.from_terms({0: terms}) for terms in self.found.denominators]
         factors: list[fmpq_mpoly] = []
         products = []
@@ -231,7 +175,7 @@ class Builder:
                     factors.append(factor)
                 powers[factors.index(factor)] = int(exponent)
             if index < len(minors):
-                products.append((Fraction(int(content.p), int(content.q)), powers))
+                products.append((to_fraction(content), powers))
         terms = [ring.polynomials.terms(factor) for factor in factors]
         found = [self._factor(one) for one in terms]
         used = {k for _, powers in products for k in powers}
@@ -304,43 +248,15 @@ class Builder:
         """A solution in small whole numbers, with its constants."""
         levels = [self.system.terms(level) for level in self.system.levels]
         for point, values in small_points(levels, len(self.system.unknowns)):
-            constants = self._constants(values)
+            constants = constants_for(self.system, values)
             if constants is None:
                 continue
-            found = _solution(self.system, point, constants)
+            found = solution(self.system, point, constants)
             at = {n: found.get(n, Fraction(0)) for n in self.at.names}
             numbers = [value(f.terms().get(0, {}), [at[n] for n in self.at.names]) for f in factors]
             if all(numbers):
-                return _written_point(found)
+                return written_point(found)
         return None
-
-    def _constants(self, values: Values) -> dict[str, Fraction] | None:
-        return constants_for(self.system, values)
-
-
-def constants_for(system: System, values: Values) -> dict[str, Fraction] | None:
-    """Constants for which the levels have these values: each names one constant, or its square."""
-    found = {}
-    for element, number in zip(system.values, values, strict=True):
-        ((exponents, lead),) = element.terms()[0].items()
-        name, power = next((system.at.names[k], e) for k, e in enumerate(exponents) if e)
-        size = number / lead
-        root = size if power == 1 else square_root(size) if power == 2 else None
-        if root is None or sum(exponents) != power:
-            return None
-        found[name] = root
-    return found
-
-
-def _solution(system: System, point: Values, constants: dict[str, Fraction]) -> dict[str, Fraction]:
-    own = dict(zip(system.unknowns, point, strict=True))
-    for name, expression in system.solved:
-        own[name] = value(system.terms(expression), point)
-    return own | constants
-
-
-def _written_point(values: dict[str, Fraction]) -> Point:
-    return Point({name: fraction_formula(number) for name, number in values.items()})
 
 
 def roots(goal: Count, finder: PointFinder) -> Evidence | None:
@@ -365,32 +281,3 @@ def _by_roots(goal: Count, finder: PointFinder) -> Roots | None:
     gens = [at.ring.polynomials.generator(at.names.index(name)) for name in system.unknowns]
     found = eliminant(system.levels, gens)
     return None if found is None else Builder(goal, system, found, finder).roots()
-
-
-def more_solutions(
-    goal: Count, finder: PointFinder, zero: Sequence[Element] = ()
-) -> Solutions | None:
-    """One solution too many, all in small whole numbers, for constants where ``zero`` vanish."""
-    at = finder.of(goal.space)
-    system = system_of(goal, at)
-    if system is None:
-        return None
-    granted = at.granted
-
-    def usable(values: Values) -> bool:
-        constants = constants_for(system, values)
-        if constants is None:
-            return False
-        row = [constants.get(name, Fraction(0)) for name in at.names]
-        return all(value(g.terms().get(0, {}), row) for g in granted) and not any(
-            value(z.terms().get(0, {}), row) for z in zero
-        )
-
-    levels = [system.terms(level) for level in system.levels]
-    points = many(levels, len(system.unknowns), goal.number + 1, usable)
-    if points is None:
-        return None
-    values = tuple(value(level, points[0]) for level in levels)
-    constants = constants_for(system, values)
-    assert constants is not None
-    return Solutions(tuple(_written_point(_solution(system, p, constants)) for p in points))

@@ -20,6 +20,7 @@ from fractions import Fraction
 from itertools import combinations, combinations_with_replacement, islice, permutations
 
 from kowalevski_cas.algebra.derivation import gradient
+from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
@@ -27,7 +28,6 @@ from kowalevski_cas.algebra.weights import weights
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Point, Proof, Shown
-from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.cases import Case, Splitter
@@ -124,7 +124,7 @@ class Critical:
         """The function made homogeneous; ``None`` if that is impossible."""
         terms = [element.terms().get(0, {}) for element in (*self.goals, self.level)]
         found = weights(terms)
-        if found is None or not rational_terms(self.value) or self.function.denominator:
+        if found is None or not rational(self.value) or self.function.denominator:
             return None
         parts: dict[int, Terms] = {}
         for exponents, coefficient in self.function.terms().get(0, {}).items():

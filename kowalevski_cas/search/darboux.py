@@ -8,16 +8,18 @@ the motion is homogeneous, so is K, and the parts of F are Darboux polynomials: 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import product
+from itertools import product, tee
 from random import Random
 
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.kernels import PRIME, TooLarge
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.kernel import Residues, product_of, residues
 from kowalevski_cas.problem.polynomial_fields import (
@@ -28,7 +30,7 @@ from kowalevski_cas.problem.polynomial_fields import (
     number_of_monomials,
     primitive,
 )
-from kowalevski_cas.search.branches import Branch, branches
+from kowalevski_cas.search.branches import Branch, solved
 from kowalevski_cas.search.integrals import Span
 
 LARGEST = 500
@@ -44,7 +46,9 @@ class Darboux:
     equations: tuple[tuple[Element, Element], ...] = ()
 
 
-def darboux_polynomials(at: Evaluation, degree: int, special: bool = False) -> Iterator[Darboux]:
+def darboux_polynomials(
+    at: Evaluation, degree: int, special: bool = False, pool: Pool = HERE
+) -> Iterator[Darboux]:
     """Real Darboux polynomials up to a degree, the lowest first.
 
     They do not split over the rational numbers, and combinations of products of those before are
@@ -54,17 +58,17 @@ def darboux_polynomials(at: Evaluation, degree: int, special: bool = False) -> I
         at: the evaluation of a space, with FLINT.
         degree: the largest degree of a polynomial.
         special: whether the constants may have special values; else they are in general position.
+        pool: where the equations are solved, those of a leading monomial by themselves.
 
     Raises:
         Meaningless: the motion is no polynomial in the variables.
         TooLarge: what comes next has too many unknowns.
     """
     search = _Search(at, special)
-    for size in range(1, degree + 1):
-        if (count := number_of_monomials((1,) * search.field.size, size)) > LARGEST:
-            raise TooLarge(f"{count} unknown coefficients up to degree {size}")
-        for leading in monomials((1,) * search.field.size, size):
-            yield from search.led_by(leading)
+    ansatze, waiting = tee(search.ansatze(degree))
+    found = pool.map(solved, map(search.task, waiting))
+    for cases, ansatz in zip(found, ansatze, strict=True):
+        yield from search.new(ansatz, cases)
 
 
 class _Search:
@@ -77,13 +81,23 @@ class _Search:
         self.cofactors = [*_lighter(self.field)]
         self.gradings = self.field.weights
 
-    def led_by(self, leading: Exponents) -> Iterator[Darboux]:
-        """Those with a leading monomial, by degree and then in the order of the variables."""
-        ansatz = _Ansatz(self.field, self._below(leading), self.cofactors)
+    def ansatze(self, degree: int) -> Iterator[_Ansatz]:
+        """One for each leading monomial, by degree and then in the order of the variables."""
+        for size in range(1, degree + 1):
+            if (count := number_of_monomials((1,) * self.field.size, size)) > LARGEST:
+                raise TooLarge(f"{count} unknown coefficients up to degree {size}")
+            for leading in monomials((1,) * self.field.size, size):
+                yield _Ansatz(self.field, self._below(leading), self.cofactors)
+
+    def task(self, ansatz: _Ansatz) -> tuple[list[fmpq_mpoly], list[int], list[fmpq_mpoly]]:
+        """The equations of an ansatz, with the places of their unknowns, and what is not zero."""
         places = ansatz.places if self.special else ansatz.places[: ansatz.unknowns]
         granted = [self.field.polynomial(e) for e in self.at.granted if self._is_constant(e)]
-        nonzero = [ansatz.in_constants(terms) for terms in granted]
-        for branch in branches(ansatz.equations(), places, nonzero):
+        return ansatz.equations(), places, [ansatz.in_constants(terms) for terms in granted]
+
+    def new(self, ansatz: _Ansatz, cases: Iterable[Branch]) -> Iterator[Darboux]:
+        """What the solutions of its equations give besides what was found before."""
+        for branch in cases:
             one = None if branch.rest else self._irreducible(ansatz.solution(branch))
             if one is not None and self._is_new(one):
                 self.found.append(one)
@@ -108,7 +122,7 @@ class _Search:
         field = self.field
         context = fmpq_mpoly_ctx.get(field.names, Ordering.degrevlex)
         terms = field.polynomial(one.polynomial)
-        polynomial = context.from_dict({e: _rational(v) for e, v in terms.items()})
+        polynomial = polynomial_of(context, terms)
         factors = [
             (factor, power)
             for factor, power in polynomial.factor()[1]
@@ -116,7 +130,7 @@ class _Search:
         ]
         if len(factors) != 1 or factors[0][1] != 1:
             return None
-        found = {tuple(map(int, e)): _fraction(v) for e, v in factors[0][0].to_dict().items()}
+        found = terms_of(factors[0][0])
         return Darboux(field.element(primitive(found)), one.cofactor, one.equations)
 
     def _is_new(self, one: Darboux) -> bool:
@@ -181,8 +195,8 @@ class _Ansatz:
     def in_constants(self, terms: Terms) -> fmpq_mpoly:
         """A polynomial in the constants."""
         before = (0,) * self.unknowns
-        found = {(*before, *e[self.field.size :]): _rational(v) for e, v in terms.items()}
-        return self.context.from_dict(found)
+        found = {(*before, *e[self.field.size :]): v for e, v in terms.items()}
+        return polynomial_of(self.context, found)
 
     def equations(self) -> list[fmpq_mpoly]:
         """The coefficients of F′ − KF, those of the leading monomials first."""
@@ -197,10 +211,7 @@ class _Ansatz:
                 total = tuple(a + b for a, b in zip(own, factor, strict=True))
                 self._add(found, total, key, Fraction(-1))
         in_order = sorted(found, key=lambda e: (sum(e), e), reverse=True)
-        return [
-            self.context.from_dict({e: _rational(v) for e, v in found[key].items()})
-            for key in in_order
-        ]
+        return [polynomial_of(self.context, found[key]) for key in in_order]
 
     def _unit(self, place: int) -> Exponents:
         return tuple(int(k == place) for k in range(self.width))
@@ -244,8 +255,8 @@ class _Ansatz:
         before = (0,) * self.field.size
         return self.field.element(
             {
-                (*before, *map(int, exponents[self.unknowns :])): _fraction(value)
-                for exponents, value in polynomial.to_dict().items()
+                (*before, *exponents[self.unknowns :]): value
+                for exponents, value in terms_of(polynomial).items()
                 if not any(exponents[: self.unknowns])
             }
         )
@@ -279,11 +290,3 @@ def _degree(terms: Residues) -> int:
 def _added(left: Residues, right: Residues) -> Residues:
     total = {e: (left.get(e, 0) + right.get(e, 0)) % PRIME for e in left.keys() | right.keys()}
     return {exponents: value for exponents, value in total.items() if value}
-
-
-def _rational(value: Fraction) -> fmpq:
-    return fmpq(value.numerator, value.denominator)
-
-
-def _fraction(value: fmpq) -> Fraction:
-    return Fraction(int(value.p), int(value.q))

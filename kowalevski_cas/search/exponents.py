@@ -10,17 +10,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations
+from itertools import chain, combinations
 from math import prod
 from operator import mul
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
+from kowalevski_cas.algebra.flint import polynomial_of, to_flint, to_fraction
 from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.polynomial_fields import PolynomialField
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.branches import Branch, branches, without
+from kowalevski_cas.search.branches import Branch, solved, without
 from kowalevski_cas.search.groebner import Basis
 
 LARGEST = 6
@@ -95,10 +97,9 @@ class LeadingPart:
         return sum(map(mul, self.weights, exponents), Fraction(0))
 
     def _polynomial(self, terms: Terms) -> fmpq_mpoly:
-        own = {(0, *e): fmpq(v.numerator, v.denominator) for e, v in terms.items()}
-        return self.context.from_dict(own)
+        return polynomial_of(self.context, {(0, *e): v for e, v in terms.items()})
 
-    def balances(self) -> Iterator[Balance]:
+    def balances(self, pool: Pool = HERE) -> Iterator[Balance]:
         """All balances, by cases; constants are in general position.
 
         The equations are made homogeneous, so that no case is left out for having no real point.
@@ -107,21 +108,23 @@ class LeadingPart:
             Meaningless: it is not seen of a case that it is a balance.
         """
         equations = [
-            self.multiple * fmpq(w.numerator, w.denominator) * variable + part
+            self.multiple * to_flint(w) * variable + part
             for w, variable, part in zip(self.weights, self.variables, self.leading, strict=True)
         ]
         homogeneous = [
             one + (self.scale - 1) * (one - part)
             for one, part in zip(equations, self.leading, strict=True)
         ]
-        for k, variable in enumerate(self.variables):
-            zero, nonzero = self.variables[:k], [self.scale, variable]
-            for found in branches([*homogeneous, *zero], self.places, nonzero):
-                rest = self._rest(found)
-                if rest is not None:
-                    solved = ((place, self._at_one(one)) for place, one in found.solved)
-                    pairs = tuple((place, _monic(one, place)) for place, one in solved)
-                    yield self._balance(equations, Branch(pairs, rest, ()))
+        tasks = (
+            ([*homogeneous, *self.variables[:k]], self.places, [self.scale, variable])
+            for k, variable in enumerate(self.variables)
+        )
+        for found in chain.from_iterable(pool.map(solved, tasks)):
+            rest = self._rest(found)
+            if rest is not None:
+                at_one = ((place, self._at_one(one)) for place, one in found.solved)
+                pairs = tuple((place, _monic(one, place)) for place, one in at_one)
+                yield self._balance(equations, Branch(pairs, rest, ()))
 
     def _at_one(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """A polynomial at the scale 1, with leading coefficient 1."""
@@ -168,7 +171,7 @@ class LeadingPart:
             root = self.exponent - factor / slope if slope and slope.is_constant() else slope
             if slope and slope.is_constant() and root.is_constant():
                 value = root.leading_coefficient() if root else fmpq()
-                exponents += [Fraction(int(value.p), int(value.q))] * power
+                exponents += [to_fraction(value)] * power
             elif slope:
                 others += [factor] * power
         return tuple(sorted(exponents)), tuple(others)

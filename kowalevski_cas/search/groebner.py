@@ -116,11 +116,8 @@ class Basis:
             place = next((k for k in self._kept if _divides(self.leads[k], lead)), None)
             if place is None:
                 break
-            divisor = self.elements[place]
-            ratio = rest.leading_coefficient() / divisor.leading_coefficient()
-            factor = self._over(lead, self.leads[place]) * ratio
-            rest -= factor * divisor
-            self._steps += len(divisor) + len(rest)
+            factor, rest = divmod(rest, self.elements[place])
+            self._steps += len(factor) * len(self.elements[place]) + len(rest)
             made[place] = made.get(place, self.context.constant(0)) - factor
         return rest, made
 

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import partial
+from itertools import chain
 from random import Random
 
 from kowalevski_cas.algebra.kernels import PRIME, TooLarge, kernel, rank
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.kernel import LARGEST, Residues, product_of, residues
 from kowalevski_cas.problem.polynomial_fields import (
     Exponents,
     PolynomialField,
     Terms,
+    derivative,
     monomials,
     number_of_monomials,
     primitive,
@@ -23,7 +27,9 @@ CONSTANTS = 6
 """The largest degree of coefficients in the constants."""
 
 
-def first_integrals(at: Evaluation, weight: int, weights: Sequence[int] = ()) -> Iterator[Element]:
+def first_integrals(
+    at: Evaluation, weight: int, weights: Sequence[int] = (), pool: Pool = HERE
+) -> Iterator[Element]:
     """Polynomials in the variables that do not move, the lightest first.
 
     Those that are polynomials in the ones before them, with coefficients that depend on the
@@ -34,12 +40,13 @@ def first_integrals(at: Evaluation, weight: int, weights: Sequence[int] = ()) ->
         weight: the largest weight of a polynomial.
         weights: the positive weights of the variables; all are 1, and the weight is the degree,
             if none are given.
+        pool: where the linear algebra is done, block by block.
 
     Raises:
         Meaningless: if a root stands in the equations of motion.
         TooLarge: if what comes next takes too much memory.
     """
-    search = _Search(PolynomialField(at), weights or (1,) * len(at.setting.variables))
+    search = _Search(PolynomialField(at), weights or (1,) * len(at.setting.variables), pool)
     for size in range(1, weight + 1):
         for terms in search.of_weight(size):
             yield search.field.element(terms)
@@ -48,8 +55,8 @@ def first_integrals(at: Evaluation, weight: int, weights: Sequence[int] = ()) ->
 class _Search:
     """Integrals found so far, in a field."""
 
-    def __init__(self, field: PolynomialField, weights: Sequence[int]) -> None:
-        self.field, self.weights = field, weights
+    def __init__(self, field: PolynomialField, weights: Sequence[int], pool: Pool) -> None:
+        self.field, self.weights, self.pool = field, weights, pool
         self.known: list[Terms] = []
         self.monomials: list[Exponents] = []
         self.columns: list[Residues] = []
@@ -65,7 +72,7 @@ class _Search:
             exponents = (*own, *(0,) * self.others)
             self.monomials.append(exponents)
             self.columns.append(residues(self.field.derivative(exponents), self.values))
-        dimension = len(self.columns) - rank(self.columns)
+        dimension = len(self.columns) - rank(self.columns, self.pool)
         span = self._span(weight)
         for degree in range(CONSTANTS + 1 if self.others else 1):
             if len(span) == dimension or len(self.monomials) * (degree + 1) > LARGEST:
@@ -83,9 +90,8 @@ class _Search:
             for powers in _up_to(self.others, degree):
                 exponents = (*own[: self.field.size], *powers)
                 groups.setdefault(self.field.grade(exponents), []).append(exponents)
-        for group in groups.values():
-            for vector in kernel([self.field.derivative(exponents) for exponents in group]):
-                yield {e: v for e, v in zip(group, vector, strict=True) if v}
+        work = partial(_solutions, self.field.rates)
+        return chain.from_iterable(self.pool.map(work, groups.values()))
 
     def _span(self, weight: int) -> Span:
         """The polynomials in known integrals, up to a weight and but for constants."""
@@ -97,6 +103,12 @@ class _Search:
                 found.extended(left)
                 waiting += [(product_of(left, own[k]), k) for k in range(first, len(own))]
         return found
+
+
+def _solutions(rates: Sequence[Terms], group: Sequence[Exponents]) -> list[Terms]:
+    """A basis of the combinations of monomials that do not change at these rates."""
+    vectors = kernel([derivative(exponents, rates, {}) for exponents in group])
+    return [{e: v for e, v in zip(group, vector, strict=True) if v} for vector in vectors]
 
 
 def _size(terms: Terms) -> tuple[int, int]:

@@ -6,13 +6,13 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import islice, product
 
-from flint import fmpq, fmpq_mat
+from flint import fmpq_mat
 
-from kowalevski_cas.algebra.numbers import square_root
+from kowalevski_cas.algebra.flint import to_flint, to_fraction
+from kowalevski_cas.algebra.numbers import rational, square_root
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import Formula, Negative, Sum
 from kowalevski_cas.problem.collect import collect
-from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Exists, Follows
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real import real_points
@@ -57,7 +57,7 @@ def _samples(goal: Exists, finder: PointFinder) -> Iterator[tuple[list[Fraction]
     for point in real_points(at, finder.names(one.space)):
         candidate = Candidate(at, point)
         try:
-            values = {m: rational_terms(candidate(e)) for m, e in elements.items()}
+            values = {m: rational(candidate(e)) for m, e in elements.items()}
         except ZeroDivisionError:
             continue
         known = {m: v for m, v in values.items() if v is not None}
@@ -100,7 +100,7 @@ def _combined(weights: Sequence[Fraction], basis: Sequence[Fraction]) -> Fractio
 
 
 def _matrix(rows: Sequence[Sequence[Fraction]]) -> fmpq_mat:
-    return fmpq_mat([[fmpq(v.numerator, v.denominator) for v in row] for row in rows])
+    return fmpq_mat([[to_flint(v) for v in row] for row in rows])
 
 
 def _solve(rows: Sequence[Row], right: Sequence[Fraction]) -> list[Fraction] | None:
@@ -108,11 +108,7 @@ def _solve(rows: Sequence[Row], right: Sequence[Fraction]) -> list[Fraction] | N
         found = _matrix(rows).solve(_matrix([[value] for value in right]))
     except ZeroDivisionError:
         return None
-    return [_fraction(found[k, 0]) for k in range(len(rows))]
-
-
-def _fraction(value: fmpq) -> Fraction:
-    return Fraction(int(value.p), int(value.q))
+    return [to_fraction(found[k, 0]) for k in range(len(rows))]
 
 
 def linear_combination(rows: Sequence[Row], target: Sequence[Fraction]) -> list[Fraction] | None:
@@ -124,7 +120,7 @@ def linear_combination(rows: Sequence[Row], target: Sequence[Fraction]) -> list[
     reduced, rank = _matrix(augmented).rref()
     weights = [Fraction(0)] * len(rows)
     for k in range(rank):
-        entries = [_fraction(reduced[k, j]) for j in range(len(rows) + 1)]
+        entries = [to_fraction(reduced[k, j]) for j in range(len(rows) + 1)]
         pivot = next(j for j, entry in enumerate(entries) if entry)
         if pivot == len(rows):
             return None

@@ -10,9 +10,10 @@ from typing import Any
 from flint import fmpq, fmpq_mpoly
 
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.branches import Branch, branches
+from kowalevski_cas.search.branches import Branch, solved
 
 Monomial = tuple[int, ...]
 
@@ -73,15 +74,16 @@ class Ansatz:
         """What vanishes if F is constant."""
         return [self._element(one) for one in self._growing.values()]
 
-    def cases(self) -> Iterator[Case]:
+    def cases(self, pool: Pool = HERE) -> Iterator[Case]:
         """All cases in which F is not constant."""
         granted = [e.parts[0] for e in self.at.granted if e.parts.keys() == {0}]
-        zero: list[fmpq_mpoly] = []
-        for coefficient in self._growing.values():
-            equations = [*self._equations.values(), *zero]
-            for branch in branches(equations, self._places, [*granted, coefficient]):
-                yield self._case(branch)
-            zero.append(coefficient)
+        growing = [*self._growing.values()]
+        tasks = (
+            ([*self._equations.values(), *growing[:k]], self._places, [*granted, coefficient])
+            for k, coefficient in enumerate(growing)
+        )
+        for branches in pool.map(solved, tasks):
+            yield from map(self._case, branches)
 
     def _case(self, branch: Branch) -> Case:
         """What a branch says of the constants, and of K; the rest of K is zero."""

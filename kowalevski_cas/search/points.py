@@ -8,6 +8,7 @@ from itertools import count, islice, product
 
 from flint import fmpq, fmpq_mat, fmpq_mpoly
 
+from kowalevski_cas.algebra.flint import terms_of, to_flint, to_fraction
 from kowalevski_cas.algebra.numbers import square_root
 
 Assignment = dict[int, Fraction]
@@ -58,8 +59,8 @@ def points(
 
 def constant(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> Fraction:
     """The value of a polynomial at a point."""
-    value = next(iter(_value(polynomial, values).to_dict().values()), fmpq(0))
-    return Fraction(int(value.p), int(value.q))
+    places = range(polynomial.context().nvars())
+    return to_fraction(polynomial(*(to_flint(values.get(k, Fraction(0))) for k in places)))
 
 
 def eliminate(
@@ -137,8 +138,8 @@ def _matched(sets: Sequence[set[int]]) -> bool:
 
 def _complete(constraints: list[fmpq_mpoly], unknowns: int, values: Assignment) -> bool:
     """Solve for the unknown variables, entering what is found; whether it could be done."""
+    left = _entering(values, constraints)
     while unknowns:
-        left = [c for c in (_value(c, values) for c in constraints) if not c.is_zero()]
         single = [c for c in left if sum(1 for d in c.degrees() if d) == 1]
         if single:
             found = _solve_one(single[0])
@@ -148,7 +149,8 @@ def _complete(constraints: list[fmpq_mpoly], unknowns: int, values: Assignment) 
             return False
         values.update(found)
         unknowns -= len(found)
-    return all(_value(c, values).is_zero() for c in constraints)
+        left = _entering(found, left)
+    return not left
 
 
 def _solve_one(polynomial: fmpq_mpoly) -> Assignment:
@@ -157,8 +159,8 @@ def _solve_one(polynomial: fmpq_mpoly) -> Assignment:
     if polynomial.degrees()[variable] > 2:
         return {}
     coefficients = [Fraction(0)] * 3
-    for exponents, value in polynomial.to_dict().items():
-        coefficients[exponents[variable]] = Fraction(int(value.p), int(value.q))
+    for exponents, value in terms_of(polynomial).items():
+        coefficients[exponents[variable]] = value
     c, b, a = coefficients
     if a == 0:
         return {variable: -c / b}
@@ -171,15 +173,13 @@ def _solve_linear(polynomials: list[fmpq_mpoly]) -> Assignment:
     unknowns = sorted({k for p in polynomials for k, d in enumerate(p.degrees()) if d})
     if not polynomials or len(unknowns) != len(polynomials):
         return {}
-    size = len(unknowns)
     matrix = [[_coefficient(p, k) for k in unknowns] for p in polynomials]
     right = [[-_coefficient(p, None)] for p in polynomials]
     try:
         solution = fmpq_mat(matrix).solve(fmpq_mat(right))
     except ZeroDivisionError:
         return {}
-    found = [solution[row, 0] for row in range(size)]
-    return {k: Fraction(int(v.p), int(v.q)) for k, v in zip(unknowns, found, strict=True)}
+    return {k: to_fraction(solution[row, 0]) for row, k in enumerate(unknowns)}
 
 
 def _coefficient(polynomial: fmpq_mpoly, variable: int | None) -> fmpq:
@@ -188,12 +188,10 @@ def _coefficient(polynomial: fmpq_mpoly, variable: int | None) -> fmpq:
     return polynomial.to_dict().get(exponents, fmpq(0))
 
 
-def _value(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> fmpq_mpoly:
-    context = polynomial.context()
-    entered = list(context.gens())
-    for k, value in values.items():
-        entered[k] = context.constant(fmpq(value.numerator, value.denominator))
-    return polynomial.compose(*entered, ctx=context)
+def _entering(values: Assignment, constraints: list[fmpq_mpoly]) -> list[fmpq_mpoly]:
+    """What constraints say of the other variables, if these have values."""
+    entered: dict[str | int, fmpq] = {k: to_flint(value) for k, value in values.items()}
+    return [c for c in (c.subs(entered) for c in constraints) if not c.is_zero()]
 
 
 def _small_numbers() -> Iterator[Iterator[Fraction]]:

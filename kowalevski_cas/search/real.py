@@ -12,6 +12,7 @@ from itertools import islice
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
+from kowalevski_cas.algebra.flint import to_flint
 from kowalevski_cas.algebra.numbers import square_root
 from kowalevski_cas.algebra.points import ExactPoint
 from kowalevski_cas.algebra.polynomials import Terms
@@ -87,7 +88,7 @@ class RealCoordinates:
         """A polynomial of the generators in the real coordinates."""
         total = self.context.constant(0)
         for exponents, coefficient in terms.items():
-            product = self.context.constant(fmpq(coefficient.numerator, coefficient.denominator))
+            product = self.context.constant(to_flint(coefficient))
             for name, exponent in zip(self.ring.polynomials.generators, exponents, strict=True):
                 if exponent:
                     product *= self.images[name] ** exponent

@@ -96,9 +96,8 @@ def _moving(formula: Formula) -> list[str]:
 
 def _derived(formula: Formula) -> list[str]:
     """The names of which partial derivatives are printed."""
-    if isinstance(formula, Partial) and isinstance(formula.argument, Name):
-        return [formula.argument.name]
-    return [name for child in formula.children() for name in _derived(child)]
+    partial = (one.argument for one in formula.nodes() if isinstance(one, Partial))
+    return [argument.name for argument in partial if isinstance(argument, Name)]
 
 
 def rooted(scene: Scene, display: Display) -> Scene:
@@ -112,9 +111,7 @@ def rooted(scene: Scene, display: Display) -> Scene:
         named = {*place.heads.names} & {*scene.definitions}
         if named and len([*formula.children()]) > len(named) + 1:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
-    while waiting:
-        formula = waiting.pop()
-        waiting += formula.children()
+    for formula in (node for one in waiting for node in one.nodes()):
         if isinstance(formula, Conjugate):
             raise ValueError(f"{to_latex(formula)} is a conjugate, and all is real: rename it")
         if isinstance(formula, Root) and (name := to_latex(formula)) not in scene.roots:

@@ -50,6 +50,7 @@ from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.pool import HERE
 from kowalevski_cas.system.answers import Function, Stated
 from kowalevski_cas.system.equations import restricted, roles, rooted
 from kowalevski_cas.verify.found import Finding
@@ -80,6 +81,9 @@ class System:
         NotationError: an equation cannot be read.
         ValueError: they are no equations of motion; the message says why.
     """
+
+    pool = HERE
+    """Where searches are done: ``Pool(jobs=4)`` for four processes."""
 
     def __init__(
         self,
@@ -275,7 +279,7 @@ class System:
         told += [f"--{name}" for name, value in options.items() if value is True]
         on = Elaborations(Texts(vocabulary((self.scene,))))
         told += ["--", *words] if words else []
-        found = module.search(on, self.scene, parser.parse_args(told))
+        found = module.search(on, self.scene, parser.parse_args(told), self.pool)
         return [self._state(self._id(question, ""), one) for one in found]
 
     # -- formulas ----------------------------------------------------------------

@@ -15,10 +15,12 @@ from kowalevski_cas.notation import (
     Relation,
     Sum,
     Vector,
+    times,
     to_latex,
+    total,
 )
 from kowalevski_cas.paper.claims import CriticalSet, Dimension
-from kowalevski_cas.paper.claims.forms import ZERO, times, total
+from kowalevski_cas.paper.claims.forms import ZERO
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.accept import Judge
@@ -188,7 +190,7 @@ def _words(statement: Statement, goal: Goal, place: Place, values: tuple[str, st
         of = to_latex(left)
         whose = f" of ${of}$" if len(of) < SHORT else " of a given function" if goal.given else ""
         return f"the {which}derivative{whose} along the motion is ${own}$, not $0$"
-    if right == Number(0) and _has_slope(left):
+    if right == Number(0) and any(isinstance(one, Partial) for one in left.nodes()):
         return f"a derivative of the function is ${own}$, so the point is not critical"
     sides = to_latex(Relation((left, right), ("=",)))
     what = f" of ${sides}$" if not order and len(sides) < SHORT else ""
@@ -201,10 +203,6 @@ def _words(statement: Statement, goal: Goal, place: Place, values: tuple[str, st
     if isinstance(statement.claim, CriticalSet):
         return f"{words}, at this critical point"
     return f"{words}, though the hypotheses hold" if goal.given else words
-
-
-def _has_slope(formula: Formula) -> bool:
-    return isinstance(formula, Partial) or any(map(_has_slope, formula.children()))
 
 
 def _failing(goal: Follows, place: Place) -> tuple[Formula, Formula]:

@@ -32,8 +32,8 @@ def failure_on(
     statement: Statement, setting: Elaboration, locus: Locus
 ) -> tuple[Goal, Evidence] | None:
     """A goal that fails on a locus and the evidence for it, if some are found."""
-    from kowalevski_cas.search.count import more_solutions
     from kowalevski_cas.search.find import Finder  # only explanations search for what fails
+    from kowalevski_cas.search.levels import more_solutions
 
     there = setting.equations(locus.equations)
     finder = Finder(finder_of, statement.names)

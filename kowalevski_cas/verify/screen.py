@@ -10,7 +10,7 @@ from operator import mul
 from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name
+from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
@@ -100,16 +100,12 @@ def questions(
 def _bound(goal: Simple, found: Found, at: Sampled) -> Evaluation:
     values: dict[str, Element] = {}
     for name, formula in found.values.items():
-        if any(_mentions(one, name) for one in goal.formulas()):
+        if any(name in one.names() for one in goal.formulas()):
             values[name] = at.scalar(formula)
     bound = at.binding(values)
     assert isinstance(bound, Sampled)
     bound._memory = {}
     return bound
-
-
-def _mentions(formula: Formula, name: str) -> bool:
-    return formula == Name(name) or any(_mentions(child, name) for child in formula.children())
 
 
 def _asked(goal: Goal, at: Evaluation, unseen: list[str]) -> Iterator[Question]:

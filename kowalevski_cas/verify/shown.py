@@ -7,7 +7,6 @@ from collections.abc import Iterable, Mapping
 from kowalevski_cas.algebra.present import name_formula, product_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Vocabulary
-from kowalevski_cas.notation.edits import replace
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import MARK
@@ -41,10 +40,7 @@ def written(formula: Formula, setting: Setting) -> Formula:
     if isinstance(formula, Derivative) and formula.mark == MARK:
         time, argument = setting.scene.time, written(formula.argument, setting)
         return Derivative(argument, MARK if time == "t" and isinstance(argument, Name) else time)
-    for place, child in enumerate(formula.children()):
-        if (new := written(child, setting)) is not child:
-            formula = replace(formula, (place,), new)
-    return formula
+    return formula.mapped(lambda child: written(child, setting))
 
 
 def _read(name: Name, vocabulary: Vocabulary) -> Formula:

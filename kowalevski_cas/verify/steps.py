@@ -19,9 +19,11 @@ from kowalevski_cas.notation import (
     Relation,
     Sum,
     Vector,
+    times,
+    total,
 )
 from kowalevski_cas.paper.claims import Claim, Dimension
-from kowalevski_cas.paper.claims.forms import ONE, ZERO, total
+from kowalevski_cas.paper.claims.forms import ONE, ZERO
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, Roots, Shown
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
@@ -251,8 +253,7 @@ def _equal(left: Formula, right: Formula) -> Relation:
 def _times(factors: Sequence[Formula]) -> Formula:
     """A product, without factors that are one, and without a product in it."""
     flat = [part for f in factors for part in (f.factors if isinstance(f, Product) else (f,))]
-    kept = tuple(factor for factor in flat if factor != ONE)
-    return Product(kept) if len(kept) > 1 else kept[0] if kept else ONE
+    return times(*flat)
 
 
 def _scaled(coefficient: Formula, factor: Formula) -> Formula:

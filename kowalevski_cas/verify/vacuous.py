@@ -51,8 +51,8 @@ def says_something(neighbour: Neighbour, printed: Statement) -> bool:
         return True
     defined = set(neighbour.claim.scene.definitions)
     before, after = edit.statement.formula, edit.formula
-    replaced = (_names(before) - _names(after)) & defined
-    if replaced and unlike(edit) and not _names(edit.replacement) & defined:
+    replaced = (before.names() - after.names()) & defined
+    if replaced and unlike(edit) and not edit.replacement.names() & defined:
         return False
     return not _trivial(after) and not (_common(after) - _common(before)) & defined
 
@@ -69,18 +69,10 @@ def _empty(statement: Statement) -> int:
     return sum(d.is_zero for space, some in given for d in finder_of(space).differences(some))
 
 
-def _names(formula: Formula) -> set[str]:
-    own = {formula.name} if isinstance(formula, Name) else set()
-    return own.union(*map(_names, formula.children()))
-
-
 def _trivial(formula: Formula) -> bool:
     """Whether two sides, or both arguments of a bracket, are literally the same."""
-    if isinstance(formula, Relation | PoissonBracket):
-        children = [*formula.children()]
-        if len({*children}) < len(children):
-            return True
-    return any(map(_trivial, formula.children()))
+    paired = (one for one in formula.nodes() if isinstance(one, Relation | PoissonBracket))
+    return any(len({*one.children()}) < len([*one.children()]) for one in paired)
 
 
 def _common(formula: Formula) -> set[str]:

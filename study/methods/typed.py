@@ -10,12 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 import sympy
 
-from kowalevski_cas.algebra import load
+from kowalevski_cas.algebra import EXACT, load
 from kowalevski_cas.algebra.derivation import Field, along
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Sum
@@ -24,6 +24,7 @@ from kowalevski_cas.problem.goals import Problem
 from kowalevski_cas.problem.space import Adjoined, Setting, generators
 from study.labelled import Labelled, residuals
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
+from study.paper import exact
 from study.process import limit_memory
 from study.step import Measured
 
@@ -174,6 +175,16 @@ class Typed(Evaluation):
 
     def _rate_of_generator(self, name: str, rates: Field) -> Element:
         return rates[name]
+
+    # Whether the space makes sense is no question to the call that is measured.
+
+    def _check_root(self, name: str, rates: Field) -> None:
+        """Nothing: an exact arithmetic has seen that a root moves as its square does."""
+
+    @cached_property
+    def time_sign(self) -> int:
+        """What an exact arithmetic says."""
+        return exact(EXACT[0])(self.setting).time_sign
 
 
 def _replaced(setting: Setting) -> Iterable[tuple[str, str]]:

@@ -12,7 +12,6 @@ from kowalevski_cas.algebra.modular import (
     PRIMES,
     bound_of,
     primes,
-    rank,
     residue_point,
 )
 from kowalevski_cas.algebra.points import NoPoint, Question
@@ -124,8 +123,6 @@ def test_ranks():
     assert answer(Question(programs, rows=rows, rank=1)).holds
     wrong = answer(Question(programs, rows=rows, rank=2))
     assert (wrong.holds, wrong.left, wrong.right) == (False, "1", "2")
-    p = 101
-    assert rank([[nmod(1, p), nmod(2, p)], [nmod(3, p), nmod(6, p)], [nmod(0, p), nmod(1, p)]]) == 2
 
 
 def test_what_has_to_move_somewhere_is_refuted_when_it_never_does():

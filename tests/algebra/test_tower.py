@@ -121,16 +121,6 @@ def test_a_divisor_is_entered_once(ring, a, b):
     assert (ring.one / p + ring.one / p).denominator == first.denominator
 
 
-@every_tower
-@given(neutrals())
-def test_the_neutral_form_is_carried_between_arithmetics(ring, a):
-    p = build(ring, a)
-    for other in TOWERS.values():
-        there = other.from_neutral(p.neutral())
-        assert same(ring.from_neutral(there.neutral()), p)
-        assert same(there, build(other, a))
-
-
 def test_a_root_of_a_fraction_is_a_root_over_its_denominator(name):
     ring = Ring(load(name)(("x", "y")))
     x, y = ring.generator("x"), ring.generator("y")

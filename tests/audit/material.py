@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.audit.audit import Audit, audit
+from kowalevski_cas.audit.catching import Measure
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source, decode, read_source
 from kowalevski_cas.audit.synthetic import synthetic
@@ -56,6 +57,11 @@ def source() -> Source:
 def audited() -> Audit:
     """The audit of the source as it is."""
     return audit(source(), base())
+
+
+def work() -> Measure:
+    """What audits mutants of it."""
+    return Measure(find(NAME), source().path, source().text, timeout=2)
 
 
 def changed(old: str, new: str) -> Audit:

@@ -10,7 +10,8 @@ from kowalevski_cas.audit.catching import Caught, Measurement, measure
 from kowalevski_cas.audit.mutants import sample
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli.mutants import report
-from tests.audit.material import audited, base, source
+from kowalevski_cas.pool import Pool
+from tests.audit.material import audited, base, source, work
 
 
 def test_a_sample_is_repeated_by_its_seed():
@@ -30,7 +31,7 @@ def test_a_mutant_is_one_token_away():
 
 
 def test_mutants_are_caught():
-    found = measure(audited(), sample(audited(), 5, Random(6)))
+    found = measure(work(), sample(audited(), 5, Random(6)))
     assert found.missed == []
     assert "5 mutants" in report(found)
 
@@ -53,6 +54,6 @@ def test_the_derivation_stands_in_for_the_paper():
 
 @pytest.mark.slow
 def test_a_large_sample_of_mutants_is_caught():
-    found = measure(audited(), sample(audited(), 300, Random(2002)), jobs=2)
+    found = measure(work(), sample(audited(), 300, Random(2002)), Pool(jobs=2))
     assert [result.mutant.words for result in found.missed] == []
     assert all(result.named for result in found.results if result.caught)

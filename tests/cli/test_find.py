@@ -146,6 +146,46 @@ def test_kowalevski_exponents_of_two_fields(capsys):
     assert all(one.startswith("exponents -1, 0, 0, 1, 2, 2, 3, 4, 4,") for one in principal)
 
 
+@pytest.mark.parametrize("question", ["integrals", "darboux"])
+def test_several_processes_print_what_one_does(tmp_path, capsys, question):
+    file = tmp_path / "volterra.py"
+    field = r"\dot x=x(y-cz),\quad \dot y=y(z-x),\quad \dot z=z(cx-y)"
+    file.write_text(f"from kowalevski_cas import System\nchain = System(r'{field}')\n")
+    printed = []
+    for jobs in ("1", "3"):
+        assert main(["find", question, str(file), "--degree", "3", "--jobs", jobs]) == 0
+        printed.append(capsys.readouterr().out)
+    assert printed[0] == printed[1] and int(printed[0].split()[-2]) > 1
+
+
+@pytest.mark.slow
+def test_a_cluster_prints_what_one_process_does(tmp_path, capfd):
+    distributed = pytest.importorskip("distributed")
+    file = tmp_path / "lorenz.py"
+    field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-bz"
+    file.write_text(f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n")
+    words, printed = ["find", "darboux", str(file), "--degree", "3", "--special"], []
+    cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None)
+    with cluster:
+        for more in ([], ["--scheduler", cluster.scheduler_address]):
+            assert main([*words, *more]) == 0
+            printed.append(capfd.readouterr().out)
+    assert printed[0] == printed[1] and printed[0].endswith("7 found\n")
+
+
+def test_a_search_goes_on_from_what_was_found_when_its_time_was_over(tmp_path, capsys, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    file = tmp_path / "lorenz.py"
+    field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-bz"
+    file.write_text(f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n")
+    words = ["find", "darboux", str(file), "--degree", "3", "--special"]
+    assert main([*words, "--timeout", "0.4"]) == 3
+    assert [*(tmp_path / "cache").rglob("*/*")]
+    assert main([*words, "--timeout", "60"]) == 0
+    assert capsys.readouterr().out.endswith("7 found\n")
+    assert not [*(tmp_path / "cache").rglob("*/*")]
+
+
 def test_what_is_written_to_the_file_is_proved_there(tmp_path, capsys):
     file = tmp_path / "special.py"
     field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-2sz"

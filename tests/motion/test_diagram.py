@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, load
@@ -14,8 +14,9 @@ from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import regime_of
 from kowalevski_cas.motion.pictures.regions import filled
 from kowalevski_cas.motion.pictures.sections import rotations, section, values
-from kowalevski_cas.motion.pictures.subsystems import separating, states_on_M4
+from kowalevski_cas.motion.pictures.subsystems import separating
 from kowalevski_cas.pictures import new_figure
+from tests.motion.levels_on_M4 import at_level, by_chance, pieces
 from tests.motion.test_closed import motions
 from tests.motion.test_critical import state_of
 
@@ -51,9 +52,61 @@ def test_states_of_N4_have_the_values_on_N4(motion):
 
 
 def test_states_of_M4_have_the_values_on_M4():
-    j, h = states_on_M4(FIELDS, 100)
-    k, _ = FIELDS.on_M4(h, j)
-    assert np.all(k == 0) and np.all(np.isfinite(j)) and np.ptp(j) > 1
+    states, j, h = by_chance(FIELDS, 100)
+    found = at(states)
+    k, g = FIELDS.on_M4(h, j)
+    assert np.ptp(j) > 1
+    assert found["H"] == pytest.approx(h) and found["G"] == pytest.approx(g)
+    assert k == pytest.approx(found["K"], abs=1e-12)
+
+
+@pytest.mark.parametrize("fields", OTHERS)
+def test_every_state_of_M4_is_on_a_torus_that_is_counted(fields):
+    _, j, h = by_chance(fields, 20_000)
+    assert {*fields.tori_on_M4(h, j).tolist()} == {1, 2, 4}
+
+
+@given(st.sampled_from(OTHERS), st.floats(-1.2, 2.5), st.floats(0.01, 3))
+@settings(max_examples=12)
+def test_there_are_states_of_M4_where_tori_are_counted_and_nowhere_else(fields, h, j):
+    size = float(fields.a + fields.b)
+    h, j = h * size, j * size**1.5
+    beside = fields.tori_on_M4(h + size * np.array([-0.05, 0, 0.05]), np.full(3, j))
+    assume(len({*beside.tolist()}) == 1)  # in a thin region states may not be hit
+    assert (len(at_level(fields, h, j)) > 0) == (beside[0] > 0)
+
+
+LEVELS_OF_M4 = [
+    *((fields, *level) for fields in OTHERS[:2]
+      for level in ((1.6, 0.08, 4), (1.4, 0.3, 2), (1.2, 1.0, 1), (0.5, 0.3, 1))),
+    *((OTHERS[2], *level) for level in ((1.1, 0.02, 4), (1.5, 0.02, 2), (1.2, 0.3, 1))),
+]  # fmt: skip
+"""Fields, values of H by a + b and of J3 by its power 3/2, and how many tori have them."""
+
+
+@pytest.mark.parametrize(("fields", "h", "j", "tori"), LEVELS_OF_M4)
+def test_tori_of_M4_are_told_apart_by_signs(fields, h, j, tori):
+    """Of (r² + u)ω1 − jα3, for each gap of values u with R(u) > 0: there it does not vanish."""
+    size, p, r = float(fields.a + fields.b), *fields._pr
+    h, j = h * size, j * size**1.5
+    assert fields.tori_on_M4(np.array([h]), np.array([j])) == tori
+    u = np.polynomial.Polynomial([0, 1])
+    square = u**2 - r**4
+    roots = (-(square**2) - 2 * h * j**2 * square + 2 * j**4 * (u - p**2)).roots()
+    ends = np.sort(roots[roots.imag == 0].real)
+    middles = (ends[::2] + ends[1::2]) / 2
+    states = at_level(fields, h, j)
+    signs = (r**2 + middles) * states[:, :1] - j * states[:, 5:6] > 0
+    assert len({*map(tuple, signs.tolist())}) == tori
+
+
+@pytest.mark.parametrize(
+    ("fields", "h", "j", "tori"),
+    [LEVELS_OF_M4[0], *(pytest.param(*x, marks=pytest.mark.slow) for x in LEVELS_OF_M4[1:])],
+)
+def test_motions_on_M4_fill_as_many_tori_as_are_counted(fields, h, j, tori):
+    size = float(fields.a + fields.b)
+    assert pieces(fields, h * size, j * size**1.5) == tori
 
 
 def test_states_of_O4_have_the_values_on_O4_and_lie_in_its_regimes():

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, Parameters
-from kowalevski_cas.motion.parameters import ball, exact, precision, rational_root
+from kowalevski_cas.motion.parameters import ball, exact, precision
 
 numbers = st.fractions(-5, 5, max_denominator=100)
 
@@ -39,12 +39,6 @@ def test_the_energy_and_ell_determine_each_other(m, ell):
     again = Parameters.at_energy(1, "0.4", m, parameters.h)
     assert again in (parameters, parameters.mirrored())
     assert again.ell_sign >= 0
-
-
-@given(st.fractions())
-def test_roots_of_squares_are_found_and_no_others(x):
-    assert rational_root(x * x) == abs(x)
-    assert rational_root(2 * x * x) in ({None} if x else {0})
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import Session, verify
 from kowalevski_cas.verify.statement import Statement, finder_of
 
-PAPERS = ("bobenko_reyman_semenov1989", "kharlamov2005", "kharlamov2007")
+PAPERS = ("bobenko_reyman_semenov1989", "kharlamov2005", "kharlamov2007", "zotev2000")
 
 RINGS = [pytest.param(ring, marks=[] if ring == "flint" else [pytest.mark.slow]) for ring in EXACT]
 
@@ -21,7 +21,8 @@ ASIDE = {
     # what scenes are made of, and what is claimed of its parts
     "surface", "K-alone", "epsilon", "kappa", "radicals-O4", "parts", "fields-by-u",
     "velocity-by-u", "rates-of-u", "one-variable", "hats", "hatted-parts", "hatted-fields",
-    "hatted-velocity", "hatted-rates", "forces", "R", "abbreviations",
+    "hatted-velocity", "hatted-rates", "forces", "R", "abbreviations", "F-of-u", "R-of-u",
+    "point-M4", "rates-M4", "roots-M4",
 }  # fmt: skip
 
 

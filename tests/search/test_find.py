@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from kowalevski_cas.algebra.weights import weights
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.search.cofactors import cofactors, pseudo_divide
-from kowalevski_cas.search.exact_solutions import value
+from kowalevski_cas.search.levels import value
 from kowalevski_cas.search.points import constant, points
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.outcome import in_latex

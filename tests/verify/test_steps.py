@@ -43,7 +43,7 @@ def test_a_derivative_is_by_the_time_of_its_scene(steps):
 
 def test_a_derivative_is_shown_in_factors_as_the_paper_prints_it(steps):
     ((_, formulas),) = steps("U1-prime")
-    assert formulas == ["dU₁/dτ = [c₁(x₁ + w₁²)(x₁x₂ω₃ − x₁w₂z₂ − x₂w₁z₁)]/x₁²"]
+    assert formulas == ["dU₁/dτ = c₁(x₁ + w₁²)(x₁x₂ω₃ − x₁w₂z₂ − x₂w₁z₁)/x₁²"]
 
 
 def test_an_equation_that_follows_is_a_combination_of_what_is_given(steps):

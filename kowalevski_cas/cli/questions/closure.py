@@ -19,9 +19,9 @@ from kowalevski_cas.notation import (
     Number,
     Product,
     Relation,
-    Sum,
     read,
     to_latex,
+    total,
 )
 from kowalevski_cas.paper.claims import (
     FirstIntegral,
@@ -31,6 +31,7 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.search.closure import Closure, closures
 from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import in_latex
@@ -46,7 +47,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+def search(
+    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+) -> Iterator[Finding]:
     """The chains that close: their sets, their equations, and integrals by these."""
     space, vocabulary = on(scene), on.texts.vocabulary
 
@@ -84,7 +87,7 @@ def _equation(closure: Closure, on: Elaborations, scene: Scene) -> Formula:
         for elements in (closure.chain, closure.row)
     )
     terms = [Product((c, f)) for c, f in zip(row, chain, strict=True) if c != Number(0)]
-    combined = Sum(tuple(terms)) if len(terms) > 1 else terms[0] if terms else Number(0)
+    combined = total(terms)
     return Relation((Derivative(chain[-1], scene.time), combined), ("=",))
 
 

@@ -10,6 +10,7 @@ import argparse
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.cli.session import natural
@@ -24,12 +25,13 @@ from kowalevski_cas.notation import (
     Quotient,
     Relation,
     Sum,
+    times,
     to_latex,
 )
 from kowalevski_cas.paper.claims import DarbouxPolynomial, FirstIntegral, Identity, Implication
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.problem.fold import rational_terms
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.verify.found import Finding
 
 if TYPE_CHECKING:
@@ -47,7 +49,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+def search(
+    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+) -> Iterator[Finding]:
     """The Darboux polynomials, the lowest degrees first, and what is built from them."""
     from kowalevski_cas.problem.polynomial_fields import PolynomialField
     from kowalevski_cas.search.cofactor_relations import relations
@@ -58,7 +62,7 @@ def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Ite
 
     at = on(scene).finder
     moving: list[Darboux] = []
-    for one in darboux_polynomials(at, arguments.degree, arguments.special):
+    for one in darboux_polynomials(at, arguments.degree, arguments.special, pool):
         value, cofactor = formula(one.polynomial), formula(one.cofactor)
         if one.equations:
             given = tuple(_equation(formula(a), formula(b)) for a, b in one.equations)
@@ -94,12 +98,12 @@ def _product(
         if not exponent.is_zero
     ]
     bases = [formula(one.polynomial) for _, one in used]
-    whole = [rational_terms(exponent) for exponent, _ in used]
+    whole = [rational(exponent) for exponent, _ in used]
     powers = [int(value) for value in whole if value is not None and value.denominator == 1]
     simple = len(powers) == len(used) and relation.exponential.is_zero
     if simple and not relation.multiplier:
         both = [(n, _power(base, Number(abs(n)))) for n, base in zip(powers, bases, strict=True)]
-        above, below = (_times([one for n, one in both if n * sign > 0]) for sign in (1, -1))
+        above, below = (times(*(one for n, one in both if n * sign > 0)) for sign in (1, -1))
         quotient = above if below == ONE else Quotient(above, below)
         return Finding(FirstIntegral, scene, INTEGRAL, to_latex(quotient))
     exponents = [formula(exponent) for exponent, _ in used]
@@ -120,10 +124,6 @@ def _product(
 
 def _power(base: Formula, exponent: Formula) -> Formula:
     return base if exponent == ONE else Power(base, exponent)
-
-
-def _times(factors: Sequence[Formula]) -> Formula:
-    return Product(tuple(factors)) if len(factors) > 1 else factors[0] if factors else ONE
 
 
 def _equation(left: Formula, right: Formula) -> str:

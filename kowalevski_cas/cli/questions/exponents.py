@@ -11,10 +11,10 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from fractions import Fraction
 
 from flint import fmpq_mpoly
 
+from kowalevski_cas.algebra.flint import terms_of, to_fraction
 from kowalevski_cas.algebra.present import fraction_formula, name_formula, polynomial_formula
 from kowalevski_cas.notation import (
     Derivative,
@@ -22,16 +22,18 @@ from kowalevski_cas.notation import (
     Negative,
     Number,
     Power,
-    Product,
     Relation,
     Sum,
     Vocabulary,
+    times,
     to_latex,
+    total,
 )
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.search.exponents import Balance, LeadingPart
 from kowalevski_cas.verify.found import Finding
 
@@ -46,7 +48,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the question: none."""
 
 
-def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+def search(
+    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+) -> Iterator[Finding]:
     """Of each balance that it solves the leading equations, and its exponents."""
     letter = next(one for one in LETTERS if one not in {*scene.names()})
     scene = scene.having(constants=(letter,))
@@ -55,7 +59,7 @@ def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Ite
     space = Elaborations(Texts(words, on.texts.sources, on.texts.edits))(scene)
     part = LeadingPart(space.finder, letter)
     told = _Told(part, scene, words)
-    for balance in part.balances():
+    for balance in part.balances(pool):
         yield Finding(Identity, scene, told.balance(balance), told.equations(balance))
         yield Finding(Identity, scene, told.exponents(balance), told.characteristic(balance))
 
@@ -91,13 +95,13 @@ class _Told:
         given = [*(one for _, one in balance.equations.solved), *balance.equations.rest]
         members: list[Formula] = []
         for k, (unit, cofactors, _) in enumerate(balance.divisions):
-            weight = _product(fraction_formula(self.part.weights[k]), self.names[k])
+            weight = times(fraction_formula(self.part.weights[k]), self.names[k])
             rate = Sum((Derivative(self.names[k], self.scene.time), weight))
-            side = _product(self._formula(self.part.multiple), rate)
+            side = times(self._formula(self.part.multiple), rate)
             lower = self.part.lower[k]
             side = Sum((side, Negative(self._formula(lower)))) if lower else side
             terms = [Negative(one) for one in self._multiples(cofactors, given)]
-            members.append(Sum((_product(self._formula(unit), side), *terms)))
+            members.append(Sum((times(self._formula(unit), side), *terms)))
         return to_latex(Relation((*members, Number(0)), ("=",) * len(members)))
 
     def exponents(self, balance: Balance) -> str:
@@ -115,30 +119,20 @@ class _Told:
         matrix = rf"\begin{{pmatrix}}{BELOW.join(rows)}\end{{pmatrix}}"
         _, cofactors, rest = balance.characteristic
         content, factors = rest.factor()
-        number = fraction_formula(Fraction(int(content.p), int(content.q)))
+        number = fraction_formula(to_fraction(content))
         powers = [
             self._formula(one) if k == 1 else Power(self._formula(one), Number(int(k)))
             for one, k in factors
         ]
-        terms = [_product(number, *powers), *self._multiples(cofactors, balance.equations.rest)]
-        total = Sum(tuple(terms)) if len(terms) > 1 else terms[0]
-        return rf"\det{matrix}={to_latex(total)}"
+        terms = [times(number, *powers), *self._multiples(cofactors, balance.equations.rest)]
+        return rf"\det{matrix}={to_latex(total(terms))}"
 
     def _multiples(
         self, cofactors: Sequence[fmpq_mpoly], given: Sequence[fmpq_mpoly]
     ) -> list[Formula]:
         both = zip(cofactors, given, strict=True)
-        return [_product(self._formula(c), self._formula(g)) for c, g in both if c]
+        return [times(self._formula(c), self._formula(g)) for c, g in both if c]
 
     def _formula(self, polynomial: fmpq_mpoly) -> Formula:
-        terms = {
-            tuple(map(int, e[1:])): Fraction(int(v.p), int(v.q))
-            for e, v in polynomial.to_dict().items()
-        }
+        terms = {e[1:]: value for e, value in terms_of(polynomial).items()}
         return polynomial_formula(terms, self.names)
-
-
-def _product(*factors: Formula) -> Formula:
-    """A product without factors 1."""
-    kept = [one for one in factors if one != Number(1)]
-    return Product(tuple(kept)) if len(kept) > 1 else kept[0] if kept else Number(1)

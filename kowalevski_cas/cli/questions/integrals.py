@@ -14,6 +14,7 @@ from kowalevski_cas.notation import to_latex
 from kowalevski_cas.paper.claims import AllIntegrals, FirstIntegral
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.found import Finding
@@ -31,13 +32,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+def search(
+    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+) -> Iterator[Finding]:
     """The integrals, the lowest degrees first, and that these are all."""
     from kowalevski_cas.search.integrals import first_integrals
 
     at, degree, found = on(scene).finder, arguments.degree, list[str]()
     weights = _weights(at) if arguments.weighted else ()
-    for element in first_integrals(at, degree, weights):
+    for element in first_integrals(at, degree, weights, pool):
         found.append(to_latex(formula_of(element, on.texts.vocabulary)))
         yield Finding(FirstIntegral, scene, "it is constant along every motion", found[-1])
     known = "a polynomial in these" if found else "a constant"

@@ -23,13 +23,14 @@ from kowalevski_cas.notation import (
     Sum,
     read,
     to_latex,
+    total,
 )
 from kowalevski_cas.paper.claims import Identity, Implication, Union
-from kowalevski_cas.paper.claims.forms import total
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.prune import mentions
 from kowalevski_cas.search.parameters import Ansatz, cofactor_monomials
 from kowalevski_cas.verify.found import Finding
@@ -42,7 +43,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("polynomial", metavar="POLYNOMIAL", help="F, in LaTeX")
 
 
-def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+def search(
+    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+) -> Iterator[Finding]:
     """What F' = KF asks of the constants, that there are these cases only, and each of them."""
     letters = _letters(on(scene))
     unknown = _unknown(on(scene), arguments.polynomial)
@@ -66,7 +69,7 @@ def search(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Ite
     asked = tuple(tex(one, zero) for _, one in ansatz.equations())
     said = "what multiplies the monomials vanishes if K is this polynomial"
     yield Finding(Identity, scene, said, tex(rest, total(terms)))
-    cases = [*ansatz.cases()]
+    cases = [*ansatz.cases(pool)]
     sets = dict.fromkeys(
         tuple(tex(*sides) for sides in case.equations if not _mention(space, sides, unknown))
         for case in cases

@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 
 
 class Curve(NamedTuple):
-    """Values of G and √K, and on how many tori of the critical set they are taken, 0 if unknown."""
+    """Values of G and √K, and on how many tori of the critical set they are taken."""
 
     g: Array
     root: Array
@@ -40,12 +40,15 @@ CAPTION = (
     "The bifurcation diagram of the whole top, in the planes of $(g,\\sqrt{k})$ at six energies: "
     "the values at which the three integrals are dependent, on $M^4$, $N^4$, $O^4$, and at "
     "rotations about the third axis (dots, hollow where they are on none of the three). Numbers "
-    "count the tori of $N^4$ and $O^4$ with these values. Motions fill the shaded regions."
+    "count the tori of $M^4$, $N^4$ and $O^4$ with these values. Motions fill the shaded regions."
 )
 
 SETS = ("$M^4$", "$N^4$", "$O^4$")
 
-SHARES = np.linspace(0, 1, 6000)[1:] ** 3
+POINTS = 6000
+"""Values of J₃ on M⁴, of which the largest is not reached."""
+
+SHARES = np.linspace(0, 1, POINTS)[1:] ** 3
 """Values of |m| on N⁴, as shares of the largest."""
 
 STATES = 60_000
@@ -116,17 +119,14 @@ def third(fields: Fields, h: float, s: Array) -> Curve:
 
 
 def first(fields: Fields, h: float) -> Curve:
-    """The segment of M⁴ at an energy: up to the largest |J₃| of its common points with O⁴."""
-    reached: list[float] = []
-    for j, energy in fields.M4_and_O4():
-        above = energy - h
-        here, there = above[:-1], above[1:]
-        (last,) = np.nonzero(np.isfinite(here) & np.isfinite(there) & (here * there <= 0))
-        share = here[last] / (here[last] - there[last])
-        reached += (j[last] + share * (j[last + 1] - j[last])).tolist()
-    j = np.linspace(0, max(reached, default=np.nan), 50)
-    k, g = fields.on_M4(np.full_like(j, h), j)
-    return Curve(g, np.sqrt(k), np.zeros(len(j), dtype=int))
+    """The segment of M⁴ at an energy, with the tori of both signs of J₃."""
+    size = float(fields.a + fields.b)
+    # |J₃| is so large at most, for |w1|² ≤ a + b on M⁴.
+    reach = size * np.sqrt(2 * (h + size)) + 2 * size**1.5
+    j = np.linspace(0, reach, POINTS)[1:]
+    tori = fields.tori_on_M4(np.full_like(j, h), j)
+    k, g = fields.on_M4(np.full_like(j, h), np.where(tori > 0, j, np.nan))
+    return Curve(g, np.sqrt(k), 2 * tori)
 
 
 def numbers(axes: Axes, curve: Curve, taken: Sequence[tuple[float, float]]) -> None:

@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.motion import Motion
-from kowalevski_cas.motion.pictures.regions import GREYS, filled, mesh, shade
+from kowalevski_cas.motion.pictures.regions import mesh, shade
 from kowalevski_cas.paper.closed_form import CriticalSets
 from kowalevski_cas.pictures import mark, new_figure
 
@@ -25,12 +24,10 @@ ABOUT = CriticalSets
 
 CAPTION = (
     "Bifurcation diagrams of $O^4$ in the planes of $(s,\\tau_3)$ and of $(s,h)$, and of $M^4$ in "
-    "the plane of $(|J_3|,h)$. Numbers count the tori of a region of $O^4$, and there is no motion "
-    "where the paper is white. On $M^4$, where the motions are not separated here, the regions "
-    "are those that states by chance are in; on the curves they are on $O^4$ as well."
+    "the plane of $(J_3,h)$, where the other sign of $J_3$ gives the same. Numbers count the tori "
+    "of a region, and there is no motion where the paper is white. On the curves of $M^4$ the "
+    "motions are on $O^4$ as well."
 )
-
-STATES = 100_000
 
 
 def draw(motion: Motion) -> Figure:
@@ -42,7 +39,7 @@ def draw(motion: Motion) -> Figure:
     high = max(fields.where_sigma_vanishes())
     by_tau.set(xlim=(-1.5 * a, 2.2 * a), ylim=(-0.8 * high, 1.7 * high), xlabel="$s$")
     by_h.set(xlim=(-1.5 * a, 2.2 * a), ylim=(-1.3 * (a + b), 1.9 * (a + b)), xlabel="$s$")
-    on_M4.set(xlim=(0, 2.3 * (a + b)), ylim=by_h.get_ylim(), xlabel="$|J_3|$")
+    on_M4.set(xlim=(0, 2.3 * (a + b)), ylim=by_h.get_ylim(), xlabel="$J_3$")
     for axes, unit in ((by_tau, r"$\tau_3$"), (by_h, "$h$"), (on_M4, "$h$")):
         axes.set_ylabel(unit, rotation=0)
         axes.grid(False)
@@ -84,19 +81,8 @@ def separating(
 
 def _first(axes: Axes, fields: Fields) -> None:
     """Draw the diagram of M⁴."""
-    curves = fields.M4_and_O4()
-    here = filled(axes, curves, states_on_M4(fields, STATES))
-    axes.contourf(*mesh(axes), here, levels=(0.5, 1.5), colors=[GREYS[1]], zorder=0)
-    for j, h in curves:
+    j, h = mesh(axes)
+    tori = fields.tori_on_M4(h, j)
+    shade(axes, np.where(tori > 0, np.log2(np.maximum(tori, 1)), -1).astype(int), (1, 2, 4))
+    for j, h in fields.M4_and_O4():
         axes.plot(j, h, color=mark(3).colour, ls=mark(3).dashes, lw=1.2)
-
-
-def states_on_M4(fields: Fields, count: int) -> tuple[Array, Array]:
-    """The values of |J₃| and H at states of M⁴ by chance."""
-    states = fields.states(count)
-    random = np.random.default_rng(2)
-    x1 = states[:, 3] - states[:, 7] + 1j * (states[:, 4] + states[:, 6])
-    w1 = np.sqrt(-x1) * random.choice([-1, 1], count)
-    states[:, :3] = np.stack([w1.real, w1.imag, 2 * random.normal(size=count)], axis=1)
-    h, _, _, _, _, g, *_ = formulas.integrals()(*states.T)
-    return fields.j(h, g), h

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Formula, Partial, Relation, Sum, Unwritten
+from kowalevski_cas.notation import Formula, Partial, Relation, Sum, Unwritten, total
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import expression, members, rate, total, vanishes
+from kowalevski_cas.paper.claims.forms import expression, members, rate, vanishes
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Goal, identity

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Name, substitute
+from kowalevski_cas.notation import Name, substitute, times, total
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import equation, rate, times, total, vanishes
+from kowalevski_cas.paper.claims.forms import equation, rate, vanishes
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Exists, Goal, identity
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Formula, Relation, to_latex
+from kowalevski_cas.notation import Formula, Relation, times, to_latex
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import members, rate, times
+from kowalevski_cas.paper.claims.forms import members, rate
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed

@@ -6,16 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
-from kowalevski_cas.notation import Conjugate, Formula, Name, Partial
+from kowalevski_cas.notation import Conjugate, Formula, Name, Partial, times, total
 from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
-from kowalevski_cas.paper.claims.forms import (
-    equations,
-    first_member,
-    minus,
-    times,
-    total,
-    vanishes,
-)
+from kowalevski_cas.paper.claims.forms import equations, first_member, minus, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene

@@ -8,21 +8,13 @@ from fractions import Fraction
 from itertools import combinations
 from math import gcd
 
-from kowalevski_cas.notation import Formula, Name, Number, Partial, Power
+from kowalevski_cas.algebra.numbers import rational
+from kowalevski_cas.notation import Formula, Name, Number, Partial, Power, times
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import (
-    ONE,
-    equation,
-    equations,
-    expression,
-    rate,
-    times,
-    vanishes,
-)
+from kowalevski_cas.paper.claims.forms import ONE, equation, equations, expression, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.fold import rational_terms
 from kowalevski_cas.problem.goals import Fails, Follows, Goal
 from kowalevski_cas.problem.space import Equation, Meaningless
 
@@ -71,7 +63,7 @@ class SolvedExponents(Claim):
         for printed in self.values:
             left, right = equation(on, space, printed)
             if left == Name(exponent):
-                value = rational_terms(space.finder.scalar(right))
+                value = rational(space.finder.scalar(right))
                 if value is not None:
                     return value
         raise Meaningless(f"no number is printed for the exponent {exponent}", exponent)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from kowalevski_cas.notation import (
@@ -12,9 +12,10 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
-    Product,
     Relation,
     Sum,
+    times,
+    total,
 )
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -41,18 +42,6 @@ def minus(equation: Equation) -> Formula:
     """The left minus the right side."""
     left, right = equation
     return left if right == ZERO else Sum((left, Negative(right)))
-
-
-def total(terms: Iterable[Formula]) -> Formula:
-    """The sum of any number of terms."""
-    found = tuple(terms)
-    return Sum(found) if len(found) > 1 else found[0] if found else ZERO
-
-
-def times(*factors: Formula) -> Formula:
-    """The product of some factors."""
-    kept = tuple(factor for factor in factors if factor != ONE)
-    return Product(kept) if len(kept) > 1 else kept[0] if kept else ONE
 
 
 def members(relation: Relation) -> list[Formula]:

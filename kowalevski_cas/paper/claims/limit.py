@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Negative, edits
+from kowalevski_cas.notation import Negative, edits, times, total
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.forms import (
     ONE,
@@ -18,8 +18,6 @@ from kowalevski_cas.paper.claims.forms import (
     names_in,
     product,
     rate,
-    times,
-    total,
     vanishes,
 )
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations

@@ -5,17 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from kowalevski_cas.notation import Name, Partial
+from kowalevski_cas.notation import Name, Partial, times, total
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
-from kowalevski_cas.paper.claims.forms import (
-    equations,
-    matrix,
-    names_in,
-    rate,
-    times,
-    total,
-    vanishes,
-)
+from kowalevski_cas.paper.claims.forms import equations, matrix, names_in, rate, vanishes
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Texts

@@ -9,9 +9,18 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from kowalevski_cas.notation import Formula, Name, Negative, Number, PoissonBracket, Relation
+from kowalevski_cas.notation import (
+    Formula,
+    Name,
+    Negative,
+    Number,
+    PoissonBracket,
+    Relation,
+    times,
+    total,
+)
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import members, rate, times, total, vanishes
+from kowalevski_cas.paper.claims.forms import members, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import BRACKET, head
