@@ -196,7 +196,8 @@ def _row(place: _Place, printed: Printed) -> list[Outcome]:
 
 
 def _displayed(display: Display, place: _Place, texts: Texts, roles: Roles) -> Item:
-    role, rows = roles.at(Printed(display, 1).place).name, ()
+    role = roles.at(Printed(display, 1).place).name
+    rows: tuple[Row, ...] = ()
     with suppress(NotationError):
         rows = tuple(Row((one.formula,), one.source) for one in texts.statements(display))
     rows = rows or (Row((), texts.source(display)),)
