@@ -106,7 +106,7 @@ def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, str, i
     """What is to be printed of an audit, what is to be noted, and the exit code."""
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
     folder, derivation = chosen(source, arguments.derivation)
-    explain = arguments.report is not None or arguments.format in ("pretty", "verbose")
+    explain = arguments.report is not None
     base = auditing(folder, derivation, arithmetics, arguments.timeout, explain)
     found = audit(source, base)
     note = _written(found, arguments.report) if arguments.report is not None else ""

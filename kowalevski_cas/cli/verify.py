@@ -26,7 +26,7 @@ from kowalevski_cas.cli.exits import (
     USAGE,
     CommandError,
 )
-from kowalevski_cas.cli.formats import EXPLAINED, FORMATS, Result, load_format
+from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.library import READ, LibraryError, available, find, source
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.report import sections
@@ -83,10 +83,9 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
 
 def _result(arguments: argparse.Namespace, folder: Path, derivation: Derivation) -> Result:
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-    explain = arguments.report is not None or arguments.format in EXPLAINED
     found = session.run(
-        folder, derivation, arithmetics, arguments.only, explain, arguments.timeout,
-        seed=arguments.seed,
+        folder, derivation, arithmetics, arguments.only, arguments.report is not None,
+        arguments.timeout, seed=arguments.seed,
     )  # fmt: skip
     if arguments.report is not None or arguments.format == "json":
         found = replace(found, versions=session.versions())

@@ -7,23 +7,33 @@ store of evidence as well: what a search found once is read from them, and check
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.problem.codec import Data, problem_data
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read_evidence
 from kowalevski_cas.problem.evidence import Denial, Evidence
-from kowalevski_cas.problem.evidence_codec import evidence_data, read_evidence
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Exists, Goal
-from kowalevski_cas.problem.trees import FormatError, encode
+from kowalevski_cas.problem.trees import FormatError, Tree, encode
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
 FOLDER = "certificates"
 CORRECTED = "corrected"
 FORMAT, VERSION = "kowalevski-cas certificate", 2
+
+
+class Supported(NamedTuple):
+    """A statement with its evidence, and what was accepted of that."""
+
+    statement: Statement
+    verdicts: Verdicts
+    accepted: Accepted
 
 
 @dataclass(frozen=True)
@@ -44,6 +54,15 @@ class Stored:
             return self._verdicts(statement)
         except (FormatError, TypeError, ValueError, RecursionError) as error:
             raise FormatError(f"{self.path}: {error}") from None
+
+    def failures(self, statement: Statement, condition: Tree) -> list[Stored] | None:
+        """What it has of a condition of a statement; ``None`` if it says nothing of conditions."""
+        entries = self.data.get("failures")
+        if entries is None or self.data.get("digest") != statement.digest:
+            return None
+        if not isinstance(entries, list) or not all(isinstance(one, dict) for one in entries):
+            raise FormatError(f"{self.path}: a list of what fails is expected")
+        return [Stored(self.path, one) for one in entries if one.get("condition") == condition]
 
     def _verdicts(self, statement: Statement) -> Verdicts:
         evidence, sign = self.data.get("evidence"), self.data.get("sign")
@@ -77,39 +96,58 @@ def load_certificates(folder: Path) -> dict[str, Stored]:
     return found
 
 
-def certificate(statement: Statement, verdicts: Verdicts, accepted: Accepted) -> str:
+def certificate(
+    statement: Statement,
+    verdicts: Verdicts,
+    accepted: Accepted,
+    failures: Mapping[Formula, Supported | None] = MappingProxyType({}),
+) -> str:
     """The text of the certificate of a statement; the checker has to accept it.
+
+    ``failures`` are what fails where a condition is violated, or that nothing was found.
 
     Raises :class:`FormatError` if something has no place in it, ``checker.Rejected`` if the
     checker does not accept it.
     """
     from kowalevski_cas.problem import checker  # only those who write certificates need it
 
-    away = iter(accepted.away)
-    if isinstance(verdicts, Denial):
-        goal = statement.goals[verdicts.goal]
-        evidence = [{"goal": verdicts.goal, **_with_away(verdicts.evidence, goal, away)}]
-    else:
-        pairs = zip(verdicts, statement.goals, strict=True)
-        evidence = [_with_away(one, goal, away) for one, goal in pairs]
-    text = written(statement, "denied" if isinstance(verdicts, Denial) else "holds", evidence)
+    failing = [
+        {"condition": encode(condition), **_stated(failure.statement, *_evidence(*failure))}
+        for condition, failure in failures.items()
+        if failure is not None
+    ]
+    shown = _evidence(statement, verdicts, accepted)
+    text = written(statement, *shown, failing if failures else None)
     checker.check(text)
     return text
 
 
-def written(statement: Statement, sign: str, evidence: list[Data]) -> str:
+def written(
+    statement: Statement, sign: str, evidence: list[Data], failures: list[Data] | None = None
+) -> str:
     """The text of a certificate that nobody has checked."""
-    return dump(
-        {
-            "format": FORMAT,
-            "version": VERSION,
-            "claim": statement.claim.id,
-            **problem_data(statement.problem),
-            "sign": sign,
-            "evidence": evidence,
-            "digest": statement.digest,
-        }
-    )
+    head = {"format": FORMAT, "version": VERSION, "claim": statement.claim.id}
+    more = {} if failures is None else {"failures": failures}
+    return dump({**head, **_stated(statement, sign, evidence), **more})
+
+
+def _stated(statement: Statement, sign: str, evidence: list[Data]) -> Data:
+    """A problem with a sign and evidence."""
+    problem = problem_data(statement.problem)
+    return {**problem, "sign": sign, "evidence": evidence, "digest": statement.digest}
+
+
+def _evidence(
+    statement: Statement, verdicts: Verdicts, accepted: Accepted
+) -> tuple[str, list[Data]]:
+    """The sign and the evidence for it."""
+    away = iter(accepted.away)
+    if isinstance(verdicts, Denial):
+        goal = statement.goals[verdicts.goal]
+        data = _with_away(verdicts.evidence, goal, away)
+        return "denied", [{"goal": verdicts.goal, **data}]
+    pairs = zip(verdicts, statement.goals, strict=True)
+    return "holds", [_with_away(one, goal, away) for one, goal in pairs]
 
 
 def _with_away(evidence: Evidence, goal: Goal, away: Any) -> Data:

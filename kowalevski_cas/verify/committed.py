@@ -19,6 +19,7 @@ from kowalevski_cas.processes import tell
 from kowalevski_cas.verify.bench import Bench
 from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
 from kowalevski_cas.verify.corrections import recorded_correction
+from kowalevski_cas.verify.loci import failing
 from kowalevski_cas.verify.statement import Statement
 
 Record = Mapping[str, Mapping[str, object]]
@@ -100,10 +101,10 @@ def check_files(paths: Sequence[Path], about: Expected | None = None) -> Checked
 
 @dataclass(frozen=True)
 class Expected:
-    """What certificates have to be about: the record, and the digests of what is printed."""
+    """What certificates have to be about: the record, and the statements that are printed."""
 
     record: Record
-    printed: Mapping[str, str]
+    printed: Mapping[str, Statement]
 
     def compare(self, name: str, certificate: checker.Certificate, corrected: bool) -> None:
         """Reject a certificate that is about something else."""
@@ -119,21 +120,29 @@ class Expected:
             checker.need(same, f"the record has another statement of it; {stale}")
             sign = "denied" if entry.get("verdict") == "refuted" else "holds"
             checker.need(certificate.sign == sign, f"the record has another verdict on it; {stale}")
-        same = self.printed.get(name) == certificate.digest
+        statement = self.printed.get(name)
+        same = statement is not None and statement.digest == certificate.digest
         checker.need(same, f"the derivation prints another statement of it; {stale}")
+        assert statement is not None
+        expected = [*failing(statement)] if certificate.failures else []
+        about = [(failure.condition, failure.digest) for failure in certificate.failures]
+        checker.need(
+            all(one in expected for one in about),
+            f"what fails for a condition is something else; {stale}",
+        )
 
 
 def expected(folder: Path, record: Record) -> Expected:
     """What a derivation prints, written anew as problems, with the corrections of its record."""
     derivation = load(str(folder))
-    bench, found = Bench(derivation, []), dict[str, str]()
+    bench, found = Bench(derivation, []), dict[str, Statement]()
     for claim in derivation.claims:
         recorded = record.get(claim.id, {}).get("correction")
         with suppress(NotationError, Meaningless):  # what says nothing has no certificate
             on = bench.on(claim)
-            found[claim.id] = Statement(claim, on).digest
+            found[claim.id] = Statement(claim, on)
             near = recorded_correction(claim, on, recorded) if isinstance(recorded, str) else None
             if near is not None:
                 mended = Statement(near.claim, on.under(near.texts))
-                found[f"{CORRECTED}/{claim.id}"] = mended.digest
+                found[f"{CORRECTED}/{claim.id}"] = mended
     return Expected(record, found)

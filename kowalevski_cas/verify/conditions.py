@@ -9,7 +9,7 @@ from fractions import Fraction
 from kowalevski_cas.algebra.factors import irreducible_factors
 from kowalevski_cas.algebra.present import divided, formula_of
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Power, Product, Quotient
+from kowalevski_cas.notation import Formula, Negative, Power, Product, Quotient, Sum
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
@@ -77,9 +77,7 @@ def _divisors(
         if printed:
             found |= dict.fromkeys(printed)
         elif divisor is not ring.one:
-            found[
-                names[shape] if shape in names else formula_of(divisor, setting.texts.vocabulary)
-            ] = None
+            found[names[shape] if shape in names else _positive(divisor, setting)] = None
     for pair in setting.conjugates:
         first, second = map(setting.texts.expression, pair)
         if first in found and second in found:
@@ -129,6 +127,15 @@ def _denominators(setting: Elaboration, stated: Sequence[Formula]) -> Iterator[F
             below = formula.denominator
             for factor in below.factors if isinstance(below, Product) else (below,):
                 yield factor.base if isinstance(factor, Power) else factor
+
+
+def _positive(divisor: Element, setting: Elaboration) -> Formula:
+    """A divisor as it is printed, without a minus before each term."""
+    words = setting.texts.vocabulary
+    formula = formula_of(divisor, words)
+    terms = formula.terms if isinstance(formula, Sum) else (formula,)
+    negative = all(isinstance(term, Negative) for term in terms)
+    return formula_of(-divisor, words) if negative else formula
 
 
 def _granted(setting: Elaboration) -> Iterator[Element]:

@@ -23,7 +23,6 @@ from kowalevski_cas.paper.claims import CriticalSet, Dimension
 from kowalevski_cas.paper.claims.forms import ZERO
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
-from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
@@ -36,14 +35,15 @@ from kowalevski_cas.problem.evidence import (
     Shown,
     Solutions,
 )
-from kowalevski_cas.problem.examine import Accepted, Unproved
+from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Place, number_formula
+from kowalevski_cas.verify.certificate import Stored, Supported
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies, same
 from kowalevski_cas.verify.loci import circle_of, drop_on, failure_on, rank_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
 from kowalevski_cas.verify.shown import named, point
-from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.statement import Statement
 
 SHORT = 160
 """The most letters of an equation in LaTeX that is named within a sentence."""
@@ -55,17 +55,42 @@ MANY = "infinitely many"
 # -- conditions ----------------------------------------------------------------------
 
 
-def conditions(statement: Statement, accepted: Accepted, explain: bool) -> tuple[Condition, ...]:
-    """The conditions of a statement that holds; with witnesses that they are needed, if asked."""
+def conditions(
+    statement: Statement, accepted: Accepted, stored: Stored | None
+) -> tuple[Condition, ...]:
+    """The conditions of a statement that holds, with witnesses that they are needed.
+
+    These are those of a certificate; what it says nothing of is looked for.
+    """
     found = []
-    for setting, formula in _needed(statement, conditions_of(accepted)):
-        locus = _locus(setting, formula)
+    for setting, formula, locus in _lacking(statement, accepted):
         condition = Condition(formula, "the formulas divide by it")
-        if locus is not None and explain:
-            condition = _where_it_fails(statement, setting, locus, condition)
+        if locus and (failure := failure_on(statement, setting, locus, stored)):
+            condition = _where_it_fails(statement, setting, locus, formula, failure)
         found.append(condition)
-    singular = {condition.expression: condition for condition in _singular(statement, explain)}
+    singular = {condition.expression: condition for condition in _singular(statement)}
     return tuple(singular.get(condition.expression, condition) for condition in found)
+
+
+def failures(
+    statement: Statement, accepted: Accepted, stored: Stored | None
+) -> dict[Formula, Supported | None]:
+    """What fails where conditions are violated that have a locus."""
+    return {
+        setting.formula(locus.condition): failure_on(statement, setting, locus, stored)
+        for setting, _, locus in _lacking(statement, accepted)
+        if locus is not None
+    }
+
+
+def _lacking(
+    statement: Statement, accepted: Accepted
+) -> Iterator[tuple[Elaboration, Formula, Locus | None]]:
+    """What may not vanish, each with the declared locus where it does, if there is one."""
+    for setting, formula in _needed(statement, conditions_of(accepted)):
+        loci = setting.scene.loci
+        own = (x for x in loci if setting.texts.expression(x.condition) == formula)
+        yield setting, formula, next(own, None)
 
 
 def _needed(statement: Statement, conditions: list[Divided]) -> list[Divided]:
@@ -84,36 +109,23 @@ def _needed(statement: Statement, conditions: list[Divided]) -> list[Divided]:
     ]
 
 
-def _locus(setting: Elaboration, formula: Formula) -> Locus | None:
-    """The declared locus where a condition is violated, if there is one."""
-    loci = setting.scene.loci
-    return next((x for x in loci if setting.texts.expression(x.condition) == formula), None)
-
-
 def _where_it_fails(
-    statement: Statement, setting: Elaboration, locus: Locus, condition: Condition
+    statement: Statement, setting: Elaboration, locus: Locus, formula: Formula, failure: Supported
 ) -> Condition:
-    """A condition with a point of its locus where the statement fails, if one is found."""
-    found = failure_on(statement, setting, locus)
-    if found is None:
-        return condition
-    goal, evidence = found
-    judge = Judge(finder_of, statement.names)
-    try:
-        judge.holds(goal, evidence) if isinstance(goal, Fails) else judge.denies(goal, evidence)
-    except Unproved:
-        return condition
-    witness = _against(statement, goal, evidence, judge.accepted)
+    """A condition with a point of its locus where the statement fails."""
+    (goal,), verdicts = failure.statement.goals, failure.verdicts
+    evidence = verdicts.evidence if isinstance(verdicts, Denial) else verdicts[0]
+    witness = _against(statement, goal, evidence, failure.accepted)
     words = f"it fails for {locus.words}"
     if isinstance(goal, Fails) and say_nothing_on(setting, goal.given, locus):
         words = f"for {locus.words} the equations hold identically, and motions leave the set"
     if witness is not None and witness.left == MANY:
         words = f"for {locus.words} there are {MANY}"
-    return Condition(condition.expression, words, witness)
+    return Condition(formula, words, witness)
 
 
-def _singular(statement: Statement, explain: bool) -> Iterator[Condition]:
-    """Loci where a set has another dimension or, if that is asked, is singular; with points."""
+def _singular(statement: Statement) -> Iterator[Condition]:
+    """Loci where a set has another dimension, or is singular; with points."""
     goal = statement.goals[0]
     if not isinstance(statement.claim, Dimension) or not isinstance(goal, Rank):
         return
@@ -129,7 +141,7 @@ def _singular(statement: Statement, explain: bool) -> Iterator[Condition]:
             against = Counterexample(there, Number(own), Number(claimed), words)
             said = f"for {locus.words} the set has dimension {own}"
             yield Condition(expression, said, against)
-        elif explain and (dropped := drop_on(statement, goal, goal.space, locus)) is not None:
+        elif dropped := drop_on(statement, goal, goal.space, locus):
             words = f"only {dropped[0]} of the {goal.rank} differentials are independent"
             there = point(dropped[1].values, goal.space)
             against = Counterexample(there, Number(dropped[0]), Number(goal.rank), words)

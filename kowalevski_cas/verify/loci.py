@@ -8,18 +8,22 @@ from itertools import combinations, islice
 
 from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.algebra.present import fraction_formula
-from kowalevski_cas.notation import Number, Product, Sum
+from kowalevski_cas.notation import Formula, Number, Product, Sum
 from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
-from kowalevski_cas.problem.evidence import Evidence, Point
-from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
+from kowalevski_cas.problem.accept import Judge
+from kowalevski_cas.problem.evidence import Denial, Point
+from kowalevski_cas.problem.examine import Unproved
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Rank
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Equation
+from kowalevski_cas.problem.trees import FormatError, Tree, encode
 from kowalevski_cas.search.cofactors import vanishes_on
 from kowalevski_cas.search.place import Candidate
 from kowalevski_cas.search.real import real_points
-from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.certificate import Stored, Supported
+from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
 TRIES = 3
 """At how many points a rank is taken."""
@@ -28,31 +32,67 @@ ORDERS = 3
 """Up to which order derivatives are looked at for a motion that leaves a set."""
 
 
-def failure_on(
-    statement: Statement, setting: Elaboration, locus: Locus
-) -> tuple[Goal, Evidence] | None:
-    """A goal that fails on a locus and the evidence for it, if some are found."""
-    from kowalevski_cas.search.find import Finder  # only explanations search for what fails
-    from kowalevski_cas.search.levels import more_solutions
+def failing(statement: Statement) -> Iterator[tuple[Tree, str]]:
+    """What may fail where a condition is violated: the condition, and the digest of a problem."""
+    for setting in dict.fromkeys([*statement.spaces, statement.on(statement.claim.scene)]):
+        for locus in setting.scene.loci:
+            for goal in _candidates(statement, setting, locus):
+                one = Statement(statement.claim, statement.on, (goal,))
+                yield encode(setting.formula(locus.condition)), one.digest
 
-    there = setting.equations(locus.equations)
-    finder = Finder(finder_of, statement.names)
-    for failing in _candidates(statement, setting, there):
-        evidence = finder.failure(failing, setting.finder)
-        if evidence is not None:
-            return failing, evidence
-    for goal in statement.goals:
-        if isinstance(goal, Count):
-            zero = [setting.finder.scalar(setting.formula(locus.condition))]
-            solutions = more_solutions(goal, finder, zero)
-            return None if solutions is None else (goal, solutions)
+
+def failure_on(
+    statement: Statement, setting: Elaboration, locus: Locus, stored: Stored | None
+) -> Supported | None:
+    """What fails on a locus, as a certificate has it; what is found, if none says anything of it.
+
+    Raises :class:`FormatError` if the evidence of the certificate does not show it.
+    """
+    condition = setting.formula(locus.condition)
+    known = None if stored is None else stored.failures(statement, encode(condition))
+    for goal in _candidates(statement, setting, locus) if known != [] else ():
+        one = Statement(statement.claim, statement.on, (goal,))
+        if known is None:
+            verdicts = _found(one, goal, setting, condition)
+        else:
+            verdicts = next((v for entry in known if (v := entry.verdicts(one))), None)
+        if verdicts is None:
+            continue
+        evidence = verdicts.evidence if isinstance(verdicts, Denial) else verdicts[0]
+        judge = Judge(finder_of, one.names)
+        try:
+            (judge.denies if isinstance(goal, Count) else judge.holds)(goal, evidence)
+            zero = setting.finder.scalar(condition)
+            if not all(place.vanish([zero]) for place in judge.accepted.places):
+                raise Unproved("the condition holds there")
+        except Unproved as error:
+            if stored is None or known is None:
+                continue
+            raise FormatError(f"{stored.path}: what fails for {locus.words}: {error}") from None
+        return Supported(one, verdicts, judge.accepted)
     return None
 
 
+def _found(
+    failing: Statement, goal: Fails | Count, setting: Elaboration, condition: Formula
+) -> Verdicts | None:
+    """Evidence that a goal fails, or is denied, where a condition is violated."""
+    from kowalevski_cas.search.find import Finder  # most evidence is read
+    from kowalevski_cas.search.levels import more_solutions
+
+    finder = Finder(finder_of, failing.names)
+    if isinstance(goal, Count):
+        solutions = more_solutions(goal, finder, [setting.finder.scalar(condition)])
+        return None if solutions is None else Denial(0, solutions)
+    evidence = finder.failure(goal, setting.finder)
+    return None if evidence is None else (evidence,)
+
+
 def _candidates(
-    statement: Statement, setting: Elaboration, there: tuple[Equation, ...]
-) -> Iterator[Fails]:
-    """What may fail on the locus: conclusions, and the derivatives of a set that should stay."""
+    statement: Statement, setting: Elaboration, locus: Locus
+) -> Iterator[Fails | Count]:
+    """What may fail on a locus: conclusions, derivatives of a set that should stay, counts."""
+    there = setting.equations(locus.equations)
     for goal in statement.goals:
         if type(goal) is Follows and goal.space is setting:
             yield Fails(setting, goal.conclusions, (*goal.given, *there))
@@ -60,6 +100,7 @@ def _candidates(
             for one in goal.goals:
                 if isinstance(one, Follows) and one.given and one.space is setting:
                     yield from _leaving(setting, one.given, there)
+    yield from (goal for goal in statement.goals if isinstance(goal, Count))
 
 
 def _leaving(

@@ -20,7 +20,7 @@ from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import CORRECTED, certificate
 from kowalevski_cas.verify.corrections import corrections, printed_of, recorded_correction
-from kowalevski_cas.verify.explain import conditions
+from kowalevski_cas.verify.explain import conditions, failures
 from kowalevski_cas.verify.outcome import Condition, Correction, Outcome, Verdict
 from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.teller import DECIDED, Teller
@@ -92,7 +92,8 @@ class Mender(Teller):
             statement = Statement(claim, on)
         except (NotationError, Meaningless):
             return None
-        verdicts = self._evidence(statement, f"{CORRECTED}/{claim.id}")
+        name = f"{CORRECTED}/{claim.id}"
+        verdicts = self._evidence(statement, name)
         exact = dict.fromkeys(("flint", *(a for a in self.arithmetics if a not in POINTS)))
         decided = [self._judged(statement, verdicts, arithmetic) for arithmetic in exact]
         for one in decided:
@@ -100,7 +101,7 @@ class Mender(Teller):
                 raise Unproved(one.message)
         if any(one.verdict is not Verdict.PROVED for one in decided):
             return None
-        needed = conditions(statement, decided[0].accepted, self.explain)
+        needed = conditions(statement, decided[0].accepted, self.stored.get(name))
         return (Verdict.CONDITIONAL if needed else Verdict.PROVED), needed
 
     # -- acceptance ----------------------------------------------------------------
@@ -139,7 +140,7 @@ class Mender(Teller):
         """
         statement = Statement(claim, self.on(claim))
         decided = self._judged(statement, self._evidence(statement, claim.id), "flint")
-        yield claim.id, self._certificate(decided)
+        yield claim.id, self._certificate(decided, claim.id)
         if decided.verdict is not Verdict.REFUTED:
             return
         for found in self._candidates(claim, statement.on):
@@ -147,11 +148,13 @@ class Mender(Teller):
             if self.mended(found.claim, on) is not None:
                 name, mended = f"{CORRECTED}/{claim.id}", Statement(found.claim, on)
                 decided = self._judged(mended, self._evidence(mended, name), "flint")
-                yield name, self._certificate(decided)
+                yield name, self._certificate(decided, name)
                 return
 
-    @staticmethod
-    def _certificate(decided: Decided) -> str:
-        if decided.verdicts is None or decided.verdict not in DECIDED:
+    def _certificate(self, decided: Decided, name: str) -> str:
+        statement, verdicts, accepted = decided.statement, decided.verdicts, decided.accepted
+        if verdicts is None or decided.verdict not in DECIDED:
             raise Unproved(f"the claim is {decided.verdict}")
-        return certificate(decided.statement, decided.verdicts, decided.accepted)
+        green = decided.verdict is Verdict.PROVED
+        failing = failures(statement, accepted, self.stored.get(name)) if green else {}
+        return certificate(statement, verdicts, accepted, failing)

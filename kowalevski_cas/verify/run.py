@@ -44,7 +44,7 @@ def verify(
     """Decide the claims of a derivation.
 
     With ``only``, those are decided, and the claims whose corrections they rest on. With
-    ``explain``, outcomes tell their steps and what they rest on. ``certificates`` saves the
+    ``explain``, outcomes tell their steps. ``certificates`` saves the
     searches whose results they hold. ``timeout`` is in seconds, for each claim; with one, the run
     has a process of its own. ``sources`` holds displays, by id, that are to be read instead of
     what the derivation prints. ``seed`` chooses the points of the arithmetics that only screen.

@@ -21,11 +21,16 @@ Verdicts = tuple[Evidence, ...] | Denial
 
 
 class Statement:
-    """What a claim says. Raises ``NotationError`` or ``Meaningless`` if it says nothing."""
+    """What a claim says, or other ``goals`` in its settings.
 
-    def __init__(self, claim: Claim, on: Elaborations) -> None:
+    Raises ``NotationError`` or ``Meaningless`` if it says nothing.
+    """
+
+    def __init__(
+        self, claim: Claim, on: Elaborations, goals: tuple[Goal, ...] | None = None
+    ) -> None:
         self.claim, self.on = claim, on
-        self.goals: tuple[Goal, ...] = tuple(claim.goals(on))
+        self.goals: tuple[Goal, ...] = tuple(claim.goals(on)) if goals is None else goals
         self.problem = pruned(self.goals)
 
     @cached_property

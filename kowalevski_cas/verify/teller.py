@@ -62,7 +62,7 @@ class Teller(Bench):
         if self.arithmetics[0] != "flint" and outcome.verdict is Verdict.PROVED:
             accepted = self._judged(statement, decided.verdicts, "flint").accepted
         if outcome.verdict is Verdict.PROVED:
-            needed = conditions(statement, accepted, self.explain)
+            needed = conditions(statement, accepted, self.stored.get(statement.claim.id))
             if needed:
                 verdicts: dict[str, Verdict] = {
                     name: Verdict.CONDITIONAL if v is Verdict.PROVED else v
@@ -89,7 +89,7 @@ class Teller(Bench):
             outcome,
             counterexample=against,
             steps=told,
-            rests_on=self.rests_on(statement) if self.explain else (),
+            rests_on=self.rests_on(statement),
         )
 
     def unread(

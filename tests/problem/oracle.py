@@ -748,4 +748,5 @@ def is_true(data, seed=1):
         require(judge is None, "")
     except (Untrue, ArithmeticError, LookupError, TypeError, ValueError) as error:
         return False, repr(error)
-    return bool(data["goals"]), ""
+    untrue = [why for one in data.get("failures", []) if (why := is_true(one, seed)[1])]
+    return bool(data["goals"]) and not untrue, "".join(untrue)

@@ -18,10 +18,17 @@ OTHERS = {
 
 
 def seal(data):
-    """The text of a certificate, with the digest that belongs to its problem."""
+    """The text of a certificate, with the digests that belong to its problems."""
+    failures = data.get("failures")
+    if isinstance(failures, list):
+        data = {**data, "failures": [sealed(x) if isinstance(x, dict) else x for x in failures]}
+    return json.dumps(sealed(data))
+
+
+def sealed(data):
     problem = {key: data[key] for key in ("spaces", "goals") if key in data}
     digest = hashlib.sha256(json.dumps(problem, sort_keys=True).encode()).hexdigest()[:16]
-    return json.dumps({**data, "digest": digest})
+    return {**data, "digest": digest}
 
 
 def names_in(data):

@@ -118,6 +118,26 @@ def test_a_key_that_is_unknown_is_an_error_wherever_it_stands(derivation, certif
         is_an_error(only(derivation, id, forged(certificates, id, more)), certificates, id)
 
 
+@pytest.mark.parametrize("id", ["eq16.invariance", "equilibria", "limit"])
+def test_what_does_not_fail_where_a_condition_is_violated_is_an_error(derivation, certificates, id):
+    data = certificates[id].data
+    (failure,) = data["failures"]
+    other = {"holds": "denied", "denied": "holds"}[failure["sign"]]
+    point = ("evidence", 0, "point" if "point" in failure["evidence"][0] else "points")
+    for new in (changed(failure, point, []), {**failure, "sign": other}):
+        more = forged(certificates, id, data["evidence"], failures=[new])
+        is_an_error(only(derivation, id, more), certificates, id)
+    for value in (None, {}, [3]):
+        more = forged(certificates, id, data["evidence"], failures=value)
+        if value is None:  # nothing is said, and it is found anew
+            assert (
+                only(derivation, id, more).conditions
+                == only(derivation, id, certificates).conditions
+            )
+        else:
+            is_an_error(only(derivation, id, more), certificates, id)
+
+
 def numbers(data, choose):
     """The same evidence with one of its numbers changed."""
     paths = [p for p in places(data) if type(at(data, p)) is int and p[-1] not in ("goal", "inner")]

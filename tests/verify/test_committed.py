@@ -187,10 +187,17 @@ class TestPrint:
         paths = {
             path: path.relative_to(folder / "certificates") for path in certificate_files(folder)
         }
-        assert printed == {
+        assert {name: statement.digest for name, statement in printed.items()} == {
             place.with_suffix("").as_posix(): json.loads(path.read_text(encoding="utf-8"))["digest"]
             for path, place in paths.items()
         }
+
+    def test_another_goal_that_fails_where_a_condition_is_violated(self, paper):
+        data, other = certificate("limit"), certificate("eq16.invariance")["failures"]
+        found = self.checked(paper, {**data, "failures": other})
+        assert not found.accepted
+        assert "what fails for a condition is something else" in "".join(found.rejected.values())
+        assert "limit" in self.checked(paper, data).accepted
 
     def test_the_statement_of_another_claim(self, paper):
         data = {**certificate("eq7"), "claim": "eq6"}
@@ -275,6 +282,21 @@ class TestStatements:
         sides[1] = sides[0]
         rejected(data, "may be equal")
 
+    @pytest.mark.parametrize("claim", ["eq16.invariance", "equilibria", "corrected/critical-set"])
+    def test_a_failure_where_no_condition_is_violated(self, claim):
+        data = certificate(claim)
+        assert [line for line in checker.check(seal(data)).lines() if "at a point where" in line]
+        condition = data["failures"][0]["condition"]
+        there = changed(data, ("failures", 0, "condition"), ["+", condition, 1])
+        rejected(there, "not where it should be")
+        sign = "holds" if data["failures"][0]["sign"] == "denied" else "denied"
+        rejected(changed(data, ("failures", 0, "sign"), sign))
+        theorem = {key: data[key] for key in ("spaces", "goals", "sign", "evidence")}
+        rejected(
+            {**data, "failures": [{"condition": condition, **theorem}]},
+            "nothing fails|another length",
+        )
+
     def test_a_case_left_out(self):
         data = json.loads(TEXTS["corrected/critical-set"])
         paths = [p for p in places(data["evidence"]) if p[-1] in ("product", "cases")]
@@ -294,7 +316,7 @@ class TestStatements:
 @cache
 def all_places(claim):
     data = json.loads(TEXTS[claim])
-    keys = ("spaces", "goals", "evidence", "sign")
+    keys = ("spaces", "goals", "evidence", "sign", "failures")
     return [path for path in places(data) if path[0] in keys]
 
 

@@ -14,9 +14,6 @@ from kowalevski_cas.verify.record import Difference
 FORMATS = ("pretty", "json", "junit", "github")
 """The formats that are chosen by name; ``-v`` chooses :mod:`.verbose`."""
 
-EXPLAINED = ("pretty", "verbose", "json")
-"""The formats that say where a statement fails, and how it was decided."""
-
 
 @dataclass(frozen=True)
 class Result:

@@ -7,19 +7,44 @@ import json
 import re
 from dataclasses import dataclass
 
+from .evidence import locate
 from .polynomials import Ring
 from .problem import Problem, Theorem
-from .reading import Budget, Rejected, integer, items, need, parsed, printable
+from .reading import (
+    Budget,
+    Json,
+    Rejected,
+    integer,
+    items,
+    need,
+    parsed,
+    printable,
+    record,
+    say,
+)
+
+
+@dataclass(frozen=True)
+class Failure:
+    """What is shown at points where a condition is violated, and the digest of that problem."""
+
+    condition: Json
+    digest: str
+    theorem: Theorem
 
 
 @dataclass(frozen=True)
 class Certificate:
-    """What a file certifies: a claim, the digest of its problem, and theorems."""
+    """What a file certifies: a claim, the digest of its problem, and theorems.
+
+    ``failures`` are what fails, or does not hold, at a point where a condition is violated.
+    """
 
     claim: str
     digest: str
     sign: str
     theorems: list[Theorem]
+    failures: list[Failure]
 
     def summary(self) -> str:
         """All in a line."""
@@ -27,7 +52,10 @@ class Certificate:
 
     def lines(self) -> list[str]:
         """All of the theorems: with variables, definitions, field, conditions and points."""
-        return [printable(line) for theorem in self.theorems for line in theorem.lines()]
+        found = [line for theorem in self.theorems for line in theorem.lines()]
+        for one in self.failures:
+            found += [f"  at a point where {say(one.condition)} = 0:", *one.theorem.lines("    ")]
+        return [*map(printable, found)]
 
 
 def check(text: str) -> Certificate:
@@ -41,21 +69,47 @@ def check(text: str) -> Certificate:
 
 
 def _judged(text: str) -> Certificate:
-    data = parsed(text)
-    claim, sign, evidence = data["claim"], data["sign"], items(data["evidence"])
+    data, budget = parsed(text), Budget()
+    claim = data["claim"]
     named = type(claim) is str and re.fullmatch(r"[\w.-]+", claim, re.ASCII)
     need(named, "the claim has an odd name")
+    _, theorems = _shown(data, budget)
+    failures = [_failure(one, budget) for one in items(data.get("failures", []))]
+    return Certificate(claim, data["digest"], data["sign"], theorems, failures)
+
+
+def _shown(data: Json, budget: Budget) -> tuple[Problem, list[Theorem]]:
+    """A problem, and what its evidence shows."""
+    sign, evidence = data["sign"], items(data["evidence"])
     statement = {key: data[key] for key in ("spaces", "goals")}
     digest = hashlib.sha256(json.dumps(statement, sort_keys=True).encode()).hexdigest()[:16]
     need(data["digest"] == digest, "the digest is another one")
-    problem = Problem(data["spaces"], data["goals"], Ring(Budget()))
+    problem = Problem(data["spaces"], data["goals"], Ring(budget))
     if sign == "holds":
         need(len(evidence) == len(problem.goals), "evidence is missing")
         both = zip(problem.goals, evidence, strict=True)
-        return Certificate(claim, digest, sign, [problem.holds(*pair) for pair in both])
+        return problem, [problem.holds(*pair) for pair in both]
     need(sign == "denied", "it neither holds nor is denied")
     (entry,) = items(evidence, 1)
     need(type(entry) is dict, "evidence is expected")
     goal = problem.goals[integer(entry.get("goal"), 0, len(problem.goals) - 1)]
     rest = {key: value for key, value in entry.items() if key != "goal"}
-    return Certificate(claim, digest, sign, [problem.denied(goal, rest)])
+    return problem, [problem.denied(goal, rest)]
+
+
+def _failure(data: Json, budget: Budget) -> Failure:
+    """A goal that fails, or a count that is denied, by points where a condition is violated."""
+    record(data, "condition spaces goals sign evidence digest")
+    (goal,), (entry,) = items(data["goals"], 1), items(data["evidence"], 1)
+    problem, (theorem,) = _shown(data, budget)
+    need((goal["goal"], data["sign"]) in FAILURES, "nothing fails")
+    space = problem.stage(goal, {})
+    with space.statement():
+        condition = space.scalar(data["condition"])
+    for point in entry["points"] if goal["goal"] == "count" else [entry["point"]]:
+        locate(space, point, [condition])
+    return Failure(data["condition"], data["digest"], theorem)
+
+
+FAILURES = ("fails", "holds"), ("count", "denied")
+"""What is shown by points: one where a goal fails, or too many solutions."""

@@ -65,7 +65,7 @@ def parsed(text: str) -> Json:
     old = type(data.get("version")) is int and data["version"] == 1
     need(not old, "it is a certificate of format 1: make certificates renews it")
     need(repr(data.get("version")) == repr(VERSION), "it has another format")
-    return record(data, "format version claim spaces goals sign evidence digest")
+    return record(data, "format version claim spaces goals sign evidence digest", "failures")
 
 
 def _unique(both: list[tuple[str, Json]]) -> Json:
