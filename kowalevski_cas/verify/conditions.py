@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from kowalevski_cas.algebra.present import divided
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Product
+from kowalevski_cas.notation import Formula, Negative, Product, Sum
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
@@ -66,13 +66,21 @@ def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula
         if shape not in names and shape not in known:
             divisor = _without(divisor, known)
         if divisor is not ring.one:
-            found[names[shape] if shape in names else shown(divisor, setting)] = None
+            found[names[shape] if shape in names else _positive(divisor, setting)] = None
     for pair in setting.conjugates:
         first, second = map(setting.texts.expression, pair)
         if first in found and second in found:
             del found[second]
             found = {(Product((first, second)) if f == first else f): None for f in found}
     return list(found)
+
+
+def _positive(divisor: Element, setting: Elaboration) -> Formula:
+    """A divisor as it is printed, without a minus before each term."""
+    formula = shown(divisor, setting)
+    terms = formula.terms if isinstance(formula, Sum) else (formula,)
+    negative = all(isinstance(term, Negative) for term in terms)
+    return shown(-divisor, setting) if negative else formula
 
 
 def _granted(setting: Elaboration) -> Iterator[Element]:
