@@ -116,6 +116,7 @@ class PolynomialField:
                 row = [*exponents[:width], -1]
                 row[k] -= 1
                 rows.append(row)
+        rows += ([*exponents[:width], -1] for exponents in self.factor)
         return whole_solutions(rows, width + 1)
 
     def grade(self, exponents: Exponents) -> Exponents:

@@ -1,7 +1,9 @@
 """Products of powers of Darboux polynomials that are constant, or last multipliers (Darboux).
 
-If F′ = KF for several F, a product of powers F^λ times exp G has the logarithmic derivative
-Σ λK + G′. It is an integral if this vanishes, and a last multiplier if it is −div of the motion.
+If F′ = KF for several F, and (G/P)′ = L for products P of these, a product of powers F^λ times
+exp Σ μ G/P has the logarithmic derivative Σ λK + Σ μL. It is an integral if this vanishes, and a
+last multiplier if it is −div of the motion. See C. Christopher and J. Llibre, Annals of
+Differential Equations 16 (2000).
 """
 
 from __future__ import annotations
@@ -9,6 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import prod
+from typing import TypeVar
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.polynomial_fields import Exponents, PolynomialField, monomials
@@ -17,37 +21,88 @@ from kowalevski_cas.search.darboux import Darboux
 Column = Mapping[Exponents, Element]
 """A polynomial in the variables, by its coefficients."""
 
+Row = TypeVar("Row")
+
+
+@dataclass(frozen=True)
+class Exponential:
+    """exp(G/P), by G/P and its derivative; whether P is 1."""
+
+    exponent: Element
+    cofactor: Element
+    is_polynomial: bool
+
 
 @dataclass(frozen=True)
 class Relation:
-    """Σ λK + G′ = 0, or Σ λK + G′ + div = 0 for a ``multiplier``, with constants λ."""
+    """Σ λK + Σ μL = 0, or Σ λK + Σ μL + div = 0 for a ``multiplier``, with constants λ, μ."""
 
     exponents: tuple[Element, ...]
     exponential: Element
     multiplier: bool
 
 
-def relations(field: PolynomialField, known: Sequence[Darboux]) -> Iterator[Relation]:
-    """A basis of the relations among cofactors that are not zero, with G of the motion's degree."""
+def exponential_factors(
+    field: PolynomialField, known: Sequence[Darboux], degree: int
+) -> Iterator[Exponential]:
+    """All exp(G/P) up to a degree of G and P, where (G/P)′ = L has a lower degree than the motion.
+
+    That is a linear question: G′ − KG = LP, where P′ = KP. A G/P that is a combination of those
+    before, but for something constant, is left out.
+    """
+    at, motion = field.at, _degree_of_motion(field)
+    powers = [*_monomials(field, max(degree, motion))]
+    light = [*_monomials(field, motion - 1)]
+    sizes = [max(sum(e[: field.size]) for e in field.polynomial(one.polynomial)) for one in known]
+    span = _Echelon(field)
+    for total in range(degree + 1):
+        for own in monomials(sizes, total):
+            both = [*zip(own, known, strict=True)]
+            below = prod((one.polynomial**n for n, one in both), start=at.ring.one)
+            cofactor = sum((at.ring.number(n) * one.cofactor for n, one in both), at.ring.zero)
+            moved = (at.derivative(g) - cofactor * g for g in powers)
+            columns = [_coefficients(field, one) for one in (*(below * x for x in light), *moved)]
+            for vector in _nullspace(columns, field):
+                rate = -_combined(vector, light)
+                if span.relation(_coefficients(field, rate)) is None:
+                    above = _combined(vector[len(light) :], powers)
+                    yield Exponential(above / below, rate, total == 0)
+
+
+def relations(
+    field: PolynomialField, known: Sequence[Darboux], exponentials: Sequence[Exponential] = ()
+) -> Iterator[Relation]:
+    """A basis of the relations among cofactors that are not zero."""
     at, zero = field.at, field.at.ring.zero
-    degree = max((sum(e[: field.size]) for rate in field.rates for e in rate), default=0)
-    others = (0,) * (len(field.names) - field.size)
-    powers = [
-        field.element({(*e, *others): Fraction(1)})
-        for size in range(1, degree + 1)
-        for e in monomials((1,) * field.size, size)
-    ]
     divergence = zero
     for name in at.setting.variables:
         divergence = divergence + at.partial(at.rates.get(name, zero), name)
-    whole = [*(one.cofactor for one in known), *map(at.derivative, powers), divergence]
+    cofactors = [*(one.cofactor for one in known), *(one.cofactor for one in exponentials)]
+    whole = [*cofactors, divergence]
     for vector in _nullspace([_coefficients(field, one) for one in whole], field):
-        exponents = vector[: len(known)]
-        exponential = sum((a * b for a, b in zip(vector[len(known) :], powers, strict=False)), zero)
-        if divergence.is_zero and not vector[-1].is_zero:
+        exponents, multiplier = vector[: len(known)], not vector[-1].is_zero
+        if multiplier and divergence.is_zero:
             continue
-        if not all(one.is_zero for one in exponents) or not vector[-1].is_zero:
-            yield Relation(tuple(exponents), exponential, not vector[-1].is_zero)
+        if multiplier or not all(one.is_zero for one in exponents):  # no sum of G/P alone
+            exponential = _combined(vector[len(known) :], [e.exponent for e in exponentials])
+            yield Relation(tuple(exponents), exponential, multiplier)
+
+
+def _degree_of_motion(field: PolynomialField) -> int:
+    return max((sum(e[: field.size]) for rate in field.rates for e in rate), default=0)
+
+
+def _monomials(field: PolynomialField, degree: int) -> Iterator[Element]:
+    others = (0,) * (len(field.names) - field.size)
+    for size in range(degree + 1):
+        for e in monomials((1,) * field.size, size):
+            yield field.element({(*e, *others): Fraction(1)})
+
+
+def _combined(vector: Sequence[Element], parts: Sequence[Element]) -> Element:
+    """The combination of as many parts as there are."""
+    zero = vector[0].ring.zero
+    return sum((a * b for a, b in zip(vector, parts, strict=False)), zero)
 
 
 def _coefficients(field: PolynomialField, element: Element) -> Column:
@@ -64,24 +119,43 @@ def _coefficients(field: PolynomialField, element: Element) -> Column:
 
 def _nullspace(columns: Sequence[Column], field: PolynomialField) -> Iterator[list[Element]]:
     """A basis of the combinations of columns that vanish, over the functions of the constants."""
-    zero, one = field.at.ring.zero, field.at.ring.one
-    pivots: list[tuple[Exponents, dict[Exponents, Element], list[Element]]] = []
-    for k, column in enumerate(columns):
-        rest, made = dict(column), [zero] * len(columns)
-        made[k] = one
-        for key, basis, combination in pivots:
-            factor = rest.get(key, zero)
+    span = _Echelon(field)
+    zero = field.at.ring.zero
+    for column in columns:
+        if (found := span.relation(column)) is not None:
+            yield [found.get(k, zero) for k in range(len(columns))]
+
+
+class _Echelon:
+    """Columns with different leading rows, over the functions of the constants."""
+
+    def __init__(self, field: PolynomialField) -> None:
+        self.zero, self.one = field.at.ring.zero, field.at.ring.one
+        self.pivots: list[tuple[Exponents, Column, dict[int, Element]]] = []
+        self.size = 0
+
+    def relation(self, column: Column) -> dict[int, Element] | None:
+        """Add a column; if it depends on those before, the combination that vanishes."""
+        rest, made = dict(column), {self.size: self.one}
+        self.size += 1
+        for key, basis, combination in self.pivots:
+            factor = rest.get(key, self.zero)
             if not factor.is_zero:
-                rest = {
-                    e: rest.get(e, zero) - factor * basis.get(e, zero)
-                    for e in rest.keys() | basis.keys()
-                }
-                made = [a - factor * b for a, b in zip(made, combination, strict=True)]
+                rest, made = self._less(rest, factor, basis), self._less(made, factor, combination)
         left = {e: value for e, value in rest.items() if not value.is_zero}
         if not left:
-            yield made
-            continue
+            return made
         lead = max(left)
         over = left[lead].inverse()
         scaled = {e: value * over for e, value in left.items()}
-        pivots.append((lead, scaled, [value * over for value in made]))
+        self.pivots.append((lead, scaled, {k: value * over for k, value in made.items()}))
+        return None
+
+    def _less(
+        self, one: Mapping[Row, Element], factor: Element, other: Mapping[Row, Element]
+    ) -> dict[Row, Element]:
+        """A vector less a multiple of another one."""
+        return {
+            row: one.get(row, self.zero) - factor * other.get(row, self.zero)
+            for row in one.keys() | other.keys()
+        }

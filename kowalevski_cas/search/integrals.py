@@ -28,12 +28,18 @@ CONSTANTS = 6
 
 
 def first_integrals(
-    at: Evaluation, weight: int, weights: Sequence[int] = (), pool: Pool = HERE
+    at: Evaluation,
+    weight: int,
+    weights: Sequence[int] = (),
+    pool: Pool = HERE,
+    cofactor: Element | None = None,
+    integrals: Sequence[Element] = (),
 ) -> Iterator[Element]:
     """Polynomials in the variables that do not move, the lightest first.
 
     Those that are polynomials in the ones before them, with coefficients that depend on the
-    constants, are left out.
+    constants, are left out. If there is a ``cofactor`` K, they are the polynomials F with F′ = KF
+    instead, without the combinations of those before by polynomials in the ``integrals``.
 
     Args:
         at: the evaluation of a space, with FLINT.
@@ -41,13 +47,18 @@ def first_integrals(
         weights: the positive weights of the variables; all are 1, and the weight is the degree,
             if none are given.
         pool: where the linear algebra is done, block by block.
+        cofactor: K.
+        integrals: first integrals, for the combinations that are left out.
 
     Raises:
         Meaningless: if a root stands in the equations of motion.
         TooLarge: if what comes next takes too much memory.
     """
-    search = _Search(PolynomialField(at), weights or (1,) * len(at.setting.variables), pool)
-    for size in range(1, weight + 1):
+    field = PolynomialField(at, cofactor)
+    search = _Search(field, weights or (1,) * len(at.setting.variables), pool)
+    if cofactor is not None:
+        search.factors = [field.polynomial(one) for one in integrals]
+    for size in range(cofactor is None, weight + 1):
         for terms in search.of_weight(size):
             yield search.field.element(terms)
 
@@ -58,6 +69,8 @@ class _Search:
     def __init__(self, field: PolynomialField, weights: Sequence[int], pool: Pool) -> None:
         self.field, self.weights, self.pool = field, weights, pool
         self.known: list[Terms] = []
+        self.factors = self.known
+        """What known ones are multiplied by: integrals by each other."""
         self.monomials: list[Exponents] = []
         self.columns: list[Residues] = []
         self.others = len(field.names) - field.size
@@ -90,13 +103,17 @@ class _Search:
             for powers in _up_to(self.others, degree):
                 exponents = (*own[: self.field.size], *powers)
                 groups.setdefault(self.field.grade(exponents), []).append(exponents)
-        work = partial(_solutions, self.field.rates)
+        work = partial(_solutions, self.field.rates, self.field.factor)
         return chain.from_iterable(self.pool.map(work, groups.values()))
 
     def _span(self, weight: int) -> Span:
         """The polynomials in known integrals, up to a weight and but for constants."""
-        found, waiting = Span(), [(residues(f, self.values), k) for k, f in enumerate(self.known)]
-        own = [left for left, _ in waiting]
+        own = [residues(f, self.values) for f in self.factors]
+        same = self.factors is self.known
+        found, waiting = (
+            Span(),
+            [(residues(f, self.values), k * same) for k, f in enumerate(self.known)],
+        )
         while waiting:
             left, first = waiting.pop()
             if weight_of(left, self.weights) <= weight:
@@ -105,9 +122,9 @@ class _Search:
         return found
 
 
-def _solutions(rates: Sequence[Terms], group: Sequence[Exponents]) -> list[Terms]:
-    """A basis of the combinations of monomials that do not change at these rates."""
-    vectors = kernel([derivative(exponents, rates, {}) for exponents in group])
+def _solutions(rates: Sequence[Terms], factor: Terms, group: Sequence[Exponents]) -> list[Terms]:
+    """A basis of the combinations of monomials that the motion multiplies by the factor."""
+    vectors = kernel([derivative(exponents, rates, factor) for exponents in group])
     return [{e: v for e, v in zip(group, vector, strict=True) if v} for vector in vectors]
 
 

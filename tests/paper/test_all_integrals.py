@@ -3,7 +3,7 @@
 import pytest
 
 from kowalevski_cas.algebra import EXACT
-from kowalevski_cas.paper.claims import AllIntegrals
+from kowalevski_cas.paper.claims import AllDarboux, AllIntegrals
 from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.found import Finding, with_findings
 from kowalevski_cas.verify.run import Session, verify
@@ -39,6 +39,36 @@ def test_the_verdict_in_every_arithmetic_and_its_certificate(system, degree, int
     (claim,) = derivation.claims
     (_, text), *_ = Session(derivation, ["flint"]).certificates(claim)
     assert checker.check(text).sign == ("holds" if verdict == "proved" else "denied")
+
+
+DARBOUX = [
+    (SPECIAL_LORENZ, r"-2\sigma", 4, (r"x^2-2\sigma z",), (), "proved"),
+    (SPECIAL_LORENZ, r"-2\sigma", 4, (), (), "refuted"),
+    (SPECIAL_LORENZ, r"-2\sigma", 1, (), (), "proved"),
+    (SPECIAL_LORENZ, r"-\sigma", 4, (), (), "proved"),
+    (SPECIAL_LORENZ, r"-2\sigma", 2, (r"x^2+2\sigma z",), (), "refuted"),
+    (VOLTERRA, "y-z", 4, ("x",), ("x+y+z", "xyz"), "proved"),
+    (VOLTERRA, "y-z", 4, ("x",), ("x+y+z",), "refuted"),
+    (VOLTERRA, "y-z", 2, ("x",), ("x+y+z",), "proved"),
+    (VOLTERRA, "x+y", 3, (), (), "proved"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("system", "cofactor", "degree", "found", "integrals", "verdict"), DARBOUX)
+def test_all_darboux_polynomials_with_a_cofactor(
+    system, cofactor, degree, found, integrals, verdict
+):
+    given = system.derivation()
+    attributes = {
+        "cofactor": cofactor, "solutions": found, "integrals": integrals, "degree": degree,
+    }  # fmt: skip
+    finding = Finding(AllDarboux, given.scenes()[0], "these are all", "", attributes)
+    derivation = with_findings(given, [finding])
+    (outcome,) = verify(derivation, EXACT).outcomes
+    assert {str(one) for one in outcome.verdicts.values()} == {verdict} == {str(outcome.verdict)}
+    (_, text), *_ = Session(derivation, ["flint"]).certificates(derivation.claims[0])
+    certificate = checker.check(text)
+    assert certificate.sign == ("holds" if verdict == "proved" else "denied")
 
 
 def test_weights_of_the_variables():

@@ -46,6 +46,8 @@ def free_body():
     body.darboux("x-z", "-y")
     body.states(kinds.LocalDimension, "dimension", "", equations=("x=0",), dimension=2)
     body.states(kinds.AllIntegrals, "all", "", integrals=("x^2-z^2", "x^2+y^2+z^2"), degree=2)
+    own = {"cofactor": "-y", "solutions": ("x-z",), "integrals": (), "degree": 1}
+    body.states(kinds.AllDarboux, "all-darboux", "", **own)
     return derivation(body.section)
 
 

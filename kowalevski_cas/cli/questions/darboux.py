@@ -1,7 +1,8 @@
 """Find the Darboux polynomials of a scene of a derivation, up to a degree: F' = KF.
 
 Neither F nor K is given. What is a combination of products of those found before is left out. With
---special, they are found for special values of the constants too.
+--special, they are found for special values of the constants too; with --cofactor, those for one K,
+and that there are no others is claimed: only that question is linear.
 """
 
 from __future__ import annotations
@@ -28,13 +29,21 @@ from kowalevski_cas.notation import (
     times,
     to_latex,
 )
-from kowalevski_cas.paper.claims import DarbouxPolynomial, FirstIntegral, Identity, Implication
+from kowalevski_cas.paper.claims import (
+    AllDarboux,
+    DarbouxPolynomial,
+    FirstIntegral,
+    Identity,
+    Implication,
+)
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.found import Finding
 
 if TYPE_CHECKING:
+    from kowalevski_cas.search.cofactor_relations import Exponential
     from kowalevski_cas.search.cofactor_relations import Relation as CofactorRelation
     from kowalevski_cas.search.darboux import Darboux
 
@@ -43,6 +52,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the question."""
     parser.add_argument(
         "--degree", type=natural, default=2, metavar="N", help="the highest degree (2)"
+    )
+    parser.add_argument(
+        "--cofactor",
+        default="",
+        metavar="K",
+        help="this K only, in LaTeX: a linear question, so that there is no other F is proved too",
     )
     parser.add_argument(
         "--special", action="store_true", help="constants may have special values as well"
@@ -54,12 +69,15 @@ def search(
 ) -> Iterator[Finding]:
     """The Darboux polynomials, the lowest degrees first, and what is built from them."""
     from kowalevski_cas.problem.polynomial_fields import PolynomialField
-    from kowalevski_cas.search.cofactor_relations import relations
+    from kowalevski_cas.search.cofactor_relations import exponential_factors, relations
     from kowalevski_cas.search.darboux import darboux_polynomials
 
     def formula(element: Element) -> Formula:
         return formula_of(element, on.texts.vocabulary)
 
+    if arguments.cofactor:
+        yield from _with_cofactor(on, scene, arguments, pool)
+        return
     at = on(scene).finder
     moving: list[Darboux] = []
     for one in darboux_polynomials(at, arguments.degree, arguments.special, pool):
@@ -77,8 +95,50 @@ def search(
             says = f"F' = KF with $K={to_latex(cofactor)}$"
             attributes = {"cofactor": to_latex(cofactor)}
             yield Finding(DarbouxPolynomial, scene, says, to_latex(value), attributes)
-    for relation in relations(PolynomialField(at), moving):
+    field = PolynomialField(at)
+    exponentials: list[Exponential] = []
+    for factor in exponential_factors(field, moving, arguments.degree):
+        exponentials.append(factor)
+        if factor.is_polynomial:
+            continue  # there are many of them: told where a product needs them
+        exponent, cofactor = formula(factor.exponent), formula(factor.cofactor)
+        says = f"so $e^{{{to_latex(exponent)}}}$ is an exponential factor"
+        yield Finding(Identity, scene, says, _equation(Derivative(exponent, scene.time), cofactor))
+    for relation in relations(field, moving, exponentials):
         yield _product(relation, moving, scene, formula)
+
+
+def _with_cofactor(
+    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool
+) -> Iterator[Finding]:
+    """All F with F' = KF for a given K, and that there are no others."""
+    from kowalevski_cas.search.integrals import first_integrals
+
+    def tex(element: Element) -> str:
+        return to_latex(formula_of(element, on.texts.vocabulary))
+
+    at, degree = on(scene).finder, arguments.degree
+    cofactor = at.scalar(on(scene).formula(arguments.cofactor))
+    if cofactor.is_zero:
+        raise Meaningless("these are the first integrals: `find integrals` finds them")
+    integrals = [*first_integrals(at, degree, (), pool)]
+    found = list[str]()
+    for element in first_integrals(at, degree, (), pool, cofactor, integrals):
+        found.append(tex(element))
+        says, attributes = "F' = KF", {"cofactor": arguments.cofactor}
+        yield Finding(DarbouxPolynomial, scene, says, found[-1], attributes)
+    known = "a combination of these" if found else "zero"
+    known += " by polynomials in first integrals" if found and integrals else ""
+    words = f"each polynomial F up to degree {degree} with F' = KF is {known}"
+    if scene.constants:
+        words += ", for almost all values of the constants"
+    attributes = {
+        "cofactor": arguments.cofactor,
+        "solutions": tuple(found),
+        "integrals": tuple(map(tex, integrals)) if found else (),
+        "degree": degree,
+    }
+    yield Finding(AllDarboux, scene, words, attributes=attributes)
 
 
 ONE = Number(1)

@@ -1,6 +1,6 @@
 """The kinds of claims, one file each: the attributes of a statement, and its goals."""
 
-from kowalevski_cas.paper.claims.all_integrals import AllIntegrals
+from kowalevski_cas.paper.claims.all_integrals import AllDarboux, AllIntegrals
 from kowalevski_cas.paper.claims.change import ChangedEquation, InvertibleChange, Unit
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.coefficient import Coefficient
@@ -27,6 +27,7 @@ from kowalevski_cas.paper.claims.scaling import Scaling
 from kowalevski_cas.paper.claims.union import Union
 
 __all__ = [
+    "AllDarboux",
     "AllIntegrals",
     "Casimir",
     "ChangedEquation",

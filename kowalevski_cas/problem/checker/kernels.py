@@ -193,8 +193,9 @@ class Kernel(Goal):
 
     @staticmethod
     def words(data: Json) -> str:
-        parts = f"linear combinations of products of {', '.join(map(say, data['solutions']))}"
-        if data["integrals"]:
+        solutions = ", ".join(map(say, data["solutions"]))
+        parts = f"linear combinations of products of {solutions}" if solutions else "zero"
+        if solutions and data["integrals"]:
             parts += f" with powers of {', '.join(map(say, data['integrals']))}"
         return (
             f"for almost all constants, the polynomials f with D(f) = {say(data['factor'])} * f of "
