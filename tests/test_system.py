@@ -154,12 +154,101 @@ def test_a_constant_can_be_a_root():
         (r"\ddot\theta=-k\sin\theta", "θ moves; k is constant", r"\dot\theta^2-2k\cos\theta"),
         (r"\dot x=y\sqrt{c^2+1},\ \dot y=-x\sqrt{c^2+1}", "x, y move; c is constant", "x^2+y^2"),
         (r"\dot x_1=x_2,\ \dot x_2=x_2-\sum_{i=1}^2x_i", "x₁, x₂ move", "x_1^2+x_2^2"),
+        (
+            r"\dot q_i=\frac{\partial H}{\partial p_i},\ \dot p_i=-\frac{\partial H}{\partial q_i},\ i=1,2,\ H=\frac12(p_1^2+p_2^2)+q_1^2q_2^2",
+            "q₁, q₂, p₁, p₂ move",
+            "H",
+        ),
+        (
+            r"\dot q_i=\{q_i,H\},\ \dot p_i=\{p_i,H\},\ i=1,2,\quad H=\frac12(p_1^2+p_2^2)+q_1^2q_2^2,\quad \{q_i,p_j\}=\delta_{ij},\ i,j=1,2",
+            "q₁, q₂, p₁, p₂ move",
+            "H",
+        ),
+        (r"\frac{dx}{d\tau}=y,\ \frac{dy}{d\tau}=-x", "x, y move", "x^2+y^2"),
+        (r"{\dot x}_1=x_2,\ {\dot x}_2=-x_1", "x₁, x₂ move", "x_1^2+x_2^2"),
+        (r"\begin{cases} 2\dot x = y, & \dot z=0,\\ 2\dot y = -x \end{cases}", "x, z, y move", "x^2+y^2"),
+        (
+            r"\dot x=\frac{\partial\mathcal H}{\partial y},\ \dot y=-\frac{\partial\mathcal H}{\partial x},\ \mathcal{H}=x\hat{k}y",
+            "x, y move; k̂ is constant",
+            r"\mathcal H",
+        ),
+        (
+            r"\begin{pmatrix}2&1\\1&1\end{pmatrix}\begin{pmatrix}\ddot x\\\ddot y\end{pmatrix}=-\begin{pmatrix}x\\y\end{pmatrix}",
+            "x, y move",
+            r"\dot x^2+\dot x\dot y+\frac12\dot y^2+\frac12(x^2+y^2)",
+        ),
+        (r"\frac{d}{dt}\begin{pmatrix}x\\y\end{pmatrix}=\begin{pmatrix}y\\-x\end{pmatrix}", "x, y move", "x^2+y^2"),
+        (
+            r"\ddot x=-\frac{\mu x}{(x^2+y^2)^{3/2}},\ \ddot y=-\frac{\mu y}{(x^2+y^2)^{3/2}}",
+            "x, y move; μ is constant",
+            r"\frac12(\dot x^2+\dot y^2)-\frac{\mu}{\sqrt{x^2+y^2}}",
+        ),
+        (
+            r"\ddot x=-\frac{x}{r^3},\ \ddot y=-\frac{y}{r^3},\ r^2=x^2+y^2",
+            "x, y move",
+            r"\frac12(\dot x^2+\dot y^2)-\frac{1}{r}",
+        ),
     ],
 )  # fmt: skip
 def test_equations_as_textbooks_print_them(field, moves, integral):
     system = System(field)
     assert repr(system) == moves
     assert system.integral(integral).verdict in (Verdict.PROVED, Verdict.CONDITIONAL)
+
+
+R, P = r"\mathbf{r}", r"\mathbf{p}"
+SPACE = {R: ("x", "y", "z"), P: ("u", "v", "w")}
+
+
+@pytest.mark.parametrize(
+    ("field", "integral"),
+    [
+        (r"\ddot{\mathbf r}=-\frac{\mu\mathbf r}{|\mathbf r|^3}", r"\frac12\dot{\mathbf r}^2-\frac{\mu}{|\mathbf r|}"),
+        (
+            r"\ddot{\mathbf r}=-\frac{\mu}{r^3}\mathbf r,\quad r=|\mathbf r|",
+            r"\dot{\mathbf r}\times(\mathbf r\times\dot{\mathbf r})-\frac{\mu}{r}\mathbf r",
+        ),
+        (r"m\ddot{\mathbf r}=-\nabla U,\quad U=\frac k2\mathbf r^2", r"\frac m2\dot{\mathbf r}^2+U"),
+        (r"m\ddot{\mathbf r}=\dot{\mathbf r}\times\mathbf p-\nabla U(\mathbf r),\ U(\mathbf r)=\mathbf r^2", r"\frac m2\dot{\mathbf r}^2+U"),
+        (
+            r"\dot{\mathbf r}=\frac{\partial H}{\partial\mathbf p},\ \dot{\mathbf p}=-\frac{\partial H}{\partial\mathbf r},\ H(\mathbf r,\mathbf p)=\frac12\mathbf p^2+(\mathbf r^2)^2",
+            "H",
+        ),
+        (r"\dot{\mathbf r}=\mathbf r\times\mathbf p,\ \dot{\mathbf p}=0", r"\langle\mathbf r,\mathbf p\rangle"),
+        (
+            r"\mathbf I\dot{\mathbf r}=\mathbf I\mathbf r\times\mathbf r,\ \mathbf I=\operatorname{diag}(a,b,c)",
+            r"(\mathbf I\mathbf r)^2",
+        ),
+        (
+            r"\mathbf A\ddot{\mathbf r}=-\mathbf r,\ \mathbf A=\begin{pmatrix}2&1&0\\1&1&0\\0&0&1\end{pmatrix}",
+            r"\dot{\mathbf r}\cdot\mathbf A\dot{\mathbf r}+\mathbf r^2",
+        ),
+    ],
+)  # fmt: skip
+def test_equations_of_vectors_as_textbooks_print_them(field, integral):
+    system = System(field, vectors=SPACE)
+    assert system.integral(integral).verdict in (Verdict.PROVED, Verdict.CONDITIONAL)
+
+
+def test_linear_equations_are_solved_for_the_rates():
+    system = System(r"a\dot x+b\dot y=x,\quad c\dot x+d\dot y=y")
+    assert repr(system) == "x, y move; a, b, c, d are constant"
+    solved = system.identity(r"(ad-bc)\dot x=d\cdot x-by")
+    assert [to_latex(one) for one in solved.conditions] == ["ad - bc"]
+
+
+def test_matrices_depend_on_a_parameter():
+    circle = System(r"\dot q=p,\ \dot p=-\omega^2q")
+    L = circle.define(
+        r"L(\lambda)=\begin{pmatrix}p&\omega q+\lambda\\\omega q-\lambda&-p\end{pmatrix}"
+    )
+    M = circle.define(r"M=\frac{1}{2}\begin{pmatrix}0&\omega\\-\omega&0\end{pmatrix}")
+    assert circle.lax(L, M).verdict is Verdict.PROVED
+    assert circle.lax(M, L).verdict is Verdict.REFUTED
+    curve = circle.define(r"P(\mu)=\det(L(\lambda)-\mu)")
+    for constant in (curve, r"P(1)", r"\det L(2)", r"\operatorname{tr}L(\lambda)^2"):
+        assert circle.integral(constant).verdict is Verdict.PROVED
+    assert circle.integral(r"\det(L(\lambda)-\omega q)").verdict is Verdict.REFUTED
 
 
 @pytest.mark.parametrize("number", [2, 3, 5, 6, 7])
@@ -194,7 +283,22 @@ def test_vectors_are_given_by_components():
 @pytest.mark.parametrize(
     ("field", "message"),
     [
-        (r"\dot x=y, x=2", "x=2 is no equation of motion, and defines no name"),
+        (r"\dot x=y, x=2", "x=2: x moves by an equation of its own: leave this one out"),
+        (
+            r"\dot x=y, x>2",
+            r"x>2 is no equation of motion, and defines no name; what is supposed is",
+        ),
+        (r"H=p^2+q^2", "has no equation of motion: print one with a derivative"),
+        (
+            r"\dot q_i=p_i, \dot p_i=-q_1",
+            "q_i stands beside names with numbers: print i=1,2,3 behind",
+        ),
+        (r"\dot x=\varepsilon_{123}x", "is a name here: write a vector product, or the terms"),
+        (r"\frac{dx}{ds}=y, \frac{dy}{dt}=x", "derivatives by s and by t: print one independent"),
+        (
+            r"\dot L=[L,M],\ L=\begin{pmatrix}p&q\\q&-p\end{pmatrix},\ M=\begin{pmatrix}0&1\\-1&0\end{pmatrix}",
+            "L moves by an equation of its own: .* print the equations of motion of what stands in it",
+        ),
         (r"\dot x=y, \dot y=-x, \dot x=-y", r"3 equations for 2 unknowns \(x, y\): leave one out"),
         (
             r"\dot q=\frac{\partial H}{\partial p},\ \dot p=-\frac{\partial H}{\partial q}",
@@ -205,7 +309,10 @@ def test_vectors_are_given_by_components():
         (r"\dot x=x-\bar x", "x} is a conjugate, and all is real: rename it"),
         (r"\dot x=F, F=x=1", "F=x=1 gives F twice: leave one side out"),
         (r"\dot x=t", "the time t stands in the equations"),
-        (r"\dot{\mathbf{x}}=y", r"mathbf\{x\} is not declared"),
+        (
+            r"\dot{\mathbf{x}}=y",
+            r'give its components, as in vectors=\{r"\\mathbf\{x\}": \("a", "b"\)\}',
+        ),
     ],
 )
 def test_what_is_no_system_is_refused(field, message):

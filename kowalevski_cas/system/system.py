@@ -16,7 +16,9 @@ from __future__ import annotations
 import re
 from argparse import ArgumentParser
 from collections.abc import Callable, Container, Mapping, Sequence
+from contextlib import suppress
 from copy import copy
+from dataclasses import replace
 from functools import partial
 from importlib import import_module
 from itertools import chain, count
@@ -52,7 +54,7 @@ from kowalevski_cas.paper.scene import Scene, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.pool import HERE
 from kowalevski_cas.system.answers import Function, Stated
-from kowalevski_cas.system.equations import restricted, roles, rooted
+from kowalevski_cas.system.equations import moving_by, restricted, rooted, with_parameters
 from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
@@ -99,15 +101,9 @@ class System:
             field = r",\quad ".join(rows)
         self.section = Section(name or "1", "")
         display = self.section.display(f"{self.prefix}field", field)
-        components = vectors or {}
-        laws, definitions, moving, others = roles(display, components)
-        variables = tuple(part for one in moving for part in components.get(one, (one,)))
-        parts = (part for one in others for part in components.get(one, (one,)))
-        constants = tuple(part for part in parts if part not in variables)
-        words = "the equations of motion"
-        scene = Scene(name or "the system", words, components, variables, constants, (*laws,))
-        self._stand_on(rooted(scene.defining(*definitions), display))
-        self.section.title = _echo(variables, constants, "${}$".format)
+        self._stand_on(moving_by(display, name, vectors or {}))
+        moving, constant = self.scene.variables, self.scene.constants
+        self.section.title = _echo(moving, constant, "${}$".format)
 
     def __repr__(self) -> str:
         return _echo(self.scene.variables, self.scene.constants, lambda n: to_plain(self.read(n)))
@@ -135,7 +131,7 @@ class System:
         """
         tex = self._tex(formula)
         display = self.section.display(self._id("", tex), tex)
-        self._stand_on(rooted(self.scene.defining(display), display))
+        self._stand_on(rooted(with_parameters(self.scene, display).defining(display), display))
         return Function(
             display[1], display[1].heads.names[0], self.read(display[1].tex), self.symbols
         )
@@ -237,6 +233,9 @@ class System:
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
         claim = finding.claim(id, partial(self._place, id))
+        for place in claim.places():
+            with suppress(ValueError):  # what cannot be read is the outcome of the claim
+                claim = replace(claim, scene=rooted(claim.scene, place.display))
         self.section.claim(claim)
         if expect:
             self.section.expected[id] = expect
