@@ -14,6 +14,7 @@ them: ``kowalevski-cas verify lorenz.py``.
 from __future__ import annotations
 
 import re
+import sys
 from argparse import ArgumentParser
 from collections.abc import Callable, Container, Mapping, Sequence
 from contextlib import suppress
@@ -24,13 +25,16 @@ from importlib import import_module
 from itertools import chain, count
 from typing import Any
 
-from kowalevski_cas.cli.find import forecast
+from kowalevski_cas.cli.find import forecast, found
+from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import (
     Formula,
     Name,
+    NotationError,
     OpenParser,
     Vocabulary,
     from_sympy,
+    heads,
     read,
     read_display,
     to_latex,
@@ -53,6 +57,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.pool import HERE
+from kowalevski_cas.processes import each
 from kowalevski_cas.system.answers import Function, Stated
 from kowalevski_cas.system.equations import (
     bold,
@@ -91,6 +96,8 @@ class System:
         ValueError: they are no equations of motion; the message says why.
     """
 
+    seconds = 60.0
+    """For each claim, and for each question."""
     pool = HERE
     """Where searches are done: ``Pool(jobs=4)`` for four processes."""
 
@@ -103,17 +110,24 @@ class System:
         self.symbols: dict[str, Any] = {}
         """The symbols of SymPy in which the system is written, by their names here."""
         self.prefix = f"{name}-" if name else ""
-        if not isinstance(field, str | Mapping):
-            raise TypeError(f"LaTeX, or right sides by the variables of SymPy, and not {field!r}")
-        if not isinstance(field, str):
-            rows = (rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items())
-            field = r",\quad ".join(rows)
         self.section = Section(name or "1", "")
+        MADE.append(self.section)
         components = bold(vectors or {})
-        display = self.section.display(f"{self.prefix}field", with_time(field, components))
+        tex = with_time(field if isinstance(field, str) else self._rows(field), components)
+        display = self.section.display(f"{self.prefix}field", tex)
         self._stand_on(moving_by(display, name, components))
         moving, constant = self.scene.variables, self.scene.constants
         self.section.title = _echo(moving, constant, "${}$".format)
+
+    def _rows(self, field: Mapping[Any, Any]) -> str:
+        """Equations of motion by their right sides."""
+        if not isinstance(field, Mapping):
+            raise TypeError(f"LaTeX, or right sides by the variables of SymPy, and not {field!r}")
+        rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
+        tex = r",\quad ".join(rows)
+        if len(heads(tex)) != len(rows):
+            raise ValueError(f"{tex}: give each variable one right side")
+        return tex
 
     def __repr__(self) -> str:
         return _echo(self.scene.variables, self.scene.constants, lambda n: to_plain(self.read(n)))
@@ -249,7 +263,7 @@ class System:
         self.section.claim(claim)
         if expect:
             self.section.expected[id] = expect
-        return Stated(claim, self.section, self.symbols)
+        return Stated(claim, self.section, self.symbols, self.seconds)
 
     # -- questions ---------------------------------------------------------------
 
@@ -283,7 +297,7 @@ class System:
     def _found(self, question: str, *words: str, **options: int | str) -> list[Stated]:
         """What the command ``find`` finds, as claims like any other.
 
-        What was found before an error or an interruption stays claimed.
+        What is found in time is claimed; if something may be left, that is said.
         """
         forecast(self.scene, int(options.get("degree", 0)))
         module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
@@ -292,8 +306,16 @@ class System:
         told += [f"--{name}" for name, value in options.items() if value is True]
         on = Elaborations(Texts(vocabulary((self.scene,))))
         told += ["--", *words] if words else []
-        found = module.search(on, self.scene, parser.parse_args(told), self.pool)
-        return [self._state(self._id(question, ""), one) for one in found]
+        asked = parser.parse_args(told)
+
+        def answered(scene: Scene) -> tuple[Scene, list[Finding], str]:
+            return scene, *found(module.search(on, scene, asked, self.pool), self.seconds)
+
+        ((scene, findings, unfinished),) = each(answered, [self.scene])
+        if unfinished:
+            print(f"find {question}: {unfinished}", file=sys.stderr)
+        here = (replace(one, on=self.scene) if one.on is scene else one for one in findings)
+        return [self._state(self._id(question, ""), one) for one in here]
 
     # -- formulas ----------------------------------------------------------------
 
@@ -320,13 +342,24 @@ class System:
         return from_sympy(expression, self._name)
 
     def _name(self, symbol: Any) -> str:
-        """How a symbol of SymPy is printed, as one name."""
-        from sympy import latex
+        """How a symbol of SymPy is printed, as one name.
 
-        formula = read(latex(symbol), Vocabulary(), OpenParser)
-        name = formula.name if isinstance(formula, Name) else rf"\mathrm{{{symbol.name}}}"
-        self.symbols[name] = symbol
-        return name
+        Raises ``ValueError`` if it cannot be, if another symbol is printed so, and if SymPy assumes
+        more of it than that it is real, which nobody here would know.
+        """
+        from sympy import Symbol, latex
+
+        if symbol.assumptions0.items() - Symbol("x", real=True).assumptions0.items():
+            said = "SymPy is to assume more of it than that it is real, which cannot be said here"
+            raise ValueError(f"the symbol {symbol.name}: {said}; leave it out")
+        for tex in (latex(symbol), rf"\mathrm{{{symbol.name}}}"):
+            with suppress(NotationError):
+                formula = read(tex, Vocabulary(), OpenParser)
+                if isinstance(formula, Name):
+                    if self.symbols.setdefault(formula.name, symbol) != symbol:
+                        raise ValueError(f"two symbols are printed {formula.name}: rename one")
+                    return formula.name
+        raise ValueError(f"the symbol {symbol.name!r} cannot be printed as a name: rename it")
 
     def _place(self, id: str, formula: Tex) -> Printed:
         """Where a formula stands: where it was defined, or in a display of its own."""
