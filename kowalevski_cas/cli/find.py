@@ -45,7 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     for name, summary in QUESTIONS.items():
         module = import_module(f"kowalevski_cas.cli.questions.{name}")
         one = questions.add_parser(name, help=summary, description=module.__doc__)
-        one.set_defaults(search=module.search)
+        one.set_defaults(search=module.search, question=name)
         one.add_argument("derivation", metavar="DERIVATION", help="name in the library, or folder")
         one.add_argument("--scene", metavar="NAME", help="the scene, by its name")
         module.add_arguments(one)
@@ -61,7 +61,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     ((_, derivation),) = session.derivations([arguments.derivation])
     scene = _scene(derivation, arguments.scene)
-    forecast(scene, getattr(arguments, "degree", 0))
+    forecast(scene, arguments.question, getattr(arguments, "degree", 0))
     file, name = _owner(scene) if arguments.write else (None, "")
     pool = session.pool(arguments)
     (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments, name, pool), [None])
@@ -132,13 +132,15 @@ def _owner(scene: Scene) -> tuple[Path, str]:
     return found
 
 
-def forecast(scene: Scene, degree: int) -> None:
-    """Say beforehand that a question is too large to be answered."""
-    from kowalevski_cas.problem.kernel import LARGEST
+def forecast(scene: Scene, question: str, degree: int) -> None:
+    """Say beforehand that a question about polynomials up to a degree is too large."""
     from kowalevski_cas.problem.polynomial_fields import number_of_monomials
 
+    if not degree:
+        return
+    largest = import_module(f"kowalevski_cas.search.{question}").LARGEST
     width = len(scene.variables)
-    if (size := number_of_monomials((1,) * width, degree)) > LARGEST:
+    if (size := number_of_monomials((1,) * width, degree)) > largest:
         large = f"{width} variables have {size} monomials up to degree {degree}"
         print(f"{large}: the search ends before, with what it has found", file=sys.stderr)
 

@@ -276,7 +276,7 @@ class System:
 
         What was found before an error or an interruption stays claimed.
         """
-        forecast(self.scene, int(options.get("degree", 0)))
+        forecast(self.scene, question, int(options.get("degree", 0)))
         module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
         module.add_arguments(parser)
         told = [f"--{name}={value}" for name, value in options.items() if type(value) is not bool]
