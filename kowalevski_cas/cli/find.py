@@ -51,7 +51,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         module.add_arguments(one)
         one.add_argument("--format", choices=("pretty", "json"), default="pretty")
         one.add_argument(
-            "--write", action="store_true", help="append what is proved to the file, as claims"
+            "--write", action="store_true", help="append what is proved of the motion to the file"
         )
         session.add_timeout(one, 60.0, "for the search, and for each claim")
         session.add_pool(one)
@@ -118,10 +118,11 @@ def _answer(
     claims = with_findings(derivation, findings)
     run = verify(claims, ["flint"], timeout=arguments.timeout)
     both = zip(findings, run.outcomes, strict=True)
-    kept = [one for one, outcome in both if outcome.verdict.green and one.on is scene]
-    kinds = ", ".join(sorted({one.kind.__name__ for one in kept}))
+    green = (one for one, outcome in both if outcome.verdict.green)
+    kept = {line: one.kind.__name__ for one in green if (line := one.python(name, scene))}
+    kinds = ", ".join(sorted({*kept.values()}))
     lines = [f"from kowalevski_cas.paper.claims import {kinds}"] if kept else []
-    lines += [one.python(name) for one in kept]
+    lines += kept
     return _Answer(run, unfinished, "\n".join(["", *lines, ""]))
 
 

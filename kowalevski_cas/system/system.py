@@ -156,6 +156,13 @@ class System:
         special._stand_on(scene)
         return special
 
+    def having(self, *constants: str) -> System:
+        r"""The system with more constants, as ``\rho``, which stand in no equation of motion."""
+        more = copy(self)
+        scene = self.scene.having(constants=constants)
+        more._stand_on(scene.described(f"{scene.name} with {', '.join(constants)}", scene.words))
+        return more
+
     # -- claims ------------------------------------------------------------------
 
     def identity(self, equation: Tex, expect: str = "") -> Stated:

@@ -235,6 +235,23 @@ def test_what_is_written_to_the_file_is_proved_there(tmp_path, capsys):
     assert "--write needs a file in which a System" in capsys.readouterr().err
 
 
+def test_what_has_constants_of_its_own_is_written_and_certified_too(tmp_path, capsys):
+    file = tmp_path / "found.py"
+    field = r"\dot x=y,\quad \dot y=6x^2+c"
+    file.write_text(f"from kowalevski_cas import System\nelliptic = System(r'{field}')\n")
+    assert main(["find", "exponents", str(file), "--write"]) == 0
+    assert (
+        main(["find", "parameters", str(file), "y^2+Ax^3+Bx", "--write", "--scene", "the system"])
+        == 0
+    )
+    lines = file.read_text().splitlines()
+    assert r"elliptic.having('\\rho').states(" in lines[-5]
+    assert "elliptic.having('A', 'B', " in lines[-1]
+    for words in (["verify", "--arithmetic", "flint"], ["record"], ["check"]):
+        assert main([words[0], str(file), *words[1:]]) == 0
+    assert "CERTIFIED 4 of 4" in capsys.readouterr().out
+
+
 def test_what_is_found_is_certified(capsys, tmp_path):
     file = tmp_path / "oscillator.py"
     file.write_text(
