@@ -24,7 +24,7 @@ help: ## Show this list
 verify: $(VENV)/.installed ## Prove or refute every formula, check the certificates, write the report
 	@$(RUN) verify --report reports
 
-motion: $(VENV)/.installed ## Draw a motion on N⁴, and the bifurcation diagrams, into reports/motion; the reports show them
+motion: $(VENV)/.installed ## Draw motions on N⁴ and O⁴, and the bifurcation diagrams, into reports/motion; the reports show them
 	@$(RUN) pictures
 
 report: $(VENV)/.installed ## Write reports/*.html, *.pdf, *.tex and *.json

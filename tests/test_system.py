@@ -4,10 +4,14 @@ import os
 import re
 import subprocess
 import sys
+from contextlib import suppress
 from pathlib import Path
 from signal import SIGINT
 
 import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from kowalevski_cas import System
 from kowalevski_cas.cli import main
@@ -100,6 +104,22 @@ def test_a_quotient_is_no_cofactor(lorenz):
     assert "is no polynomial in the variables" in outcome.message
 
 
+@pytest.mark.parametrize(
+    ("field", "F", "message"),
+    [
+        (
+            r"\dot x=y, \dot y=-e^x",
+            "e^x",
+            "degrees, volumes and numbers of solutions are not known",
+        ),
+        (r"\dot x=y, \dot y=x", "x=y", "a function is expected"),
+    ],
+)
+def test_what_is_no_polynomial_is_no_darboux_polynomial(field, F, message):
+    outcome = System(field).darboux(F, "y").outcome
+    assert outcome.verdict is Verdict.ERROR and message in outcome.message
+
+
 def test_what_a_statement_needs_is_named():
     top = System(r"A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A-B)pq")
     energy = top.integral("Ap^2+Bq^2+Cr^2")
@@ -154,12 +174,128 @@ def test_a_constant_can_be_a_root():
         (r"\ddot\theta=-k\sin\theta", "θ moves; k is constant", r"\dot\theta^2-2k\cos\theta"),
         (r"\dot x=y\sqrt{c^2+1},\ \dot y=-x\sqrt{c^2+1}", "x, y move; c is constant", "x^2+y^2"),
         (r"\dot x_1=x_2,\ \dot x_2=x_2-\sum_{i=1}^2x_i", "x₁, x₂ move", "x_1^2+x_2^2"),
+        (
+            r"\dot q_i=\frac{\partial H}{\partial p_i},\ \dot p_i=-\frac{\partial H}{\partial q_i},\ i=1,2,\ H=\frac12(p_1^2+p_2^2)+q_1^2q_2^2",
+            "q₁, q₂, p₁, p₂ move",
+            "H",
+        ),
+        (
+            r"\dot q_i=\{q_i,H\},\ \dot p_i=\{p_i,H\},\ i=1,2,\quad H=\frac12(p_1^2+p_2^2)+q_1^2q_2^2,\quad \{q_i,p_j\}=\delta_{ij},\ i,j=1,2",
+            "q₁, q₂, p₁, p₂ move",
+            "H",
+        ),
+        (r"\frac{dx}{d\tau}=y,\ \frac{dy}{d\tau}=-x", "x, y move", "x^2+y^2"),
+        (r"{\dot x}_1=x_2,\ {\dot x}_2=-x_1", "x₁, x₂ move", "x_1^2+x_2^2"),
+        (r"\begin{cases} 2\dot x = y, & \dot z=0,\\ 2\dot y = -x \end{cases}", "x, z, y move", "x^2+y^2"),
+        (
+            r"\dot x=\frac{\partial\mathcal H}{\partial y},\ \dot y=-\frac{\partial\mathcal H}{\partial x},\ \mathcal{H}=x\hat{k}y",
+            "x, y move; k̂ is constant",
+            r"\mathcal H",
+        ),
+        (
+            r"\begin{pmatrix}2&1\\1&1\end{pmatrix}\begin{pmatrix}\ddot x\\\ddot y\end{pmatrix}=-\begin{pmatrix}x\\y\end{pmatrix}",
+            "x, y move",
+            r"\dot x^2+\dot x\dot y+\frac12\dot y^2+\frac12(x^2+y^2)",
+        ),
+        (r"\frac{d}{dt}\begin{pmatrix}x\\y\end{pmatrix}=\begin{pmatrix}y\\-x\end{pmatrix}", "x, y move", "x^2+y^2"),
+        (
+            r"\ddot x=-\frac{\mu x}{(x^2+y^2)^{3/2}},\ \ddot y=-\frac{\mu y}{(x^2+y^2)^{3/2}}",
+            "x, y move; μ is constant",
+            r"\frac12(\dot x^2+\dot y^2)-\frac{\mu}{\sqrt{x^2+y^2}}",
+        ),
+        (
+            r"\ddot x=-\frac{x}{r^3},\ \ddot y=-\frac{y}{r^3},\ r^2=x^2+y^2",
+            "x, y move",
+            r"\frac12(\dot x^2+\dot y^2)-\frac{1}{r}",
+        ),
     ],
 )  # fmt: skip
 def test_equations_as_textbooks_print_them(field, moves, integral):
     system = System(field)
     assert repr(system) == moves
     assert system.integral(integral).verdict in (Verdict.PROVED, Verdict.CONDITIONAL)
+
+
+def test_a_name_with_a_square_is_no_printed_root():
+    """It may be either root, and the printed one is not negative."""
+    plane = System(r"\dot x=ru, \dot u=cx").where("r^2=x^2+c^2")
+    for equation in (r"\sqrt{x^2+c^2}=r", r"r\sqrt{x^2+c^2}=r^2", r"\sqrt{c^2+x^2}-r=0"):
+        outcome = plane.identity(equation).outcome
+        assert outcome.verdict is Verdict.ERROR
+        assert "r may be" in outcome.message and "or its opposite: print r" in outcome.message
+    assert plane.identity("r^2-c^2=x^2").verdict is Verdict.PROVED
+
+
+numbers = st.integers(1, 60)
+
+
+@settings(max_examples=10)
+@given(numbers, numbers, st.integers(-4, 4), numbers, st.booleans())
+def test_roots_of_numbers_depend_on_each_other_as_they_do(m, n, a, b, true):
+    product = sympy.sqrt(m) * sympy.sqrt(n)
+    if true:  # as the program of a school would write it
+        a, root = product.as_coeff_Mul()
+        b = root**2
+    system = System(r"\dot x=1")
+    F = system.define(rf"F=\sqrt{{{m}}}\sqrt{{\frac{{{n}}}{{4}}}}-\frac{{{a}}}{{2}}\sqrt{{{b}}}")
+    equal = product == a * sympy.sqrt(b)
+    wanted = Verdict.PROVED if equal else Verdict.REFUTED
+    assert system.identity(f"{F.name}=0").verdict is wanted
+
+
+R, P = r"\mathbf{r}", r"\mathbf{p}"
+SPACE = {R: ("x", "y", "z"), P: ("u", "v", "w")}
+
+
+@pytest.mark.parametrize(
+    ("field", "integral"),
+    [
+        (r"\ddot{\mathbf r}=-\frac{\mu\mathbf r}{|\mathbf r|^3}", r"\frac12\dot{\mathbf r}^2-\frac{\mu}{|\mathbf r|}"),
+        (
+            r"\ddot{\mathbf r}=-\frac{\mu}{r^3}\mathbf r,\quad r=|\mathbf r|",
+            r"\dot{\mathbf r}\times(\mathbf r\times\dot{\mathbf r})-\frac{\mu}{r}\mathbf r",
+        ),
+        (r"m\ddot{\mathbf r}=-\nabla U,\quad U=\frac k2\mathbf r^2", r"\frac m2\dot{\mathbf r}^2+U"),
+        (r"m\ddot{\mathbf r}=\dot{\mathbf r}\times\mathbf p-\nabla U(\mathbf r),\ U(\mathbf r)=\mathbf r^2", r"\frac m2\dot{\mathbf r}^2+U"),
+        (
+            r"\dot{\mathbf r}=\frac{\partial H}{\partial\mathbf p},\ \dot{\mathbf p}=-\frac{\partial H}{\partial\mathbf r},\ H(\mathbf r,\mathbf p)=\frac12\mathbf p^2+(\mathbf r^2)^2",
+            "H",
+        ),
+        (r"\dot{\mathbf r}=\mathbf r\times\mathbf p,\ \dot{\mathbf p}=0", r"\langle\mathbf r,\mathbf p\rangle"),
+        (
+            r"\mathbf I\dot{\mathbf r}=\mathbf I\mathbf r\times\mathbf r,\ \mathbf I=\operatorname{diag}(a,b,c)",
+            r"(\mathbf I\mathbf r)^2",
+        ),
+        (
+            r"\mathbf A\ddot{\mathbf r}=-\mathbf r,\ \mathbf A=\begin{pmatrix}2&1&0\\1&1&0\\0&0&1\end{pmatrix}",
+            r"\dot{\mathbf r}\cdot\mathbf A\dot{\mathbf r}+\mathbf r^2",
+        ),
+    ],
+)  # fmt: skip
+def test_equations_of_vectors_as_textbooks_print_them(field, integral):
+    system = System(field, vectors=SPACE)
+    assert system.integral(integral).verdict in (Verdict.PROVED, Verdict.CONDITIONAL)
+
+
+def test_linear_equations_are_solved_for_the_rates():
+    system = System(r"a\dot x+b\dot y=x,\quad c\dot x+d\dot y=y")
+    assert repr(system) == "x, y move; a, b, c, d are constant"
+    solved = system.identity(r"(ad-bc)\dot x=d\cdot x-by")
+    assert [to_latex(one) for one in solved.conditions] == ["ad - bc"]
+
+
+def test_matrices_depend_on_a_parameter():
+    circle = System(r"\dot q=p,\ \dot p=-\omega^2q")
+    L = circle.define(
+        r"L(\lambda)=\begin{pmatrix}p&\omega q+\lambda\\\omega q-\lambda&-p\end{pmatrix}"
+    )
+    M = circle.define(r"M=\frac{1}{2}\begin{pmatrix}0&\omega\\-\omega&0\end{pmatrix}")
+    assert circle.lax(L, M).verdict is Verdict.PROVED
+    assert circle.lax(M, L).verdict is Verdict.REFUTED
+    curve = circle.define(r"P(\mu)=\det(L(\lambda)-\mu)")
+    for constant in (curve, r"P(1)", r"\det L(2)", r"\operatorname{tr}L(\lambda)^2"):
+        assert circle.integral(constant).verdict is Verdict.PROVED
+    assert circle.integral(r"\det(L(\lambda)-\omega q)").verdict is Verdict.REFUTED
 
 
 @pytest.mark.parametrize("number", [2, 3, 5, 6, 7])
@@ -194,7 +330,22 @@ def test_vectors_are_given_by_components():
 @pytest.mark.parametrize(
     ("field", "message"),
     [
-        (r"\dot x=y, x=2", "x=2 is no equation of motion, and defines no name"),
+        (r"\dot x=y, x=2", "x=2: x moves by an equation of its own: leave this one out"),
+        (
+            r"\dot x=y, x>2",
+            r"x>2 is no equation of motion, and defines no name; what is supposed is",
+        ),
+        (r"H=p^2+q^2", "has no equation of motion: print one with a derivative"),
+        (
+            r"\dot q_i=p_i, \dot p_i=-q_1",
+            "q_i stands beside names with numbers: print i=1,2,3 behind",
+        ),
+        (r"\dot x=\varepsilon_{123}x", "is a name here: write a vector product, or the terms"),
+        (r"\frac{dx}{ds}=y, \frac{dy}{dt}=x", "derivatives by s and by t: print one independent"),
+        (
+            r"\dot L=[L,M],\ L=\begin{pmatrix}p&q\\q&-p\end{pmatrix},\ M=\begin{pmatrix}0&1\\-1&0\end{pmatrix}",
+            "L moves by an equation of its own: .* print the equations of motion of what stands in it",
+        ),
         (r"\dot x=y, \dot y=-x, \dot x=-y", r"3 equations for 2 unknowns \(x, y\): leave one out"),
         (
             r"\dot q=\frac{\partial H}{\partial p},\ \dot p=-\frac{\partial H}{\partial q}",
@@ -205,7 +356,10 @@ def test_vectors_are_given_by_components():
         (r"\dot x=x-\bar x", "x} is a conjugate, and all is real: rename it"),
         (r"\dot x=F, F=x=1", "F=x=1 gives F twice: leave one side out"),
         (r"\dot x=t", "the time t stands in the equations"),
-        (r"\dot{\mathbf{x}}=y", r"mathbf\{x\} is not declared"),
+        (
+            r"\dot{\mathbf{x}}=y",
+            r'give its components, as in vectors=\{r"\\mathbf\{x\}": \("a", "b"\)\}',
+        ),
     ],
 )
 def test_what_is_no_system_is_refused(field, message):
@@ -270,6 +424,42 @@ def test_expressions_of_sympy_are_as_good_as_latex():
         lorenz.integral(x**y)
 
 
+NAMES = ("x", "x1", "x_1", "alpha", r"\alpha", "y", "foo", "2", "x y", "x+y", "}", "", "d", "bar x")
+ASSUMED = ({}, {"real": True}, {"positive": True}, {"integer": True}, {"commutative": False})
+
+
+@given(
+    *[st.tuples(st.sampled_from(NAMES), st.sampled_from(ASSUMED), st.booleans()) for _ in "ab"],
+    st.sampled_from((sympy.Add, sympy.Mul)),
+)
+def test_symbols_that_differ_are_never_the_same(one, other, joined):
+    """They are refused, or nothing false is proved of them."""
+    a, b = (
+        (sympy.Dummy if dummy else sympy.Symbol)(name, **assumed)
+        for name, assumed, dummy in (one, other)
+    )
+    for left, right in ((a, b), (a * b, b * a), (joined(a, 1), joined(b, 1))):
+        if left != right:
+            with suppress(ValueError):
+                system = System({a: b, b: a} if a != b else {a: a})
+                equation = sympy.Eq(left, right, evaluate=False)
+                assert not system.identity(equation).verdict.green
+
+
+@pytest.mark.parametrize(
+    "field", [{"x": r"y, \dot z=1", "y": "-x"}, {"x": "1", r"y}=1, \dot{z": "2"}, {"x": "y=1"}]
+)
+def test_a_variable_has_one_right_side(field):
+    with suppress(ValueError):
+        assert System(field).identity(r"\dot x=\dot x").verdict is Verdict.ERROR
+
+
+@pytest.mark.parametrize("relation", [sympy.Ne(*sympy.symbols("x y")), sympy.true])
+def test_what_is_no_equation_of_sympy_is_refused(relation):
+    with pytest.raises(TypeError, match=r"is no equation: write Eq\(…, evaluate=False\)"):
+        System({sympy.Symbol("x"): 1}).identity(relation)
+
+
 def test_a_notebook_shows_what_is_said(lorenz):
     F = lorenz.define(r"F=x^2-2\sigma z")
     assert F._repr_latex_() == r"$F = x^2 - 2\sigma z$"
@@ -322,6 +512,20 @@ second.integral("x^2+y^2", expect="refuted")
     assert code == 0 and "circle-integral-x-2-y-2" in out and "saddle. x, y move" in out
 
 
+def test_a_claim_is_decided_whatever_its_system_is_called(cli):
+    """What is false does not vanish with the name of its system."""
+    file = """
+from kowalevski_cas import System
+for name, sign in (("first", "-"), ("second", "+")):
+    system = System(r"\\dot x=y, \\dot y=-x", name)
+    system.integral(f"x^2{sign}y^2")
+system = System(r"\\dot x=y, \\dot y=-x", "third")
+del system
+"""
+    code, out = cli("verify", file)
+    assert code == 1 and "first-integral-x-2-y-2: expected that it is true, found refuted" in out
+
+
 def test_a_derivation_and_a_system_have_one_vocabulary(lorenz):
     lorenz.invariant("x=0", "y=0")
     run = verify(Derivation("lorenz", "", "", "", (lorenz.section,)), ["flint"])
@@ -345,7 +549,9 @@ circle.integral(E)
     assert code == 2 and "lorenz.py:4: " in out and "no displays with the label eq:15" in out
 
 
-@pytest.mark.parametrize("term", [r"\frac{x-x}{y}", r"\frac{1-1}{y}", r"\frac{y^2}{y}-y"])
+@pytest.mark.parametrize(
+    "term", [r"\frac{x-x}{y}", r"\frac{1-1}{y}", r"\frac{y^2}{y}-y", r"(\frac{1}{y})^0-1"]
+)
 def test_what_a_vanishing_term_divides_by_is_a_condition(term):
     free = System(r"\dot x=y, \dot y=0")
     for claim in (free.integral(f"y+{term}"), free.identity(f"y+{term}=y")):
@@ -368,6 +574,16 @@ def test_darboux_polynomials_are_found_and_claimed(lorenz):
     assert {one.verdict for one in lorenz.where("b=1").find_darboux(degree=1)} <= {Verdict.PROVED}
     found = lorenz.where(r"b=2\sigma").find_darboux(degree=2)
     assert [repr(one.formulas[0]) for one in found] and found[0].verdict is Verdict.PROVED
+
+
+def test_each_answer_has_its_time(capsys):
+    chain = System(r"\dot x=yz+x^2,\ \dot y=zx-y^2,\ \dot z=xy,\ \dot u=x-u^3,\ \dot v=u")
+    chain.seconds = 1
+    found = chain.find_integrals(degree=12)
+    assert "it took more than 1 s" in capsys.readouterr().err
+    assert [one.claim for one in found] == chain.section.claims
+    chain.seconds = 1e-3
+    assert chain.integral("x").verdict is Verdict.TIMEOUT
 
 
 def test_that_there_is_no_darboux_polynomial_with_a_cofactor(lorenz):

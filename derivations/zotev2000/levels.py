@@ -82,6 +82,15 @@ j^2F(u)+\left[j^2(Y-u)-W(r^4-u^2)\right]^2+W^2R(u) = 0, \quad
 )
 
 section.identity(
+    "sides-M4",
+    r"""
+r^2(z_1+z_2)^2 = (Y+r^2)^2-2(p^2+r^2)W^2, \quad
+r^2(z_1-z_2)^2 = (Y-r^2)^2-2(p^2-r^2)W^2""",
+    on=with_integrals,
+    says=(r"$\alpha_3$ by $W$ and $Y$", r"$\beta_3$ by $W$ and $Y$"),
+)
+
+section.identity(
     "by-xi",
     r"R(u)R(-u) = j^8Q\left(\frac{u^2-r^4}{j^2}\right)",
     on=Scene(

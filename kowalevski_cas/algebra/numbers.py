@@ -98,7 +98,9 @@ class Substitution:
         found = numbers.number(Fraction(1, value.denominator))
         if whole < 0:
             found = found * numbers.generator("i")
-        for prime, exponent in _factors(abs(whole)):  # roots of primes do not depend on each other
+        for prime, exponent in prime_factors(
+            abs(whole)
+        ):  # roots of primes do not depend on each other
             found = found * numbers.number(prime ** (exponent // 2))
             if exponent % 2:
                 found = found * self._adjoined(numbers.number(prime))
@@ -149,7 +151,7 @@ class Substitution:
         return self._monomials[exponents]
 
 
-def _factors(number: int) -> Iterator[tuple[int, int]]:
+def prime_factors(number: int) -> Iterator[tuple[int, int]]:
     """The prime factors of a positive number; beyond what is tried, what is left counts as one."""
     for prime in range(2, TRIED):
         exponent = 0

@@ -11,12 +11,12 @@ from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.audit.tokens import scanned
 from kowalevski_cas.notation import NotationError, Vocabulary, read_display
+from kowalevski_cas.notation.cursor import BOLD
 from kowalevski_cas.notation.lexer import Token
 from kowalevski_cas.notation.macros import FUNCTIONS, GREEK
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
 _LISTED = frozenset({"letter", "number", "comma", "accent", "_", "{", "}"})
-_BOLD = (r"\mathbf{", r"\boldsymbol{", r"\vec{")
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ def guessed(formulas: Iterable[Typed], capitals: int = MATRIX) -> Vocabulary:
         tokens = scanned(formula.tex)
         names.update(_names(tokens))
         functions.update(_applied(tokens))
-    bold = {name for name in names if name.startswith(_BOLD)}
+    bold = {name for name in names if name.startswith(BOLD)}
     upper = {name for name in bold if name[name.index("{") + 1].isupper()}
     matrices = upper if capitals == MATRIX else set()
     functions = (functions & names - bold) | (names & FUNCTIONS)

@@ -1,4 +1,4 @@
-"""Write the animation of a motion on N⁴: the body as it moves between the two fields.
+"""Write the animation of a motion on N⁴ or O⁴: the body as it moves between the two fields.
 
 A motion is given as for `kowalevski-cas motion`; if none is given, an example is shown.
 

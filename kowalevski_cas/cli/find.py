@@ -95,26 +95,14 @@ def _answer(
     derivation: Derivation, scene: Scene, arguments: argparse.Namespace, name: str, pool: Pool
 ) -> _Answer:
     """The answer to a question; what was found before it had to stop is kept."""
-    from kowalevski_cas.algebra.kernels import TooLarge
-
     on = Elaborations(derivation.texts(derivation.corrected()))
-    findings: list[Finding] = []
-    end = monotonic() + arguments.timeout
     try:
-        search: Iterator[Finding] = arguments.search(on, scene, arguments, pool)
-        while True:
-            with time_limit(end - monotonic()):
-                findings.append(next(search))
-            tell(f"{len(findings)} found", 0, 1)
-    except StopIteration:
-        unfinished = ""
-        pool.forget()
-    except TimeoutError:
-        unfinished = f"it took more than {arguments.timeout:g} s: give it a longer --timeout"
-    except TooLarge as error:
-        unfinished = f"it would be too large: {error}"
+        search = arguments.search(on, scene, arguments, pool)
+        findings, unfinished = found(search, arguments.timeout)
     except (Meaningless, NotationError) as error:
         raise CommandError(f"scene “{scene.name}”: {error}") from None
+    if not unfinished:
+        pool.forget()
     claims = with_findings(derivation, findings)
     run = verify(claims, ["flint"], timeout=arguments.timeout)
     both = zip(findings, run.outcomes, strict=True)
@@ -124,6 +112,25 @@ def _answer(
     lines = [f"from kowalevski_cas.paper.claims import {kinds}"] if kept else []
     lines += kept
     return _Answer(run, unfinished, "\n".join(["", *lines, ""]))
+
+
+def found(search: Iterator[Finding], seconds: float) -> tuple[list[Finding], str]:
+    """What is found in so many seconds, and why nobody looked further, if something is left."""
+    from kowalevski_cas.algebra.kernels import TooLarge
+
+    findings: list[Finding] = []
+    end = monotonic() + seconds
+    try:
+        while True:
+            with time_limit(end - monotonic()):
+                findings.append(next(search))
+            tell(f"{len(findings)} found", 0, 1)
+    except StopIteration:
+        return findings, ""
+    except TimeoutError:
+        return findings, f"it took more than {seconds:g} s: give it more time"
+    except TooLarge as error:
+        return findings, f"it would be too large: {error}"
 
 
 def _owner(scene: Scene) -> tuple[Path, str]:

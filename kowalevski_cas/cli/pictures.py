@@ -1,9 +1,10 @@
-"""Draw a motion on N⁴, and the bifurcation diagrams of the whole top; the reports show them.
+"""Draw a motion, and the bifurcation diagrams of the whole top; the reports show them.
 
 A motion is given as for `kowalevski-cas motion`; if none is given, an example is drawn.
 
   kowalevski-cas pictures
   kowalevski-cas pictures torus traces --a 1 --b 0.4 --m 0.8 --l 0.9 --output portrait
+  kowalevski-cas pictures hodographs --a 1.2 --b 0.7 --s 0.4 --tau=-0.5 --output third
 """
 
 from __future__ import annotations
@@ -17,11 +18,12 @@ from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
 from kowalevski_cas.cli.motion import CONSTANTS, add_motion, motion_of
 from kowalevski_cas.files import write
-from kowalevski_cas.motion.pictures import PICTURES, load
+from kowalevski_cas.motion.pictures import ON_N4, PICTURES, load
 from kowalevski_cas.report.plates import LIST
 
 if TYPE_CHECKING:
     from kowalevski_cas.motion.motion import Motion
+    from kowalevski_cas.motion.o4.motion import MotionO4
 
 EXAMPLE = ("1.2", "0.7", "-1.2", "0.3")
 """The constants a, b, m, ℓ of the motion that is drawn if none is given."""
@@ -52,7 +54,9 @@ def run(arguments: argparse.Namespace) -> int:
             f"there is no picture “{unknown[0]}”; there are {', '.join(PICTURES)}", NOTHING
         )
     motion = chosen(arguments)
-    names = arguments.pictures or list(PICTURES)
+    names = arguments.pictures or _drawn(motion)
+    if missing := [name for name in names if name not in _drawn(motion)]:
+        raise CommandError(f"{missing[0]} is drawn for motions on N⁴ alone; this one is on O⁴")
     write(arguments.output / LIST, _plates())
     with session.progress_bar() as progress:
         for done, name in enumerate(names):
@@ -62,16 +66,21 @@ def run(arguments: argparse.Namespace) -> int:
     return AS_RECORDED
 
 
-def chosen(arguments: argparse.Namespace) -> Motion:
+def _drawn(motion: Motion | MotionO4) -> list[str]:
+    """The pictures that there are of a motion."""
+    from kowalevski_cas.motion import Motion
+
+    return [name for name in PICTURES if isinstance(motion, Motion) or name not in ON_N4]
+
+
+def chosen(arguments: argparse.Namespace) -> Motion | MotionO4:
     """The motion that the arguments describe, or the example."""
-    from kowalevski_cas.motion import General, Motion, MotionO4
+    from kowalevski_cas.motion import General, Motion
 
     if any(getattr(arguments, name) is not None for name in (*CONSTANTS, "point")):
         motion = motion_of(arguments)
         if isinstance(motion, General):
             raise CommandError(f"only motions in closed form are drawn: {motion.why}")
-        if isinstance(motion, MotionO4):
-            raise CommandError("only motions on N⁴ are drawn; this one is on O⁴")
         return motion
     a, b, m, ell = EXAMPLE
     return Motion.of(a, b, m, ell=ell)
@@ -89,7 +98,7 @@ def _plates() -> str:
     return json.dumps(listed, indent=1, ensure_ascii=False) + "\n"
 
 
-def _draw(name: str, motion: Motion, folder: Path) -> None:
+def _draw(name: str, motion: Motion | MotionO4, folder: Path) -> None:
     """Draw a picture and write it."""
     from kowalevski_cas.pictures import save, style
 

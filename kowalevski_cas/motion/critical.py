@@ -31,6 +31,9 @@ LEAST_THETA = 1e-12
 """The least x1x2 over r⁴/p², that is p²/(s1 − s2)², for which s1 is finite: the root is what
 s2 loses in accuracy."""
 
+LARGEST_S = 1e100
+"""The largest |s| that is tried, for a state of the size one; its square is a float."""
+
 
 def residuals(states: Array) -> dict[str, Array]:
     """The residuals (…) of states (…, 9), by the names in :data:`SETS`."""
@@ -82,14 +85,14 @@ def _on_O4(known: tuple[Complex, ...], largest: Array) -> Array:
     below, here, above = (np.array(O4(*known, float(s))) for s in (-1, 0, 1))
     slope, square = (above - below) / 2, (above + below) / 2 - here
     omega3 = abs(known[8])
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         root = np.sqrt((slope[2] ** 2 - 4 * square[2] * here[2]).real)
-        candidates = [
+        candidates = np.array([
             *(-(here[k] / slope[k]).real for k in (0, 3)),
             *((-slope[2].real + sign * root) / (2 * square[2].real) for sign in (1, -1)),
-        ]
+        ])  # fmt: skip
     least = np.full_like(largest, np.inf)
-    for s in np.nan_to_num(candidates, posinf=0.0, neginf=0.0):
+    for s in np.where(abs(candidates) < LARGEST_S, candidates, 0.0):
         size = largest + 2 * abs(s)
         E = abs(here + slope * s + square * s**2)
         found = np.max(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.critical import SETS, on, residuals
+from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.general import AnyMotion, General
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
@@ -77,7 +79,7 @@ class Result:
         """The regime: the roots in order, the arcs of s1 and s2, the tori, the moduli k², |λ|."""
         motion = self.motion
         if isinstance(motion, General):
-            return {"none": motion.why}
+            return {"none": motion.why, **self._on_M4(motion)}
         if isinstance(motion, MotionO4):
             return {
                 "order": str(motion.regime),
@@ -99,6 +101,18 @@ class Result:
             "transversely": kind(motion.parameters),
             "separating": coincidences(motion.parameters),
         }
+
+    def _on_M4(self, motion: General) -> dict[str, object]:
+        """The number of tori on the level of a motion on M⁴ that fills one of them."""
+        values = motion.constants
+        p_square = values["a"] ** 2 + values["b"] ** 2
+        r_square = np.hypot(values["a"] ** 2 - values["b"] ** 2, 2 * values["c"])
+        longer, shorter = np.sqrt([(p_square + r_square) / 2, (p_square - r_square) / 2])
+        if self.critical_sets["on"] != ["M4"] or not 0 < shorter < longer:
+            return {}
+        fields = Fields(Fraction(longer), Fraction(shorter))
+        h, g = np.array([values["h"]]), np.array([values["g"]])
+        return {"tori": int(fields.tori_on_M4(h, fields.j(h, g))[0])}
 
 
 def _without_nan(values: dict[str, float]) -> dict[str, float | None]:

@@ -14,7 +14,7 @@ Piece = tuple[Formula, int, int, tuple["Piece", ...]]
 END = "end of formula"
 # The kinds of tokens with which a factor can begin.
 STARTS = frozenset("""letter number open frac sqrt accent operator const dots begin sum""".split())
-_BOLD = ("\\mathbf{", "\\boldsymbol{", "\\vec{")
+BOLD = ("\\mathbf{", "\\boldsymbol{", "\\vec{")
 _UNFINISHED = frozenset({"sign", "relation", "times", "slash", "open", "{", "comma"})
 _INDEX = frozenset({"letter", "number", "sign", "comma", "star"})
 
@@ -121,9 +121,9 @@ class Cursor:
         """The node of a name; one bold type is as good as another."""
         name = letter + index
         found = Name(name) if name in self.bound else self.names.get(name)
-        if found is None and letter.startswith(_BOLD):
+        if found is None and letter.startswith(BOLD):
             inner = letter[letter.index("{") :]
-            for font in _BOLD:
+            for font in BOLD:
                 found = found or self.names.get(font[:-1] + inner + index)
         if found is not None:
             return found

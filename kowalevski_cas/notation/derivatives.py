@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from kowalevski_cas.notation.atoms import Atoms
 from kowalevski_cas.notation.cursor import END, Piece
+from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Derivative, Partial, Quotient
 
 _DIFFERENTIALS = ("d", r"\partial")
@@ -11,6 +12,9 @@ _DIFFERENTIALS = ("d", r"\partial")
 
 class Derivatives(Atoms):
     """Reads fractions, and which of them are derivatives."""
+
+    lone_d = False
+    """Whether a d that is no part of a derivative is a name."""
 
     def read_frac(self) -> Piece:
         """A fraction; over d and an independent variable it is a derivative."""
@@ -59,8 +63,13 @@ class Derivatives(Atoms):
     def factor(self) -> Piece:
         """An atom with its powers and primes, or a derivative with a slash, as dx/dt."""
         token = self.tokens[self.at]
-        if token.text not in _DIFFERENTIALS or token.text in self.names:
+        if token.text not in _DIFFERENTIALS:
             return super().factor()
+        if token.text in self.names or (self.lone_d and token.text == "d"):
+            if not self.slashed():
+                return super().factor()
+            if token.text in self.names:
+                raise self.error("a derivative, or the name d? print a fraction, or a dot", token)
         self.at += 1
         order = self.order()
         piece = super().factor()
@@ -72,6 +81,20 @@ class Derivatives(Atoms):
         if len(by) != order:
             raise self.error("the orders above and below differ", token)
         return _derived(piece, token.text, by, token.start, self.tokens[self.at - 1].end)
+
+    def slashed(self) -> bool:
+        """Whether a derivative with a slash begins here, as dx/dt."""
+        start, level = self.at, self.level
+        try:
+            self.at += 1
+            self.order()
+            super().factor()
+            behind = self.tokens[self.at : self.at + 3]
+            return [t.text for t in behind[:2]] == ["/", "d"] and behind[2].kind == "letter"
+        except NotationError:
+            return False
+        finally:
+            self.at, self.level = start, level
 
     def behind_group(self, at: int) -> int:
         """The index behind the argument that begins at the given token."""

@@ -11,12 +11,11 @@ from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula, Name, Negative, Sum
 from kowalevski_cas.notation.latex import bracketed, to_latex
 from kowalevski_cas.notation.layout import split_display
-from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.lexer import BRACE, scan
 from kowalevski_cas.notation.misprints import misprints
 from kowalevski_cas.notation.reader import Path, Statement, read_display
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
-_BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
 _COMMAND = re.compile(r"\\[A-Za-z]+$")
 
 
@@ -79,7 +78,7 @@ class Edit:
         # Braces whose partner stands outside stay where they are.
         opened: list[str] = []
         closed: list[str] = []
-        for brace in _BRACE.findall(tex, start, end):
+        for brace in BRACE.findall(tex, start, end):
             if brace == "{":
                 opened.append(brace)
             elif brace == "}" and opened:

@@ -13,8 +13,9 @@ from typing import NamedTuple
 from kowalevski_cas.notation.cursor import END, Cursor
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import EQUALITIES
-from kowalevski_cas.notation.layout import statements
+from kowalevski_cas.notation.layout import BEGINNING, ENDING, statements
 from kowalevski_cas.notation.lexer import Token, scan
+from kowalevski_cas.notation.macros import FUNCTIONS
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
 CLOSING = r"\}"
@@ -75,10 +76,20 @@ class _Member(Cursor):
         return (name, power == "2") if read else ("", False)
 
     def matrix(self) -> bool:
-        """Whether it is a matrix by its rows, of more than one column."""
-        kinds = [token.kind for token in self.tokens[:-1]]
-        ends = kinds[:1] == ["begin"] and kinds.index("end") == len(kinds) - 1
-        return ends and self.tokens[0].text != "vmatrix" and {"row", "cell"} <= {*kinds}
+        """Whether matrices by their rows make it up: no columns, no functions of matrices."""
+        blocks: list[list[str]] = []
+        depth = 0
+        for k, token in enumerate(self.tokens[:-1]):
+            depth -= token.kind in ENDING
+            if token.kind == "begin" and not depth:
+                blocks.append([self.tokens[k - 1].text, token.text])
+            elif blocks and depth == 1:
+                blocks[-1].append(token.kind)
+            depth += token.kind in BEGINNING
+        values = {"vmatrix", *FUNCTIONS}
+        return bool(blocks) and all(
+            {"row", "cell"} <= {*b} and values.isdisjoint(b) for b in blocks
+        )
 
     def here(self, text: str) -> bool:
         """Whether this bracket opens here."""

@@ -11,12 +11,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.lexer import Token, scan
+from kowalevski_cas.notation.lexer import BRACE, Token, scan
+from kowalevski_cas.notation.ranges import each_value, without_ranges
 
 # Breaks, the stronger the larger: of several in a row the strongest counts.
 _BREAKS = {"gap": 1, "cell": 2, "row": 3, "block": 4, "comma": 5}
-_OPENING = frozenset({"open", "{", "begin"})
-_CLOSING = frozenset({"close", "}", "end"})
+BEGINNING = frozenset({"open", "{", "begin"})
+ENDING = frozenset({"close", "}", "end"})
 _BINARY = frozenset({"sign", "plusminus", "relation", "times", "slash"})
 _UNCLEAR = "does this belong to what stands before the break? set a comma, or a sign"
 
@@ -40,16 +41,39 @@ def split_display(tex: str) -> tuple[tuple[int, int], ...]:
     >>> split_display(r"$$ F_1 = 0,\quad F_2 = 0 $$")
     ((3, 10), (17, 24))
     """
-    return tuple((tokens[0].start, tokens[-1].end) for tokens in statements(scan(tex), tex))
+    return tuple(interval(tokens, tex) for tokens in statements(scan(tex), tex))
+
+
+def interval(tokens: list[Token], tex: str) -> tuple[int, int]:
+    """Where a statement stands, with both braces of the groups that begin or end in it."""
+    start, end = tokens[0].start, tokens[-1].end
+    opened: list[int] = []
+    for brace in BRACE.finditer(tex):
+        if brace[0] == "{":
+            opened.append(brace.start())
+        elif brace[0] == "}" and opened:
+            first, last = opened.pop(), brace.end()
+            if first < start < last <= end or start <= first < end < last:
+                start, end = min(start, first), max(end, last)
+    return start, end
 
 
 def statements(tokens: list[Token], tex: str) -> list[list[Token]]:
-    """The tokens of each statement of a display; with a ± in it, it is two statements."""
-    return [one for statement in printed(tokens, tex) for one in _signs_of(statement)]
+    """The tokens of each statement of a display.
+
+    With a ± in it, it is two statements, and one for each value of an index with a range.
+    """
+    tokens, ranges = without_ranges(tokens, tex)
+    found = [one for own in _printed(tokens, tex) for one in each_value(own, ranges, tex)]
+    return [one for statement in found for one in _signs_of(statement)]
 
 
 def printed(tokens: list[Token], tex: str) -> list[list[Token]]:
-    """The tokens of each statement as it is printed, with ± where that stands."""
+    """The tokens of each statement as it is printed: with ±, and for all values of its indices."""
+    return _printed(without_ranges(tokens, tex)[0], tex)
+
+
+def _printed(tokens: list[Token], tex: str) -> list[list[Token]]:
     rows = _joined(_runs(tokens, tex), ("gap", "cell"), tex)
     return [run.tokens for run in _joined(rows, ("row", "block"), tex)]
 
@@ -109,13 +133,13 @@ def _nested(tokens: list[Token], tex: str) -> Iterator[tuple[Token, int, bool]]:
     """Each token, the number of brackets around it, and whether one of them is a matrix."""
     depth = matrices = 0
     for token in tokens:
-        if token.kind in _CLOSING:
+        if token.kind in ENDING:
             depth -= 1
             matrices -= token.kind == "end"
             if depth < 0:
                 raise NotationError("this bracket closes nothing", tex, token.start)
         yield token, depth, matrices > 0
-        if token.kind in _OPENING:
+        if token.kind in BEGINNING:
             depth += 1
             matrices += token.kind == "begin"
 
@@ -135,7 +159,7 @@ def _append(tokens: list[Token], more: list[Token], before: str) -> None:
 
 def _signed(last: Token, first: Token) -> bool:
     """Whether a sign, a bracket or a comma says how a formula runs on at a break."""
-    return last.kind in _BINARY | _OPENING | {"comma"} or first.kind in _BINARY | _CLOSING | {
+    return last.kind in _BINARY | BEGINNING | {"comma"} or first.kind in _BINARY | ENDING | {
         "comma"
     }
 
@@ -144,7 +168,7 @@ def _continues(last: _Run, run: _Run, tex: str) -> bool:
     """Whether the statement before the break runs on behind it."""
     before, first = last.tokens[-1], run.tokens[0]
     if run.before == "comma":
-        if before.kind == first.kind == "number" and " " not in tex[before.end : first.start]:
+        if before.kind == first.kind == "number" and tex[before.end : first.start] in (",", "{,}"):
             raise NotationError("a decimal comma? write a fraction", tex, first.start)
         return False
     both, neither = last.relation and run.relation, not (last.relation or run.relation)

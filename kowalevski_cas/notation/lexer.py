@@ -37,7 +37,7 @@ _TOKEN = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 _NOISE = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
-_BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
+BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
 _SPACE = re.compile(r"(?:\s|%[^\n]*(?:\n|$))*")
 _WORD = re.compile(r"[A-Za-z]+")
 _LENGTH = re.compile(
@@ -329,7 +329,7 @@ class _Scanner:
             token = _TOKEN.match(self.tex, at)
             return token.end() if token else at
         depth = 0
-        for brace in _BRACE.finditer(self.tex, at):
+        for brace in BRACE.finditer(self.tex, at):
             depth += {"{": 1, "}": -1}.get(brace[0], 0)
             if depth == 0:
                 return brace.end()

@@ -152,7 +152,7 @@ INSTEAD: dict[str, str] = {
     r"\oint": "an integral cannot be read: write the derivative that it has",
     r"\lim": "a limit cannot be read: write the value, or an equation for it",
     r"\prod": "a product over an index cannot be read: write it out",
-    r"\nabla": r"write the derivatives out, as in \frac{\partial U}{\partial x}",
+    r"\nabla": r"print by what it derives, as in \frac{\partial U}{\partial\mathbf{r}}",
     r"\infty": "infinity is no number: write what happens to the inverse",
 }
 

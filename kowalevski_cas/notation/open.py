@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import replace
 
-from kowalevski_cas.notation.cursor import Cursor
+from kowalevski_cas.notation.cursor import BOLD, Cursor
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Name
-from kowalevski_cas.notation.lexer import Token
+from kowalevski_cas.notation.lexer import Token, scan
 from kowalevski_cas.notation.macros import GREEK
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.vocabulary import Vocabulary
@@ -29,12 +29,41 @@ class OpenParser(Parser):
         names = {*_names(Cursor(tex, tokens, vocabulary))} - {"d", *vocabulary.ranks}
         names -= {"e"} if _is_exponential(tokens) else set()
         scalars = vocabulary.scalars | names - vocabulary.functions
-        moving = vocabulary.moving or scalars
+        known = vocabulary.moving - vocabulary.vectors
+        moving = vocabulary.moving if known else vocabulary.moving | scalars
         super().__init__(tex, tokens, replace(vocabulary, scalars=scalars, moving=moving))
+
+    lone_d = True
 
     def declared(self, letter: str, index: str, token: Token) -> Name:
         """The node of a name; a d that belongs to no derivative is one."""
+        if letter.startswith(BOLD) and not {letter, letter + index} & {*self.vocabulary.ranks}:
+            name = letter + index
+            raise self.error(f'give its components, as in vectors={{r"{name}": ("a", "b")}}', token)
         return Name("d" + index) if letter == "d" else super().declared(letter, index, token)
+
+
+def independent(tex: str) -> list[str]:
+    r"""The variables by which a display derives, as t in :math:`\frac{dx}{dt}` and in dx/dt.
+
+    >>> independent(r"\frac{d^2x}{d\tau^2}=-x, dy/d\tau=\frac{\partial H}{\partial x}")
+    ['\\tau']
+    """
+    tokens = scan(tex)
+    parser = Parser(tex, tokens, Vocabulary()) if tokens else None
+    found: dict[str, None] = {}
+    for k, token in enumerate(tokens):
+        below = k + 1
+        if token.kind == "frac" and parser is not None:
+            if tokens[k + 1 + (tokens[k + 1].kind == "{")].text != "d":
+                continue
+            below = parser.behind_group(k + 1) + 1
+        elif token.kind != "slash":
+            continue
+        d, letter = [*tokens[below : below + 2], token, token][:2]
+        if d.text == "d" and letter.kind == "letter":
+            found[letter.text] = None
+    return [*found]
 
 
 def _is_exponential(tokens: list[Token]) -> bool:
@@ -52,8 +81,8 @@ def _names(cursor: Cursor) -> Iterator[str]:
     """The letters of a statement with their indices."""
     while cursor.at < len(cursor.tokens):
         token = cursor.take()
-        plain = token.text in GREEK or token.text.isalpha() or token.text.startswith(r"\mathrm{")
-        if token.kind == "letter" and plain:
+        plain = token.text in GREEK or token.text.isalpha() or "{" in token.text
+        if token.kind == "letter" and plain and not token.text.startswith(BOLD):
             yield token.text
             cursor.at += cursor.tokens[cursor.at].kind == "}"  # an accent covers no index
             if cursor.tokens[cursor.at].kind == "_":

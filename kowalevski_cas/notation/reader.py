@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
-from kowalevski_cas.notation.layout import printed, statements
+from kowalevski_cas.notation.layout import interval, printed, statements
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.vocabulary import Vocabulary
@@ -56,7 +56,9 @@ def read(tex: str, vocabulary: Vocabulary, parser: type[Parser] = Parser) -> For
     return parser(tex, found[0], vocabulary).statement()[0]
 
 
-def read_display(tex: str, vocabulary: Vocabulary) -> tuple[Statement, ...]:
+def read_display(
+    tex: str, vocabulary: Vocabulary, parser: type[Parser] = Parser
+) -> tuple[Statement, ...]:
     r"""Every statement of a display, in the order of the page.
 
     >>> words = Vocabulary(frozenset({"F_1", "F_2"}))
@@ -65,8 +67,8 @@ def read_display(tex: str, vocabulary: Vocabulary) -> tuple[Statement, ...]:
     """
     read_so_far = []
     for tokens in statements(scan(tex), tex):
-        piece = Parser(tex, tokens, vocabulary).statement()
-        start, end = tokens[0].start, tokens[-1].end
+        piece = parser(tex, tokens, vocabulary).statement()
+        start, end = interval(tokens, tex)
         read_so_far.append(Statement(piece[0], tex, start, end, _spans(piece)))
     return tuple(read_so_far)
 

@@ -14,6 +14,7 @@ from kowalevski_cas.notation.formula import (
     Name,
     Negative,
     Number,
+    Partial,
     Power,
     Product,
 )
@@ -65,6 +66,8 @@ class Symbols(Cursor, ABC):
     def symbol(self, accents: tuple[str, ...] = (), start: int = -1, braces: int = 0) -> Piece:
         """A letter with its index, accents, primes and power; or a function and its argument."""
         token = self.take()
+        if token.text == r"\nabla" and (gradient := self.gradient(token)) is not None:
+            return gradient
         if token.text in INSTEAD and token.text not in self.names:
             raise self.error(INSTEAD[token.text], token)
         self.at += braces
@@ -107,6 +110,14 @@ class Symbols(Cursor, ABC):
             else:
                 on.power = self.exponent()
         return on
+
+    def gradient(self, token: Token) -> Piece | None:
+        """The gradient by the only vector that moves; ``None`` if there are several, or none."""
+        moving = [name for name in self.vocabulary.vectors if name in self.vocabulary.moving]
+        if len(moving) != 1 or self.tokens[self.at].kind in ("^", "_", "times"):
+            return None
+        piece = self.number(self.operand(r"\nabla"))
+        return (Partial(piece[0], moving[0]), token.start, piece[2], (piece,))
 
     def exponential(self, token: Token, on: _Scripts, accents: tuple[str, ...]) -> Piece:
         """The function exp, printed as a power."""

@@ -27,7 +27,7 @@ from kowalevski_cas.notation.formula import (
 )
 from kowalevski_cas.notation.vocabulary import MATRIX, SCALAR, VECTOR, Vocabulary
 
-_RANKS = dict.fromkeys((Number, ScalarProduct, Application, Modulus), SCALAR) | {
+_RANKS = dict.fromkeys((Number, ScalarProduct, Modulus), SCALAR) | {
     CrossProduct: VECTOR,
     Diagonal: MATRIX,
     Commutator: MATRIX,
@@ -42,7 +42,7 @@ def rank(formula: Formula, vocabulary: Vocabulary) -> int:
     if type(formula) in _RANKS:
         return _RANKS[type(formula)]
     match formula:
-        case Name(name):
+        case Name(name) | Application(name):
             return vocabulary.rank(name)
         case Product(factors):
             ranks = {rank(factor, vocabulary) for factor in factors}

@@ -16,6 +16,7 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.paper.matrices import rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.space import Let, Meaningless
 
@@ -24,7 +25,31 @@ def parts(formula: Formula, setting: Meaning) -> tuple[Formula, ...]:
     """The components of a vector, or a scalar alone."""
     if rank(formula, setting.texts.vocabulary) != VECTOR:
         return (formula,)
-    return tuple(component(formula, index, setting) for index in range(3))
+    return tuple(component(formula, index, setting) for index in range(size(formula, setting)))
+
+
+def size(vector: Formula, setting: Meaning) -> int:
+    """The number of components of a vector."""
+    match vector:
+        case Vector(components):
+            return len(components)
+        case Name(name) if name in setting.scene.vectors:
+            return len(setting.scene.vectors[name])
+        case Name(name) if name in setting.scene.definitions:
+            return size(setting.definition(name), setting)
+    parts = vector.children()
+    found = [one for one in parts if rank(one, setting.texts.vocabulary) == VECTOR]
+    return size(found[0], setting) if found else 3
+
+
+def applied(matrix: Formula, vector: Formula, setting: Meaning) -> Vector:
+    """The product of a matrix that is printed by its rows and a vector, by components."""
+    lines, columns = rows(matrix, setting), range(size(vector, setting))
+    if len(lines[0]) != len(columns):
+        raise Meaningless("a matrix and a vector are multiplied whose sizes do not fit")
+    entries = [component(vector, k, setting) for k in columns]
+    sums = (tuple(map(Product, zip(line, entries, strict=True))) for line in lines)
+    return Vector(tuple(Sum(terms) if len(terms) > 1 else terms[0] for terms in sums))
 
 
 def component(vector: Formula, index: int, setting: Meaning) -> Formula:

@@ -30,7 +30,7 @@ from kowalevski_cas.paper.components import component
 from kowalevski_cas.paper.inverse import inverse
 from kowalevski_cas.paper.motion import Moving
 from kowalevski_cas.paper.plain import Plain
-from kowalevski_cas.paper.roots import solved
+from kowalevski_cas.paper.roots import root_of_number, solved
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.scene import Scene, head, is_bold
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -82,9 +82,15 @@ class Elaboration(Moving):
         if self.scene.unit is not None or self.source is not None:
             yield "i"
         yield from self.transcendental.roots
+        primes, names = dict[str, None](), list[str]()
         for name, printed in self.scene.roots.items():
-            if printed is None or not name.startswith(r"\sqrt"):
-                yield name
+            if not name.startswith(r"\sqrt"):
+                names.append(name)
+            elif printed is None:
+                number = root_of_number(next(self.texts.expression(name).children()))
+                primes |= dict.fromkeys(rf"\sqrt{{{p}}}" for p in number[1]) if number else {}
+                names += [] if number else [name]
+        yield from (*primes, *names)
 
     @cached_property
     def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
@@ -226,7 +232,7 @@ class Elaboration(Moving):
         if name in self.transcendental.roots:
             self.places[name] = ()
             return self.transcendental.roots[name]
-        printed = self.scene.roots[name]
+        printed = self.scene.roots.get(name)
         if printed is not None:
             return solved(self, name, printed)
         root = self.texts.expression(name)

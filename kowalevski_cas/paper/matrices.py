@@ -6,8 +6,10 @@ from collections.abc import Callable, Sequence
 from functools import reduce
 
 from kowalevski_cas.notation import (
+    Application,
     Commutator,
     Derivative,
+    Diagonal,
     Formula,
     Name,
     Negative,
@@ -22,6 +24,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import MATRIX
+from kowalevski_cas.paper.functions import value_of
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.space import Meaningless
 
@@ -48,8 +51,14 @@ def rows(formula: Formula, setting: Meaning, within: tuple[str, ...] = ()) -> Ro
             raise Meaningless(f"{name} is defined by itself", name)
         case Name(name) if name in setting.scene.definitions:
             return rows(setting.definition(name), setting, (*within, name))
+        case Application() if formula.function not in OF_MATRICES:
+            return of(value_of(formula, setting))
         case Vector(lines) if all(isinstance(line, Vector) for line in lines):
             return tuple(tuple(map(setting.plain, line.children())) for line in lines)
+        case Diagonal(entries):
+            size = range(len(entries))
+            plain = [*map(setting.plain, entries)]
+            return tuple(tuple(plain[i] if i == j else Number(0) for j in size) for i in size)
         case Negative(argument):
             return _each(of(argument), Negative)
         case Derivative(argument, mark):
@@ -57,6 +66,20 @@ def rows(formula: Formula, setting: Meaning, within: tuple[str, ...] = ()) -> Ro
         case Sum(terms):
             return reduce(_sum, alike(terms, setting, within))
     return _multiplied(formula, setting, of)
+
+
+def by_rows(formula: Formula, setting: Meaning) -> bool:
+    """Whether a matrix by its rows stands in a formula, or in the definition of a matrix there."""
+    if isinstance(formula, Vector):
+        return rank(formula, setting.texts.vocabulary) == MATRIX
+    if isinstance(formula, Application) and is_matrix(formula, setting):
+        return True
+    if isinstance(formula, Name) and is_matrix(formula, setting):
+        place = setting.scene.definitions.get(formula.name)
+        return place is not None and (
+            place.heads.matrix or by_rows(setting.definition(formula.name), setting)
+        )
+    return any(by_rows(child, setting) for child in formula.children())
 
 
 def alike(

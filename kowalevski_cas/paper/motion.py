@@ -30,6 +30,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.notation.errors import dotted
+from kowalevski_cas.paper.matrices import by_rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.paper.texts import Printed
@@ -81,6 +82,8 @@ def field(setting: Meaning, places: Sequence[Printed]) -> Iterator[Motion]:
         if row is None or _has_rate(force):
             others.append((setting.plain(left), force))
             continue
+        if force == Number(0) and len(row.names) > 1:
+            force = Vector((force,) * len(row.names))
         row = Motion(row.names, setting.plain(row.factor), force)
         turning[row.names[0]] = Quotient(row.force, row.factor)
         rows.append(replaced(row))
@@ -115,7 +118,8 @@ def _row(left: Formula, setting: Meaning) -> Motion | None:
     """The left side of a row of the field, with 0 on the right; ``None`` if it is none."""
     factors = left.factors if isinstance(left, Product) else (left,)
     rates = [factor for factor in factors if isinstance(factor, Derivative)]
-    if len(rates) != 1 or any(_has_rate(factor) for factor in factors if factor is not rates[0]):
+    others = [factor for factor in factors if factor not in rates]
+    if len(rates) != 1 or any(_has_rate(one) or by_rows(one, setting) for one in others):
         return None
     inner, order = rates[0].argument, 0
     while isinstance(inner, Derivative):

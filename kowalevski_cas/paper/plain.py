@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, reduce
+from itertools import pairwise
 
+from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import (
     Application,
     Conjugate,
@@ -28,7 +30,6 @@ from kowalevski_cas.notation import (
     Summation,
     Vector,
     rank,
-    substitute,
     times,
     to_latex,
     total,
@@ -36,10 +37,12 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.brackets import Brackets
-from kowalevski_cas.paper.matrices import OF_MATRICES, rows
+from kowalevski_cas.paper.components import applied
+from kowalevski_cas.paper.functions import value_of
+from kowalevski_cas.paper.matrices import OF_MATRICES, by_rows, is_matrix, rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
-from kowalevski_cas.paper.scene import head
+from kowalevski_cas.paper.roots import root_of_number
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import MARK
@@ -76,9 +79,13 @@ class Plain:
                 return OF_MATRICES[function](rows(argument, self.setting))
             case Application():
                 known = self.setting.transcendental(formula)
-                return self(self._applied(formula)) if known is None else known
-            case Root() if (value := self._printed_value(formula)) is not None:
-                return value
+                return self(value_of(formula, self.setting)) if known is None else known
+            case Root(argument):
+                value = self._printed_value(formula)
+                return self._positive(Root(self(argument))) if value is None else value
+            case Power(base, exponent) if (halves := half_power(exponent)) is not None:
+                power = Power(Root(base), Number(abs(halves)))
+                return self(power if halves > 0 else Quotient(Number(1), power))
             case Power(Name(base), exponent) if not _is_whole(exponent):
                 return self._symbolic(base, exponent)
             case PoissonBracket(left, right):
@@ -94,6 +101,8 @@ class Plain:
                 half, odd = divmod(exponent, 2)
                 even = Power(square, Number(half)) if half > 1 else square
                 return even if not odd else Power(Root(square), Number(exponent))
+            case Product(factors) if (product := self._applied_matrix(factors)) is not None:
+                return product
             case Modulus():
                 square = self._square(formula)
                 assert square is not None
@@ -105,6 +114,20 @@ class Plain:
                     return derived(inner, by)
                 return Vector(tuple(derived(inner, name) for name in names))
         return None
+
+    def _applied_matrix(self, factors: tuple[Formula, ...]) -> Formula | None:
+        """The product of a matrix by its rows and a vector; ``None`` for any other product."""
+        words = self.setting.texts.vocabulary
+        if rank(Product(factors), words) != VECTOR:
+            return None
+        matrices = (factor for factor in factors if is_matrix(factor, self.setting))
+        if not any(by_rows(matrix, self.setting) for matrix in matrices):
+            return None
+        *before, vector = factors
+        if rank(vector, words) != VECTOR:
+            raise Meaningless("a vector stands before a matrix: print it behind")
+        matrix = Product(tuple(before)) if len(before) > 1 else before[0]
+        return applied(matrix, self(vector), self.setting)
 
     def _derivative(self, argument: Formula, mark: str) -> Formula:
         """The rate by the time of the scene, or by the other one that its clock declares."""
@@ -146,25 +169,6 @@ class Plain:
             return ScalarProduct(vector, vector)
         return Power(self(inner), Number(2)) if isinstance(formula, Modulus) else None
 
-    def _applied(self, formula: Application) -> Formula:
-        """The expression for which a function with these arguments stands."""
-        for name in self.setting.scene.definitions:
-            function, arguments = head(name)
-            if arguments and function == formula.function:
-                if len(arguments) != len(formula.arguments):
-                    raise Meaningless(f"{name} is used with {len(formula.arguments)} arguments")
-                values = dict(zip(arguments, formula.arguments, strict=True))
-                body = self.setting.definition(name)
-                if any(isinstance(n, Application) and n.function == function for n in body.nodes()):
-                    raise Meaningless(f"{name} is defined by itself", function)
-                own = [self.setting.texts.expression(argument) for argument in arguments]
-                if [*formula.arguments] == own:
-                    return body
-                if not all(isinstance(one, Name) for one in own):
-                    raise Meaningless(f"{name} is used with other velocities: define it anew")
-                return substitute(body, values)
-        raise Meaningless(f"the function {formula.function} has no meaning here", formula.function)
-
     def _printed_value(self, root: Root) -> Formula | None:
         """What a place prints for a root that is no generator; its square is the radicand."""
         found = self.printed_root(root)
@@ -176,6 +180,20 @@ class Plain:
         if not (square - self.setting.finder.scalar(self(root.argument))).is_zero:
             raise Meaningless(f"the value at {printed.place} is not {name}")
         return value
+
+    def _positive(self, root: Root) -> Formula:
+        """A printed root; raises :class:`Meaningless` if a name has its square, and either sign.
+
+        Those of numbers are made of roots of primes.
+        """
+        if (number := root_of_number(root.argument)) is not None:
+            roots = (Root(Number(prime)) for prime in number[1])
+            return reduce(lambda a, b: Product((a, b)), roots, fraction_formula(number[0]))
+        name = self.setting.finder.root_name(root.argument)
+        if name in self.setting.scene.roots and not name.startswith(r"\sqrt"):
+            shown = to_latex(root)
+            raise Meaningless(f"{name} may be {shown} or its opposite: print {name}, not {shown}")
+        return root
 
     def printed_root(self, root: Root) -> tuple[str, Printed] | None:
         """The name of a root for which a place prints a value, and the place."""
@@ -230,6 +248,16 @@ def linear_exponent(formula: Formula) -> dict[str, int]:
     raise Meaningless(f"{to_latex(formula)} is no exponent that can be used here")
 
 
+def half_power(exponent: Formula) -> int | None:
+    """The odd number of halves in an exponent, as 3 in 3/2; ``None`` for any other exponent."""
+    match exponent:
+        case Quotient(Number(above), Number(2)) if above % 2:
+            return above
+        case Negative(argument) if (halves := half_power(argument)) is not None:
+            return -halves
+    return None
+
+
 def _is_whole(exponent: Formula) -> bool:
     return isinstance(exponent.argument if isinstance(exponent, Negative) else exponent, Number)
 
@@ -258,7 +286,11 @@ def _at(formula: Formula, index: str, value: int) -> Formula:
     parts = _INDEX.findall(low)
     if index not in parts:
         return formula
-    if {*"+-"} & {*parts} and re.search(r"[^-+,]{2}", "".join(p[:1] for p in parts)):
+    before = (one for one, other in pairwise(parts) if other == index and one.isdecimal())
+    crowded = re.search(r"[^-+,]{2}", "".join(p[:1] for p in parts))
+    if any(int(one) > 1 for one in before) or (
+        crowded and (value > 9 or {*"+-"} & {*parts})  # 2i may be two indices, or a product
+    ):
         raise Meaningless(f"what is the index of {to_latex(formula)}? write the terms out")
     low = "".join(str(value) if part == index else part for part in parts)
     if re.fullmatch(r"\d+(?:[+-]\d+)+", low):  # as in q_{i+1}

@@ -307,7 +307,7 @@ class Scene:
             elif is_bold(name) or self.definitions[name].heads.matrix:
                 yield from self.vectors.get(name, ())
             else:
-                yield from (a for a in arguments if not a.startswith(r"\dot"))
+                yield from (a for a in arguments if a[:4] != r"\dot" and a not in self.vectors)
                 if self.of_variables(name):
                     yield function
         yield from (name for name in self.roots if not name.startswith(r"\sqrt"))
@@ -319,8 +319,8 @@ class Scene:
 
         Then the name stands for the value at these; velocities and the time may be among them.
         """
-        known = {*self.variables, *map(dotted, self.variables), self.time}
-        return known.issuperset(head(name)[1])
+        moving = (*self.variables, *self.vectors)
+        return {*moving, *map(dotted, moving), self.time}.issuperset(head(name)[1])
 
     def branches(self) -> Iterator[Printed]:
         """The places that print a value for a root: they choose one of two values."""
@@ -349,7 +349,7 @@ FREE = (
 
 def is_bold(name: str) -> bool:
     """Whether a name is printed in bold, that is, denotes a vector or a matrix."""
-    return name.startswith((r"\boldsymbol", r"\mathbf"))
+    return name.startswith((r"\boldsymbol", r"\mathbf", r"\vec"))
 
 
 BRACKET, EPSILON = r"\{", r"\varepsilon_{ijk}"
@@ -379,8 +379,11 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
     bold = {n for s in scenes for n in (*s.vectors, *s.definitions) if is_bold(n)}
     vectors = {name for scene in scenes for name in scene.vectors}
     capitals = {n for n in bold if n.startswith(r"\mathbf{") and n[8].isupper()}
-    printed = {n for s in scenes for n, place in s.definitions.items() if place.heads.matrix}
+    printed = {head(n)[0] for s in scenes for n, p in s.definitions.items() if p.heads.matrix}
     matrices = frozenset((capitals | printed) - vectors)
+    still = {n for s in scenes for n in (*s.constants, *s.undefined)}
+    moving = {n for s in scenes for n in (*s.variables, *s.definitions)} - still
+    parts = ((name, parts) for scene in scenes for name, parts in scene.vectors.items())
     return Vocabulary(
         scalars=times.union(name for scene in scenes for name in scene.names()),
         vectors=frozenset(bold) - matrices,
@@ -389,6 +392,5 @@ def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
             head(n)[0] for s in scenes for n in s.definitions if head(n)[1] and n[:2] != BRACKET
         ).union(FUNCTIONS),
         times=times,
-        moving=frozenset(n for s in scenes for n in (*s.variables, *s.definitions, *s.vectors))
-        - {n for s in scenes for n in (*s.constants, *s.undefined)},
+        moving=frozenset(moving.union(n for n, own in parts if not moving.isdisjoint(own))),
     )

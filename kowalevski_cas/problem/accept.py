@@ -167,8 +167,7 @@ class Judge(Examiner):
         rest = value
         for number, base in evidence.squares:
             rest = rest - square(number, base, at)
-        row = (evidence.row,) if evidence.row else ()
-        used = list(self._settle([rest], known, Proof(row), at))
+        used = list(self._settle([rest], known, Proof(evidence.rows), at))
         if evidence.zero is None:
             raise Unproved("it is not shown that it vanishes nowhere")
         used += self._settle([at.ring.one], [value, *known], evidence.zero, at)

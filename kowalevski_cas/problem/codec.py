@@ -1,12 +1,35 @@
-"""Problems as JSON, and back: what the digest of a statement is made of (docs/certificate.md)."""
+"""Problems and evidence as JSON, and back, as they stand in certificates (docs/certificate.md).
+
+A formula is a tree, a tuple a list, a mapping a list of pairs, and data an object under the keys of
+:data:`SHAPES`; a step, or a row of a field, is a list of what it has. The spaces of a problem are a
+list, and goals and changes have their places in it.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator, Mapping
+from dataclasses import MISSING, fields
 from hashlib import sha256
-from typing import Any
+from types import NoneType, UnionType
+from typing import Any, get_args, get_origin, get_type_hints
 
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.problem.evidence import (
+    At,
+    Evidence,
+    Factor,
+    Found,
+    Further,
+    Minors,
+    Point,
+    Proof,
+    Regardless,
+    Roots,
+    Shown,
+    Solutions,
+    Squares,
+)
 from kowalevski_cas.problem.goals import (
     Count,
     Exists,
@@ -17,138 +40,132 @@ from kowalevski_cas.problem.goals import (
     Positive,
     Problem,
     Rank,
-    Simple,
-    simple,
 )
-from kowalevski_cas.problem.space import (
-    Adjoined,
-    Change,
-    Equation,
-    Let,
-    Motion,
-    Raised,
-    Space,
-    Step,
-)
+from kowalevski_cas.problem.space import Adjoined, Change, Let, Motion, Raised, Setting, Space, Step
 from kowalevski_cas.problem.trees import FormatError, Tree, decode, encode
 
 Data = dict[str, Any]
+
+SHAPES: dict[type[Any], str] = {
+    Space: "variables constants? nonzero? steps? field? change? conjugates?",
+    Change: "old formulas time",
+    Exists: "numbers expressions goals",
+    Follows: "space given conclusions",
+    Fails: "space given conclusions",
+    Rank: "space functions given rank",
+    Positive: "space given formula",
+    Count: "space equations names number",
+    Kernel: "space factor solutions integrals weights degree",
+    Proof: "product? cofactors:rows? cases? power?",
+    Point: "values",
+    At: "point",
+    Minors: "minors:rows",
+    Found: "values evidence",
+    Regardless: "inner:goal points",
+    Squares: "point squares cofactors:rows zero?",
+    Factor: "factor squares cofactors:row? granted?",
+    Roots: "point root form eliminant solved cofactors:rows quotients factors minors",
+    Solutions: "points",
+    Further: "further:formula point",
+}
+"""Keys in their order, with the attribute behind a colon if it is called otherwise.
+
+Those with a question mark are left out if they have their default.
+"""
+
+_Key = tuple[str, str, object]
+
+
+def _keys(kind: type[Any], shape: str) -> Iterator[_Key]:
+    """Keys, their attributes, and the value with which one is left out."""
+    defaults = {one.name: one.default for one in fields(kind)}
+    for entry in shape.split():
+        key, _, name = entry.rstrip("?").partition(":")
+        yield key, name or key, defaults[name or key] if entry[-1] == "?" else MISSING
+
+
+_KEYS = {kind: [*_keys(kind, shape)] for kind, shape in SHAPES.items()}
+_GOALS: dict[str, type[Any]] = {
+    kind.__name__.lower(): kind for kind in (Exists, Follows, Fails, Rank, Positive, Count, Kernel)
+}
+_STEPS: dict[str, type[Any]] = {"let": Let, "root": Adjoined, "power": Raised}
+_WORDS = {kind: word for word, kind in (*_GOALS.items(), *_STEPS.items())}
+_TYPES = {kind: get_type_hints(kind) for kind in (*SHAPES, *_STEPS.values(), Motion)}
 
 
 def problem_data(problem: Problem) -> Data:
     """The spaces and goals of a problem."""
     spaces: list[Space] = []
-
-    def place(space: Space) -> int:
-        if space not in spaces:
-            if space.change is not None:
-                assert isinstance(space.change.old, Space)
-                place(space.change.old)
-            spaces.append(space)
-        return spaces.index(space)
-
-    for goal in problem.goals:
-        for one in simple(goal):
-            assert isinstance(one.space, Space)
-            place(one.space)
-    return {
-        "spaces": [_space_data(space, place) for space in spaces],
-        "goals": [_goal_data(goal, place) for goal in problem.goals],
-    }
+    goals = [_object(goal, spaces) for goal in problem.goals]
+    return {"spaces": [_object(space, spaces) for space in spaces], "goals": goals}
 
 
 def digest(problem: Problem) -> str:
     """The digest of a statement: any change of its mathematics changes it."""
-    return digest_of(problem_data(problem))
-
-
-def digest_of(data: Data) -> str:
-    """The digest of the spaces and goals in the data of a certificate."""
-    text = json.dumps({key: data[key] for key in ("spaces", "goals")}, sort_keys=True)
+    text = json.dumps(problem_data(problem), sort_keys=True)
     return sha256(text.encode()).hexdigest()[:16]
 
 
-def _space_data(space: Space, place: Callable[[Space], int]) -> Data:
-    data: Data = {"variables": list(space.variables)}
-    if space.constants:
-        data["constants"] = list(space.constants)
-    if space.nonzero:
-        data["nonzero"] = [encode(formula) for formula in space.nonzero]
-    if space.steps:
-        data["steps"] = [_step_data(step) for step in space.steps]
-    if space.field:
-        data["field"] = [
-            [list(row.names), encode(row.factor), encode(row.force)] for row in space.field
-        ]
-    if (change := space.change) is not None:
-        assert isinstance(change.old, Space)
-        data["change"] = {
-            "old": place(change.old),
-            "formulas": [[name, encode(formula)] for name, formula in change.formulas],
-            "time": encode(change.time),
-        }
-    if space.conjugates:
-        data["conjugates"] = [list(pair) for pair in space.conjugates]
-    return data
+def evidence_data(evidence: Evidence) -> Data:
+    """Evidence as it stands in a certificate, without what it has to divide by."""
+    return _object(evidence, [])
 
 
-def _step_data(step: Step) -> Tree:
-    match step:
-        case Let(name, formula):
-            return ["let", name, encode(formula)]
-        case Adjoined(name, square, None):
-            return ["root", name, encode(square)]
-        case Adjoined(name, square, printed):
-            assert printed is not None
-            return ["root", name, encode(square), _sides(printed)]
-        case Raised(name, base, exponent):
-            return ["power", name, encode(base), exponent]
+def _written(value: Any, spaces: list[Space]) -> Tree:
+    """A value as JSON; spaces that are met are entered, each after those that it rests on."""
+    match value:
+        case Formula():
+            return encode(value)
+        case str() | int():
+            return value
+        case tuple():
+            return [_written(one, spaces) for one in value]
+        case Mapping():
+            return [[name, encode(one)] for name, one in value.items()]
+        case Space():
+            return _place(value, spaces)
+        case Let() | Adjoined() | Raised() | Motion():
+            word = [_WORDS[type(value)]] if type(value) in _WORDS else []
+            own = (getattr(value, one.name) for one in fields(value))
+            return word + [_written(one, spaces) for one in own if one is not None]
+    return _object(value, spaces)
 
 
-def _goal_data(goal: Goal, place: Callable[[Space], int]) -> Data:
-    match goal:
-        case Exists():
-            inner = [_goal_data(one, place) for one in goal.goals]
-            names = {"numbers": list(goal.numbers), "expressions": list(goal.expressions)}
-            return {"goal": "exists", **names, "goals": inner}
-        case Follows():
-            kind = "fails" if isinstance(goal, Fails) else "follows"
-            content: Data = {
-                "given": list(map(_sides, goal.given)),
-                "conclusions": [list(map(_sides, one)) for one in goal.conclusions],
-            }
-        case Rank():
-            kind = "rank"
-            content = {
-                "functions": list(map(encode, goal.functions)),
-                "given": list(map(_sides, goal.given)),
-                "rank": goal.rank,
-            }
-        case Positive():
-            kind = "positive"
-            content = {"given": list(map(_sides, goal.given)), "formula": encode(goal.formula)}
-        case Count():
-            kind = "count"
-            content = {
-                "equations": list(map(_sides, goal.equations)),
-                "names": list(goal.names),
-                "number": goal.number,
-            }
-        case Kernel():
-            kind = "kernel"
-            content = {
-                "factor": encode(goal.factor),
-                "solutions": list(map(encode, goal.solutions)),
-                "integrals": list(map(encode, goal.integrals)),
-                "weights": list(goal.weights),
-                "degree": goal.degree,
-            }
-    assert isinstance(goal.space, Space)
-    return {"goal": kind, "space": place(goal.space), **content}
+def _place(space: Space, spaces: list[Space]) -> int:
+    if space not in spaces:
+        if space.change is not None:
+            _written(space.change.old, spaces)
+        spaces.append(space)
+    return spaces.index(space)
 
 
-def _sides(equation: Equation) -> Tree:
-    return [encode(side) for side in equation]
+def _object(value: Any, spaces: list[Space]) -> Data:
+    """Data under its keys."""
+    match value:
+        case Point(values):
+            trees = [[name, encode(one)] for name, one in sorted(values.items())]
+            return {"roots": sorted(_radicands(trees)), "values": trees}
+        case Shown(proof, None):
+            return _object(proof, spaces)
+        case Shown(proof, point):
+            return {"point": _object(point, spaces), **_object(proof, spaces)}
+    word = {"goal": _WORDS[type(value)]} if type(value) in _WORDS else {}
+    found = [(key, getattr(value, name), least) for key, name, least in _KEYS[type(value)]]
+    return word | {
+        key: _written(one, spaces) for key, one, least in found if one not in (least, None)
+    }
+
+
+def _radicands(tree: Tree) -> set[int]:
+    """The whole numbers of which roots are taken."""
+    if not isinstance(tree, list):
+        return set()
+    if tree[:1] == ["sqrt"]:
+        return {tree[1]}
+    return {number for part in tree for number in _radicands(part)}
+
+
+# -- and back ----------------------------------------------------------------------
 
 
 def read_problem(data: Data) -> Problem:
@@ -156,72 +173,96 @@ def read_problem(data: Data) -> Problem:
     try:
         spaces: list[Space] = []
         for space in data["spaces"]:
-            spaces.append(_read_space(space, spaces))
-        return Problem(tuple(_read_goal(goal, spaces) for goal in data["goals"]))
+            spaces.append(_read_object(Space, space, spaces))
+        return Problem(tuple(_read(Goal, goal, spaces) for goal in data["goals"]))
     except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
         raise FormatError(f"it states nothing that can be read: {error}") from None
 
 
-def _read_space(data: Data, before: Sequence[Space]) -> Space:
-    change = data.get("change")
-    return Space(
-        variables=tuple(data["variables"]),
-        constants=tuple(data.get("constants", ())),
-        nonzero=tuple(map(decode, data.get("nonzero", ()))),
-        steps=tuple(map(_read_step, data.get("steps", ()))),
-        field=tuple(
-            Motion(tuple(names), decode(factor), decode(force))
-            for names, factor, force in data.get("field", ())
-        ),
-        change=None
-        if change is None
-        else Change(
-            before[change["old"]],
-            tuple((name, decode(tree)) for name, tree in change["formulas"]),
-            decode(change["time"]),
-        ),
-        conjugates=tuple((a, b) for a, b in data.get("conjugates", ())),
-    )
+def read_evidence(data: Data, goal: Goal, holds: bool = True) -> Evidence:
+    """The evidence in the data of a certificate that a goal holds, or that it does not.
+
+    Raises :class:`FormatError` if it is none.
+    """
+    try:
+        kind = _kind(data, goal, holds)
+        found = {key: value for key, value in data.items() if key != "away" or kind is Found}
+        if isinstance(goal, Exists) and kind is Found:
+            pairs = zip(found.pop("evidence"), goal.goals, strict=True)
+            inner = tuple(read_evidence(entry, one) for entry, one in pairs)
+            return Found(_read(_TYPES[Found]["values"], found.pop("values"), []), inner, **found)
+        if kind is Shown:
+            point = _read(Point, found.pop("point"), [])
+            return Shown(_read_object(Proof, found, []), point)
+        evidence: Evidence = _read_object(kind, found, [])
+        return evidence
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
+        raise FormatError(f"it is no evidence: {error}") from None
 
 
-def _read_step(data: Tree) -> Step:
-    match data:
-        case ["let", name, tree]:
-            return Let(name, decode(tree))
-        case ["root", name, square]:
-            return Adjoined(name, decode(square))
-        case ["root", name, square, printed]:
-            return Adjoined(name, decode(square), _equation(printed))
-        case ["power", name, base, exponent]:
-            return Raised(name, decode(base), exponent)
-    raise FormatError("a step is expected")
+def _kind(data: Data, goal: Goal, holds: bool) -> type:
+    """What evidence for a goal, or against it, is."""
+    match goal:
+        case Exists():
+            return Found if holds else Regardless
+        case Follows() if isinstance(goal, Fails) != holds:
+            return Shown
+        case Rank() if not holds and "minors" in data:
+            return Minors
+        case Positive() if holds:
+            return Squares
+        case Kernel() if "further" in data:
+            return Further
+        case Count():
+            return Roots if "eliminant" in data else Solutions
+    return At
 
 
-def _read_goal(data: Data, spaces: Sequence[Space]) -> Goal:
-    if data["goal"] == "exists":
-        inner = (_read_goal(goal, spaces) for goal in data["goals"])
-        goals: tuple[Simple, ...] = tuple(g for g in inner if not isinstance(g, Exists))
-        return Exists(goals, tuple(data["expressions"]), tuple(data["numbers"]))
-    space, kind = spaces[data["space"]], data["goal"]
-    if kind in ("follows", "fails"):
-        make = Fails if kind == "fails" else Follows
-        conclusions = tuple(tuple(map(_equation, one)) for one in data["conclusions"])
-        return make(space, conclusions, tuple(map(_equation, data["given"])))
-    if kind == "rank":
-        functions, given = map(decode, data["functions"]), map(_equation, data["given"])
-        return Rank(space, tuple(functions), tuple(given), data["rank"])
-    if kind == "positive":
-        return Positive(space, decode(data["formula"]), tuple(map(_equation, data["given"])))
-    if kind == "count":
-        equations = tuple(map(_equation, data["equations"]))
-        return Count(space, equations, tuple(data["names"]), data["number"])
-    if kind == "kernel":
-        solutions, integrals = map(decode, data["solutions"]), map(decode, data["integrals"])
-        factor, weights = decode(data["factor"]), tuple(data["weights"])
-        return Kernel(space, factor, tuple(solutions), tuple(integrals), weights, data["degree"])
-    raise FormatError(f"“{kind}” is no goal")
+def _read(kind: Any, data: Tree, spaces: list[Space]) -> Any:
+    """The value of a type that is written as this JSON."""
+    if isinstance(kind, UnionType):
+        return _read_one(kind, data, spaces)
+    if get_origin(kind) is tuple:
+        first, *others = get_args(kind)
+        parts = [first] * len(data) if others == [...] else [first, *others]
+        return tuple(_read(part, one, spaces) for part, one in zip(parts, data, strict=True))
+    if get_origin(kind) is Mapping:
+        return {name: decode(tree) for name, tree in data}
+    if kind is Formula:
+        return decode(data)
+    if kind is Setting:
+        return spaces[_read(int, data, spaces)]
+    if kind in (str, int):
+        if type(data) is not kind or (kind is int and data < 0):
+            raise FormatError(f"{data!r:.80} is no {'name' if kind is str else 'whole number'}")
+        return data
+    if kind is Motion:
+        return _read_listed(Motion, data, spaces)
+    return _read_object(kind, data, spaces)
 
 
-def _equation(data: Tree) -> Equation:
-    left, right = data
-    return decode(left), decode(right)
+def _read_one(kind: Any, data: Tree, spaces: list[Space]) -> Any:
+    """A goal, a step, or what may be left out and is not."""
+    if kind == Step:
+        word, *rest = data
+        return _read_listed(_STEPS[word], rest, spaces)
+    first, *others = (part for part in get_args(kind) if part is not NoneType)
+    if not others:
+        return _read(first, data, spaces)
+    own = _GOALS[data["goal"]]
+    if not issubclass(own, get_args(kind)):
+        raise FormatError(f"a goal of the kind {data['goal']} cannot stand here")
+    return _read_object(own, {key: one for key, one in data.items() if key != "goal"}, spaces)
+
+
+def _read_listed(kind: type[Any], data: Tree, spaces: list[Space]) -> Any:
+    types = [*_TYPES[kind].values()][: len(data)]
+    return kind(*(_read(part, one, spaces) for part, one in zip(types, data, strict=True)))
+
+
+def _read_object(kind: type[Any], data: Data, spaces: list[Space]) -> Any:
+    keys = _KEYS[kind]
+    if unknown := data.keys() - {key for key, *_ in keys} - ({"roots"} if kind is Point else set()):
+        raise FormatError(f"“{min(unknown)}” is unknown here")
+    names = {name: data[key] for key, name, least in keys if key in data or least is MISSING}
+    return kind(**{name: _read(_TYPES[kind][name], one, spaces) for name, one in names.items()})

@@ -16,6 +16,7 @@ from kowalevski_cas.problem.evidence import Factor, Roots, Row, Solutions
 from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Space
+from kowalevski_cas.problem.trees import LARGEST_EXPONENT
 
 
 def check_roots(goal: Count, found: Roots, at: Evaluation) -> tuple[list[Element], list[Element]]:
@@ -176,6 +177,8 @@ def _minors(found: Roots, inner: Evaluation, factors: list[Element]) -> None:
     coefficients = [inner.scalar(coefficient) for coefficient in found.eliminant]
     minors = hermite_minors(coefficients)
     for minor, (number, powers) in zip(minors, found.minors, strict=True):
+        if any(power > LARGEST_EXPONENT for power in powers):
+            raise Misplaced("a power of a factor is too large")
         value = inner.scalar(number)
         if (rational(value) or Fraction(0)) <= 0:
             raise Misplaced("a minor is not shown to be positive")

@@ -88,7 +88,7 @@ class Squares:
     """A positive formula as a sum of squares, and why it does not vanish."""
 
     squares: tuple[tuple[Formula, Formula], ...]
-    row: Row
+    rows: tuple[Row, ...]
     point: Point | None
     zero: Proof | None = None
 

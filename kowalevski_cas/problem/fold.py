@@ -232,6 +232,8 @@ def divisors_of(formula: Formula) -> Iterator[tuple[Formula, int]]:
 def _power(formula: Power, at: Fold, bar: bool) -> Value:
     base = at.scalar(formula.base, bar)
     match formula.exponent:
+        case Number(0):
+            return at.ring.one + base * at.ring.zero  # which remembers what the base divides by
         case Number(exponent):
             return base**exponent
         case Negative(Number(exponent)):

@@ -25,4 +25,4 @@ def positive(goal: Positive, finder: PointFinder) -> Squares | None:
         for number, base in found
     )
     point = finder.point(at, known, [value, *known])
-    return Squares(squares, (), point, Proof((tuple(map(formula_in, zero)),)))
+    return Squares(squares, ((),), point, Proof((tuple(map(formula_in, zero)),)))

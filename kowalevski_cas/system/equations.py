@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Container, Mapping, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.notation import (
@@ -11,72 +11,157 @@ from kowalevski_cas.notation import (
     Conjugate,
     Derivative,
     Formula,
+    Modulus,
     Name,
     Number,
     OpenParser,
     Partial,
+    Power,
     Relation,
     Root,
     Summation,
+    Vector,
     Vocabulary,
+    heads,
+    independent,
+    rank,
     read,
     read_display,
     to_latex,
 )
-from kowalevski_cas.paper.plain import written_out
-from kowalevski_cas.paper.scene import Scene, head, vocabulary
+from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.paper.plain import half_power, written_out
+from kowalevski_cas.paper.scene import BRACKET, Scene, head, is_bold, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed
-from kowalevski_cas.problem.prune import mentions
 
 _RATE = re.compile(r"\\dot\{([^{}]*)\}(.*)")
+_INDEX = re.compile("[i-n]")
+_PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
 
 
-def roles(
-    display: Display, vectors: Mapping[str, tuple[str, ...]]
-) -> tuple[list[Printed], list[Printed], tuple[str, ...], tuple[str, ...]]:
-    """The equations of motion, what is defined beside them, what moves, and the other names."""
-    words = vocabulary(())
-    heads = [head(name) for place in display for name in place.heads.names]
-    named = frozenset(name for name, arguments in heads if arguments)  # as H in H(q,p)=…
-    words = replace(
-        words, vectors=frozenset(vectors), scalars=named, functions=words.functions | named
-    )
-    moving = dict.fromkeys(name for place in display for name in _moving(_open(place, words)))
+def moving_by(display: Display, name: str, vectors: Mapping[str, tuple[str, ...]]) -> Scene:
+    """The scene of equations of motion, and of what is defined and supposed beside them.
+
+    Raises ``ValueError`` if they do not say what moves, and how.
+    """
+    vectors = {heads(f"{bold}=0")[0].names[0]: parts for bold, parts in vectors.items()}
+    words = _vocabulary(display, vectors)
+    one = frozenset(sorted(words.vectors)[:1])  # what a gradient is by, does not matter yet
+    formulas = _read(display, replace(words, moving=one))
+    moving = dict.fromkeys(one for formula in formulas.values() for one in _moving(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
-    laws = [place for place in display if _is_law(_open(place, words))]
+    formulas = _read(display, words)
+    laws = tuple(place for place, formula in formulas.items() if _is_law(formula))
     others = [place for place in display if place not in laws]
+    heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
+    defined = {one for known, arguments in heads_of for one in (known, *arguments)} - {*moving}
+    names = [
+        one.name
+        for formula in formulas.values()
+        for one in formula.nodes()
+        if isinstance(one, Name)
+    ]
+    _check(display, formulas, laws, moving, defined)
+    if words.times & {*names}:
+        time = min(words.times)
+        raise ValueError(rf"the time {time} stands in the equations: give it a name, with \dot s=1")
+    variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
+    fixed = [one for one in names if one not in defined and one not in words.matrices]
+    parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
+    constants = tuple(part for part in parts if part not in variables)
+    _check_indices((*variables, *constants))
+    title, time = name or "the system", min(words.times)
+    scene = Scene(title, "the equations of motion", vectors, variables, constants, laws, time)
     for place in others:
-        if not {*place.heads.names} - {*moving}:
-            raise ValueError(f"{place.tex} is no equation of motion, and defines no name")
+        scene = _with(scene, place, formulas[place])
+    return rooted(scene, display)
+
+
+def _vocabulary(display: Display, vectors: Mapping[str, tuple[str, ...]]) -> Vocabulary:
+    """What is a vector, a matrix, a function or the independent variable in a display."""
+    words = vocabulary(())
+    names = [one for place in display for one in place.heads.names]
+    functions = frozenset(function for function, arguments in map(head, names) if arguments)
+    matrices = {one for place in display if place.heads.matrix for one in place.heads.names}
+    matrices |= {one for one in names if is_bold(one)}
+    times = independent(display.tex) or ["t"]
+    if len(times) > 1:
+        raise ValueError(f"derivatives by {' and by '.join(times)}: print one independent variable")
+    return replace(
+        words, scalars=functions, functions=words.functions | functions, vectors=frozenset(vectors),
+        matrices=frozenset(matrices - vectors.keys()), times=frozenset(times),
+    )  # fmt: skip
+
+
+def _check(
+    display: Display,
+    formulas: Mapping[Printed, Formula],
+    laws: Sequence[Printed],
+    moving: Collection[str],
+    defined: Container[str],
+) -> None:
+    """Refuse equations that do not tell what moves, and names that are derived and not defined."""
+    if not laws:
+        raise ValueError(f"{display.tex} has no equation of motion: print one with a derivative")
+    for place in formulas:
+        names = place.heads.names
+        if names and place not in laws and {*names} <= {*moving}:
+            raise ValueError(
+                f"{place.tex}: {names[0]} moves by an equation of its own: leave this one out, or "
+                "print the equations of motion of what stands in it"
+            )
     if len(laws) > len(moving):
         raise ValueError(
             f"{len(laws)} equations for {len(moving)} unknowns ({', '.join(moving)}): "
             "leave one out, or claim it as an identity"
         )
-    mentioned = dict.fromkeys(name for place in display for name in _mentioned(place, words))
-    if "t" in mentioned:
-        raise ValueError("the time t stands in the equations: give it a name, with \\dot s=1")
-    heads = [head(name) for place in others for name in place.heads.names]
-    defined = {one for name, arguments in heads for one in (name, *arguments)}
-    for name in (name for place in display for name in _derived(_open(place, words))):
+    for name in (one for formula in formulas.values() for one in _derived(formula)):
         if name not in defined:
             raise ValueError(f"{name} is differentiated, and nothing defines it: add {name}=…")
-    defined |= {*moving}
-    return laws, others, tuple(moving), tuple(name for name in mentioned if name not in defined)
 
 
-def _open(place: Printed, words: Vocabulary) -> Formula:
-    """What stands at a place, where any letter is a name; sums are written out."""
+def _check_indices(names: Sequence[str]) -> None:
+    """Refuse an index that may stand for numbers which other indices are."""
+    for name in names:
+        if _PERMUTATION.fullmatch(name):
+            raise ValueError(f"{name} is a name here: write a vector product, or the terms")
+        letter, low = letter_and_index(name)
+        if _INDEX.fullmatch(low) and any(
+            other == letter and index.isdigit() for other, index in map(letter_and_index, names)
+        ):
+            raise ValueError(f"{name} stands beside names with numbers: print {low}=1,2,3 behind")
+
+
+def _with(scene: Scene, place: Printed, formula: Formula) -> Scene:
+    """A scene with what is defined or supposed beside the equations of motion."""
+    if {*place.heads.names} - {*scene.variables, *scene.constants}:
+        return scene.defining(place)
+    if len(place.heads.squares) == 1:
+        return scene.adjoining(place)
+    if supposed := _nonzero(formula):
+        return scene.having(nonzero=supposed)
+    what = "is no equation of motion, and defines no name"
+    raise ValueError(f"{place.tex} {what}; what is supposed is printed with \\ne 0")
+
+
+def _nonzero(formula: Formula) -> tuple[str, ...]:
+    """What is supposed not to vanish; nothing, if that is not what a formula says."""
+    match formula:
+        case Relation((left, Number(0)), (r"\ne",)):
+            return (to_latex(left),)
+    return ()
+
+
+def _read(display: Display, words: Vocabulary) -> dict[Printed, Formula]:
+    """The statements of a display, where any letter is a name; sums are written out."""
 
     def written(formula: Formula) -> Formula:
         formula = written_out(formula) if isinstance(formula, Summation) else formula
         return formula.mapped(written)
 
-    return written(read(place.tex, words, OpenParser))
-
-
-def _mentioned(place: Printed, words: Vocabulary) -> list[str]:
-    return [one.name for one in mentions(_open(place, words)) if isinstance(one, Name)]
+    found = read_display(display.tex, words, OpenParser)
+    return {place: written(one.formula) for place, one in zip(display, found, strict=True)}
 
 
 def _is_law(formula: Formula) -> bool:
@@ -87,8 +172,8 @@ def _is_law(formula: Formula) -> bool:
 
 def _moving(formula: Formula) -> list[str]:
     """The names that stand under a derivative, or by whose rates something is derived."""
-    if isinstance(formula, Derivative) and isinstance(formula.argument, Name):
-        return [formula.argument.name]
+    if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector):
+        return [one.name for one in formula.argument.nodes() if isinstance(one, Name)]
     found = [name for child in formula.children() for name in _moving(child)]
     rate = _RATE.fullmatch(formula.by) if isinstance(formula, Partial) else None
     return [rate[1] + rate[2], *found] if rate else found
@@ -98,6 +183,18 @@ def _derived(formula: Formula) -> list[str]:
     """The names of which partial derivatives are printed."""
     partial = (one.argument for one in formula.nodes() if isinstance(one, Partial))
     return [argument.name for argument in partial if isinstance(argument, Name)]
+
+
+def with_parameters(scene: Scene, display: Display) -> Scene:
+    r"""A scene with the new names of which a display defines functions, as :math:`L(\lambda)`.
+
+    They are constants: a function stands for its value whatever they are.
+    """
+    heads_of = [head(name) for place in display for name in place.heads.names]
+    arguments = dict.fromkeys(one for name, listed in heads_of if name != BRACKET for one in listed)
+    known = {name for name, _ in heads_of} | {*scene.names(), *scene.vectors, scene.time, "t"}
+    new = (one for one in arguments if one not in known and not one.startswith(r"\dot"))
+    return scene.having(constants=tuple(new))
 
 
 def rooted(scene: Scene, display: Display) -> Scene:
@@ -114,17 +211,28 @@ def rooted(scene: Scene, display: Display) -> Scene:
     for formula in (node for one in waiting for node in one.nodes()):
         if isinstance(formula, Conjugate):
             raise ValueError(f"{to_latex(formula)} is a conjugate, and all is real: rename it")
-        if isinstance(formula, Root) and (name := to_latex(formula)) not in scene.roots:
+        root = _root(formula, vocabulary((scene,)))
+        if root is not None and (name := to_latex(root)) not in scene.roots:
             scene = scene.adjoining(name)
     return scene
 
 
+def _root(formula: Formula, words: Vocabulary) -> Root | None:
+    """The square root that a root, the length of a vector or a power 3/2 is made of."""
+    match formula:
+        case Root():
+            return formula
+        case Modulus(argument) if rank(argument, words) == VECTOR:
+            return Root(Power(argument, Number(2)))
+        case Power(base, exponent) if half_power(exponent) is not None:
+            return Root(base)
+    return None
+
+
 def restricted(scene: Scene, place: Printed) -> Scene:
     """A scene with what a relation says of its constants."""
-    formula = read(place.tex, vocabulary((scene,)), OpenParser)
-    match formula:
-        case Relation((left, Number(0)), (r"\ne",)):
-            return scene.having(nonzero=(to_latex(left),))
+    if supposed := _nonzero(read(place.tex, vocabulary((scene,)), OpenParser)):
+        return scene.having(nonzero=supposed)
     if any(name in scene.constants for name in place.heads.squares):
         return scene.adjoining(place)
     for name in place.heads.names:

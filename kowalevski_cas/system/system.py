@@ -14,18 +14,23 @@ them: ``kowalevski-cas verify lorenz.py``.
 from __future__ import annotations
 
 import re
+import sys
 from argparse import ArgumentParser
 from collections.abc import Callable, Container, Mapping, Sequence
+from contextlib import suppress
 from copy import copy
+from dataclasses import replace
 from functools import partial
 from importlib import import_module
 from itertools import chain, count
 from typing import Any
 
-from kowalevski_cas.cli.find import forecast
+from kowalevski_cas.cli.find import forecast, found
+from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import (
     Formula,
     Name,
+    NotationError,
     OpenParser,
     Vocabulary,
     from_sympy,
@@ -51,8 +56,9 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene, vocabulary
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.pool import HERE
+from kowalevski_cas.processes import each
 from kowalevski_cas.system.answers import Function, Stated
-from kowalevski_cas.system.equations import restricted, roles, rooted
+from kowalevski_cas.system.equations import moving_by, restricted, rooted, with_parameters
 from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
@@ -82,6 +88,8 @@ class System:
         ValueError: they are no equations of motion; the message says why.
     """
 
+    seconds = 60.0
+    """For each claim, and for each question."""
     pool = HERE
     """Where searches are done: ``Pool(jobs=4)`` for four processes."""
 
@@ -94,20 +102,18 @@ class System:
         self.symbols: dict[str, Any] = {}
         """The symbols of SymPy in which the system is written, by their names here."""
         self.prefix = f"{name}-" if name else ""
-        if not isinstance(field, str):
-            rows = (rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items())
-            field = r",\quad ".join(rows)
         self.section = Section(name or "1", "")
-        display = self.section.display(f"{self.prefix}field", field)
-        components = vectors or {}
-        laws, definitions, moving, others = roles(display, components)
-        variables = tuple(part for one in moving for part in components.get(one, (one,)))
-        parts = (part for one in others for part in components.get(one, (one,)))
-        constants = tuple(part for part in parts if part not in variables)
-        words = "the equations of motion"
-        scene = Scene(name or "the system", words, components, variables, constants, (*laws,))
-        self._stand_on(rooted(scene.defining(*definitions), display))
-        self.section.title = _echo(variables, constants, "${}$".format)
+        MADE.append(self.section)
+        if isinstance(field, str):
+            display = self.section.display(f"{self.prefix}field", field)
+        else:
+            rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
+            display = self.section.display(f"{self.prefix}field", r",\quad ".join(rows))
+            if len([*display]) != len(rows):
+                raise ValueError(f"{display.tex}: give each variable one right side")
+        self._stand_on(moving_by(display, name, vectors or {}))
+        moving, constant = self.scene.variables, self.scene.constants
+        self.section.title = _echo(moving, constant, "${}$".format)
 
     def __repr__(self) -> str:
         return _echo(self.scene.variables, self.scene.constants, lambda n: to_plain(self.read(n)))
@@ -135,7 +141,7 @@ class System:
         """
         tex = self._tex(formula)
         display = self.section.display(self._id("", tex), tex)
-        self._stand_on(rooted(self.scene.defining(display), display))
+        self._stand_on(rooted(with_parameters(self.scene, display).defining(display), display))
         return Function(
             display[1], display[1].heads.names[0], self.read(display[1].tex), self.symbols
         )
@@ -244,10 +250,13 @@ class System:
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
         claim = finding.claim(id, partial(self._place, id))
+        for place in claim.places():
+            with suppress(ValueError):  # what cannot be read is the outcome of the claim
+                claim = replace(claim, scene=rooted(claim.scene, place.display))
         self.section.claim(claim)
         if expect:
             self.section.expected[id] = expect
-        return Stated(claim, self.section, self.symbols)
+        return Stated(claim, self.section, self.symbols, self.seconds)
 
     # -- questions ---------------------------------------------------------------
 
@@ -281,7 +290,7 @@ class System:
     def _found(self, question: str, *words: str, **options: int | str) -> list[Stated]:
         """What the command ``find`` finds, as claims like any other.
 
-        What was found before an error or an interruption stays claimed.
+        What is found in time is claimed; if something may be left, that is said.
         """
         forecast(self.scene, question, int(options.get("degree", 0)))
         module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
@@ -290,8 +299,16 @@ class System:
         told += [f"--{name}" for name, value in options.items() if value is True]
         on = Elaborations(Texts(vocabulary((self.scene,))))
         told += ["--", *words] if words else []
-        found = module.search(on, self.scene, parser.parse_args(told), self.pool)
-        return [self._state(self._id(question, ""), one) for one in found]
+        asked = parser.parse_args(told)
+
+        def answered(scene: Scene) -> tuple[Scene, list[Finding], str]:
+            return scene, *found(module.search(on, scene, asked, self.pool), self.seconds)
+
+        ((scene, findings, unfinished),) = each(answered, [self.scene])
+        if unfinished:
+            print(f"find {question}: {unfinished}", file=sys.stderr)
+        here = (replace(one, on=self.scene) if one.on is scene else one for one in findings)
+        return [self._state(self._id(question, ""), one) for one in here]
 
     # -- formulas ----------------------------------------------------------------
 
@@ -318,13 +335,24 @@ class System:
         return from_sympy(expression, self._name)
 
     def _name(self, symbol: Any) -> str:
-        """How a symbol of SymPy is printed, as one name."""
-        from sympy import latex
+        """How a symbol of SymPy is printed, as one name.
 
-        formula = read(latex(symbol), Vocabulary(), OpenParser)
-        name = formula.name if isinstance(formula, Name) else rf"\mathrm{{{symbol.name}}}"
-        self.symbols[name] = symbol
-        return name
+        Raises ``ValueError`` if it cannot be, if another symbol is printed so, and if SymPy assumes
+        more of it than that it is real, which nobody here would know.
+        """
+        from sympy import Symbol, latex
+
+        if symbol.assumptions0.items() - Symbol("x", real=True).assumptions0.items():
+            said = "SymPy is to assume more of it than that it is real, which cannot be said here"
+            raise ValueError(f"the symbol {symbol.name}: {said}; leave it out")
+        for tex in (latex(symbol), rf"\mathrm{{{symbol.name}}}"):
+            with suppress(NotationError):
+                formula = read(tex, Vocabulary(), OpenParser)
+                if isinstance(formula, Name):
+                    if self.symbols.setdefault(formula.name, symbol) != symbol:
+                        raise ValueError(f"two symbols are printed {formula.name}: rename one")
+                    return formula.name
+        raise ValueError(f"the symbol {symbol.name!r} cannot be printed as a name: rename it")
 
     def _place(self, id: str, formula: Tex) -> Printed:
         """Where a formula stands: where it was defined, or in a display of its own."""

@@ -12,10 +12,9 @@ from time import perf_counter
 
 from kowalevski_cas.algebra import Arithmetic, load
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.problem.codec import read_problem
+from kowalevski_cas.problem.codec import read_evidence, read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
-from kowalevski_cas.problem.evidence_codec import read_evidence
 from kowalevski_cas.problem.goals import Exists, Follows
 from kowalevski_cas.problem.sampled import Sampled
 from study.paper import paper

@@ -9,8 +9,8 @@ from typing import Any
 
 from kowalevski_cas.export import Inexpressible
 from kowalevski_cas.problem.checker import Rejected
+from kowalevski_cas.problem.codec import evidence_data
 from kowalevski_cas.problem.evidence import Shown
-from kowalevski_cas.problem.evidence_codec import evidence_data
 from kowalevski_cas.problem.goals import Problem
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each, time_limit

@@ -62,7 +62,7 @@ def test_a_field_without_an_integral_is_answered_none(tmp_path, capsys):
         (["find", "integrals", "nobody1900"], 2, "there is no derivation"),
         ([*CLOSURE, "Kowalevski case", "q_7"], 2, "q_7 is not declared here"),
         ([*CLOSURE, "Kowalevski case", "J_1-J_1"], 2, "the function vanishes identically"),
-        ([*CASE, "--degree", "9", "--timeout", "0.5"], 3, "give it a longer --timeout"),
+        ([*CASE, "--degree", "9", "--timeout", "0.5"], 3, "give it more time"),
         (
             ["find", "integrals", "kharlamov2002", "--scene", "complex variables with the root"],
             2,

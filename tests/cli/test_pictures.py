@@ -35,6 +35,7 @@ def test_a_motion_may_be_given_and_looks_different(tmp_path: Path) -> None:
         (["torus", "--a", "1"], 2, "--b, --m missing"),
         ("torus --a 1 --b 0.4 --m 1 --l 0".split(), 2, "negative"),
         ("subsystems --a 1 --b 0 --m 1 --l 2".split(), 2, "those of two fields"),
+        ("torus --a 1.2 --b 0.7 --s 0.4 --tau=-0.5".split(), 2, "for motions on N⁴ alone"),
         (["torus", "--point", *"123456789"], 2, "only motions in closed form are drawn"),
     ],
 )

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -73,6 +73,19 @@ def test_the_unit_of_time_does_not_matter(state, unit):
     here, scaled = at(state), at(state * unit**WEIGHTS)
     for name in SETS:
         assert scaled[name] == pytest.approx(here[name], rel=1e-6, abs=1e-12, nan_ok=True)
+
+
+@given(
+    arrays(float, 9, elements=st.sampled_from([-1.0, 0, 1])),
+    arrays(float, 9, elements=st.floats(-150, 100)),
+)
+@example(
+    np.array([0, -1, 0, 1, 1, 0, 0, -1, 1.0]), np.array([0, 80, 0, -61, -125, 0, 0, 114, -160.0])
+)
+def test_no_size_of_any_number_makes_a_residual_overflow(signs, powers):
+    with np.errstate(all="raise", under="ignore"):
+        found = residuals((signs * 10**powers)[None])
+    assert np.isfinite([*found["M4"], *found["O4"]]).all() and not np.isinf(found["N4"]).any()
 
 
 @given(states, st.integers(0, 8), st.floats(-6, -1))

@@ -8,6 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, load
+from kowalevski_cas.motion.critical import residuals
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.formulas import INTEGRALS, integrals
 from kowalevski_cas.motion.o4.parameters import ParametersO4
@@ -22,6 +23,9 @@ from tests.motion.test_critical import state_of
 
 FIELDS = Fields(Fraction(6, 5), Fraction(7, 10))
 OTHERS = [FIELDS, Fields(Fraction(1), Fraction(2, 5)), Fields(Fraction(2), Fraction(19, 10))]
+
+
+shares = st.floats(0.01, 0.99)
 
 
 def at(states):
@@ -107,6 +111,38 @@ def test_tori_of_M4_are_told_apart_by_signs(fields, h, j, tori):
 def test_motions_on_M4_fill_as_many_tori_as_are_counted(fields, h, j, tori):
     size = float(fields.a + fields.b)
     assert pieces(fields, h * size, j * size**1.5) == tori
+
+
+@given(st.sampled_from(OTHERS), st.floats(0.02, 0.98), st.sampled_from([1, 2, 3]), shares)
+def test_where_two_roots_coincide_there_are_one_or_two_circles_on_M4_and_O4(
+    fields, place, case, share
+):
+    a, b, (p, r) = float(fields.a), float(fields.b), fields._pr
+    low, high = {1: (r**2, (a + b) ** 2), 2: ((a - b) ** 2, r**2), 3: (-(r**2), 0.0)}[case]
+    e = low + place * (high - low)
+    s = np.sqrt(2 * p**2 - e - r**4 / e) / 2 * (-1 if case == 1 else 1)
+    h, k, g = fields.on_O4(np.array([s]), np.array([e]))
+    (j,) = fields.j(h, g)
+    # where the line Y = e + 2sW meets α3 = 0, and the two sides β3 = 0
+    right = (e + r**2) / (2 * (a - s))
+    left, upper = (r**2 - e) / (2 * (s + b)), (r**2 - e) / (2 * (s - b))
+    first, last = {1: (upper, right), 2: (left, right), 3: (left, upper)}[case]
+    assert 0 < first < last
+    W = first + share * (last - first)
+    Y = e + 2 * s * W
+    alpha3, beta3 = np.sqrt(
+        [(Y + r**2) ** 2 - 4 * (a * W) ** 2, 4 * (b * W) ** 2 - (Y - r**2) ** 2]
+    )
+    z = (alpha3 + 1j * beta3) / (2 * r)
+    w = j * z.real / (r**2 + e) - 1j * j * z.imag / (r**2 - e)
+    state = state_of(
+        -(w**2), ((z**2 - r**2) / w**2).conj(), z, w, j / W - 2 * (w * z.conj()).real / W
+    )
+    found = at(state)
+    assert abs(w) ** 2 == pytest.approx(W)
+    assert found["H"] == pytest.approx(h, abs=1e-9) and found["G"] == pytest.approx(g, abs=1e-9)
+    assert max(residuals(state[None])[name] for name in ("M4", "O4")) < 1e-8
+    assert k == pytest.approx(0, abs=1e-9)
 
 
 def test_states_of_O4_have_the_values_on_O4_and_lie_in_its_regimes():

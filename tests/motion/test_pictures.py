@@ -5,9 +5,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.motion import Inadmissible, Parameters, all_regimes, load, regime_of
+from kowalevski_cas.motion import (
+    Inadmissible,
+    Motion,
+    MotionO4,
+    Parameters,
+    all_regimes,
+    load,
+    regime_of,
+)
 from kowalevski_cas.motion.formulas import integrals
-from kowalevski_cas.motion.pictures import PICTURES, orbit
+from kowalevski_cas.motion.pictures import ON_N4, PICTURES, orbit, third
 from kowalevski_cas.motion.pictures import load as picture
 from kowalevski_cas.motion.pictures.atlas import examples
 from kowalevski_cas.motion.pictures.bifurcation import regime_at, separating
@@ -15,6 +23,7 @@ from kowalevski_cas.motion.pictures.space import View
 from kowalevski_cas.pictures import save, style
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
 
+THIRD = MotionO4.of("1.2", "0.7", "0.4", "-0.5", c="0.1", torus=2)
 UNSTABLE, RESTING, ASYMPTOTIC = (
     motion("-0.8", "0.5"),
     motion(*SEPARATING["both rest"]),
@@ -37,6 +46,11 @@ SLOW = ("atlas", "subsystems", "sections", "surfaces")
         for name in PICTURES
         if name not in OF_FIELDS
         for one in (RESTING, ASYMPTOTIC)
+    ]
+    + [
+        pytest.param(name, THIRD, marks=[pytest.mark.slow] * (name in SLOW))
+        for name in PICTURES
+        if name not in ON_N4
     ],
 )
 def test_every_picture_can_be_drawn(name, drawn, tmp_path):
@@ -44,6 +58,19 @@ def test_every_picture_can_be_drawn(name, drawn, tmp_path):
         file = save(picture(name).draw(drawn), tmp_path, name)
     assert file.stat().st_size > 5000
     assert picture(name).caption.count("$") % 2 == 0
+
+
+@given(st.fractions("1/20", "19/20", max_denominator=1000), st.fractions(1, 100))
+def test_there_is_a_motion_on_O4_to_be_drawn_in_all_fields(b, scale):
+    drawn = third.example(Motion.of(scale, scale * b, 1, ell=2 * scale + 1))
+    assert (drawn.parameters.a, drawn.parameters.b) == (scale, scale * b)
+
+
+@pytest.mark.parametrize("drawn", [THIRD, Motion.of(1, 1, "-0.5", ell="0.1", c="0.4")])
+def test_the_fields_end_on_the_spheres_that_are_drawn(drawn):
+    states = orbit.orbit(drawn, 1, 9)
+    for name, fields in (("a", states[:, 3:6]), ("b", states[:, 6:])):
+        np.testing.assert_allclose(np.linalg.norm(fields, axis=1), drawn.constants[name])
 
 
 def test_an_unknown_picture_names_those_that_there_are():

@@ -73,6 +73,8 @@ ONE_READING = {
     r"\left|\begin{array}{cc} x & y \\ p & q \end{array}\right|": Application(
         r"\det", (Vector((Vector((x, y)), Vector((p, q)))),)
     ),
+    r"\nabla U": Partial(Name("U"), r"\mathbf{r}"),
+    r"\nabla(U+V)": Partial(Sum((Name("U"), Name("V"))), r"\mathbf{r}"),
     r"\mathbf r\times\frac{\partial H}{\partial\mathbf r}": CrossProduct(
         r, Partial(H, r"\mathbf{r}")
     ),
@@ -107,7 +109,7 @@ def test_two_signs_are_two_statements():
         (r"\sum_{i=1}^3 k_i", "k_i is not declared here"),
         ("p(t)", "a product, or p at this argument?"),
         ("x(y)", "a product, or x at this argument?"),
-        (r"\nabla U", "write the derivatives out"),
+        (r"\nabla\times\mathbf r", "print by what it derives"),
         (r"\int_0^1 x", "an integral cannot be read"),
         (r"\sin\theta(x+y)", r"how far does \sin reach?"),
         (r"\sin\omega t", r"how far does \sin reach?"),

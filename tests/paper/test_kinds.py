@@ -388,7 +388,7 @@ def test_dependence_on_another_graph_than_the_set_refutes_nothing():
 
 def test_a_member_that_is_no_vector_where_one_is_expected_is_an_error():
     section = Section("1", "A vector")
-    f = section.display("f", r"\dot{\bs\alpha}=0")
+    f = section.display("f", r"\dot{\bs\alpha}=a")
     scene = Scene(
         "s",
         "",

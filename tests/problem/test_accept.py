@@ -371,7 +371,9 @@ class TestPositive:
 
     def squares(self, *squares, zero=((1,),), point=ORIGIN, rest=()):
         proof = Proof(tuple(row(*one) for one in zero))
-        return Squares(tuple((decode(a), decode(b)) for a, b in squares), row(*rest), point, proof)
+        return Squares(
+            tuple((decode(a), decode(b)) for a, b in squares), (row(*rest),), point, proof
+        )
 
     def test_a_square_of_what_is_not_real(self):
         goal = Positive(COMPLEX, decode(-1))

@@ -14,9 +14,8 @@ from kowalevski_cas.algebra import load
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.checker.__main__ import main
-from kowalevski_cas.problem.codec import read_problem
+from kowalevski_cas.problem.codec import read_evidence, read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.evidence_codec import read_evidence
 from kowalevski_cas.problem.examine import Unproved
 
 from .tampering import at as place

@@ -12,9 +12,8 @@ from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import Name, NotationError, Power, edits
 from kowalevski_cas.paper.claims import FirstIntegral
 from kowalevski_cas.problem.accept import Judge
-from kowalevski_cas.problem.codec import digest, problem_data, read_problem
+from kowalevski_cas.problem.codec import digest, problem_data, read_evidence, read_problem
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.evidence_codec import read_evidence
 from kowalevski_cas.problem.space import Meaningless, formulas_of, generators
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import load_certificates

@@ -35,6 +35,8 @@ class ClosedO4:
             self._quadratures = Quadratures(motion, series)
             origins = self._quadratures.phases(np.array([[float(x)] for x in motion.angles]))
             rates = matrix(series, motion.orientations).solve(arb_mat([[0], [-1]])).entries()
+            first, second = (4 * np.pi / abs(float(rate)) for rate in rates)
+            self.periods = first, second
             # Functions of half the angles have the period 4π: a quarter of it is π.
             self._phases = [
                 Phase(rate / arb.pi(), arb(origin) / arb.pi(), parts_needed(size, largest))

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from kowalevski_cas.motion.motion import Motion
+    from kowalevski_cas.motion.o4.motion import MotionO4
 
 PICTURES = {
     "hodographs": "of the angular velocity, in the body and in space",
@@ -28,7 +29,11 @@ PICTURES = {
     "subsystems": "diagrams of O⁴ and M⁴",
     "sections": "of the diagram of the whole top",
     "surfaces": "of critical values, that diagram in space",
+    "third": "subsystem: hodographs of a motion on O⁴",
 }
+
+ON_N4 = ("torus", "rectangle", "bifurcation", "atlas")
+"""What is drawn for motions on N⁴ alone."""
 
 
 class Picture(NamedTuple):
@@ -37,7 +42,7 @@ class Picture(NamedTuple):
     The caption is text with mathematics between dollars.
     """
 
-    draw: Callable[[Motion], Figure]
+    draw: Callable[[Motion | MotionO4], Figure]
     caption: str
     about: type
 

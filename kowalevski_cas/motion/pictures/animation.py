@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.pictures.orbit import frames, in_space, orbit
 from kowalevski_cas.motion.pictures.space import View, blank, triad
 from kowalevski_cas.pictures import INK, mark, new_figure, style
@@ -20,7 +21,7 @@ TRAIL = 60
 SIZE, DOTS = 4.2, 100
 
 
-def write(motion: Motion, path: Path) -> None:
+def write(motion: Motion | MotionO4, path: Path) -> None:
     """Write the animation of a motion to a file.
 
     The disc is the plane of e1 and e2, on which the fields act, the rod the axis of symmetry.

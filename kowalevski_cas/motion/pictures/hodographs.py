@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.pictures.orbit import in_space, orbit
 from kowalevski_cas.motion.pictures.space import View, curve, reach, sheets, triad
 from kowalevski_cas.pictures import mark
@@ -20,7 +21,7 @@ CAPTION = (
 TURNS, POINTS = 14, 4000
 
 
-def draw(motion: Motion) -> Figure:
+def draw(motion: Motion | MotionO4) -> Figure:
     """Both hodographs of a motion, to one scale."""
     states = orbit(motion, TURNS, POINTS)
     omega, view = states[:, :3], View()

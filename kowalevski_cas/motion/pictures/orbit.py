@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kowalevski_cas.motion.methods.closed import Closed
+from kowalevski_cas.motion.methods.closed import Closed, states
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.closed import ClosedO4
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.oscillation import Oscillation
 
 Array = NDArray[np.float64]
@@ -15,11 +17,13 @@ ARRIVED = 12.0
 """The argument nt at which a motion that tends to rest is as good as there."""
 
 
-def periods(motion: Motion) -> tuple[float, float]:
+def periods(motion: Motion | MotionO4) -> tuple[float, float]:
     """The periods of the two angles of the torus; infinite where one of them only tends to rest.
 
     A variable that rests has the period zero.
     """
+    if isinstance(motion, MotionO4):
+        return ClosedO4(motion, 1.0).periods
     first, second = (_period(oscillation) for oscillation in motion.oscillations())
     return first, second
 
@@ -33,20 +37,19 @@ def _period(oscillation: Oscillation) -> float:
     return float(4 * oscillation.quarter / oscillation.rate) / oscillation.components
 
 
-def times(motion: Motion, turns: float, points: int) -> Array:
+def times(motion: Motion | MotionO4, turns: float, points: int) -> Array:
     """Equidistant times in which the slower angle makes so many turns, or comes to rest."""
     slower = max(periods(motion))
-    if np.isfinite(slower):
+    if isinstance(motion, MotionO4) or np.isfinite(slower):
         return np.linspace(0.0, turns * slower or 1.0, points)
     rates = [float(o.rate) for o in motion.oscillations() if o.kind not in ("rest", "elliptic")]
     reach = ARRIVED / min(rates)
     return np.linspace(-reach, reach, points)
 
 
-def orbit(motion: Motion, turns: float, points: int) -> Array:
+def orbit(motion: Motion | MotionO4, turns: float, points: int) -> Array:
     """The states (N, 9) along the motion."""
-    t = times(motion, turns, points)
-    return Closed(motion, float(np.max(np.abs(t))))(t).T
+    return states(motion, times(motion, turns, points))
 
 
 def net(motion: Motion, lines: int, points: int) -> list[Array]:
@@ -65,19 +68,19 @@ def net(motion: Motion, lines: int, points: int) -> list[Array]:
     return found
 
 
-def in_space(states: Array) -> Array:
-    """The angular velocity (N, 3) by the axes of :func:`frames`."""
-    found: Array = np.einsum("nij,nj->ni", frames(states), states[:, :3])
+def in_space(orbit: Array) -> Array:
+    """The angular velocity (N, 3) by the axes of :func:`frames`, along an orbit (N, 9)."""
+    found: Array = np.einsum("nij,nj->ni", frames(orbit), orbit[:, :3])
     return found
 
 
-def frames(states: Array) -> Array:
+def frames(orbit: Array) -> Array:
     """Axes that stand still in space, as unit vectors in the body: matrices (N, 3, 3), by rows.
 
     The fields fix them: the first is along α, the third along α×β; the second is along β if the
     fields are at right angles. The columns are the axes of the body, as seen in space.
     """
-    alpha, beta = states[:, 3:6], states[:, 6:]
+    alpha, beta = orbit[:, 3:6], orbit[:, 6:]
     third = np.cross(alpha, beta)
     axes = np.stack((alpha, np.cross(third, alpha), third), axis=1)
     found: Array = axes / np.linalg.norm(axes, axis=2, keepdims=True)

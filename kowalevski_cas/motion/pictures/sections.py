@@ -12,6 +12,7 @@ from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.critical import TOLERANCE, residuals
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.parameters import Parameters
 from kowalevski_cas.motion.pictures.bifurcation import ell_at, regime_at
 from kowalevski_cas.motion.pictures.regions import GREYS, filled, mesh
@@ -54,7 +55,7 @@ SHARES = np.linspace(0, 1, POINTS)[1:] ** 3
 STATES = 60_000
 
 
-def draw(motion: Motion) -> Figure:
+def draw(motion: Motion | MotionO4) -> Figure:
     """The sections for the fields of a motion."""
     fields = Fields(motion.parameters.a, motion.parameters.b)
     a, b = float(fields.a), float(fields.b)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.pictures.regions import mesh, shade
 from kowalevski_cas.paper.closed_form import CriticalSets
 from kowalevski_cas.pictures import mark, new_figure
@@ -30,7 +31,7 @@ CAPTION = (
 )
 
 
-def draw(motion: Motion) -> Figure:
+def draw(motion: Motion | MotionO4) -> Figure:
     """The three diagrams for the fields of a motion."""
     fields = Fields(motion.parameters.a, motion.parameters.b)
     a, b = float(fields.a), float(fields.b)

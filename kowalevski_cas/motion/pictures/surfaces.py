@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.pictures.sections import SETS, rotations, section
 from kowalevski_cas.motion.pictures.space import View, blank, triad
 from kowalevski_cas.paper.closed_form import CriticalSets
@@ -31,7 +32,7 @@ CAPTION = (
 LEVELS = 26
 
 
-def draw(motion: Motion) -> Figure:
+def draw(motion: Motion | MotionO4) -> Figure:
     """The surfaces for the fields of a motion."""
     fields = Fields(motion.parameters.a, motion.parameters.b)
     size = float(fields.a + fields.b)

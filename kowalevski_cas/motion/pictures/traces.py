@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.pictures.orbit import orbit
 from kowalevski_cas.motion.pictures.space import View, sheets, sphere, trace
 from kowalevski_cas.pictures import mark
@@ -20,11 +21,11 @@ CAPTION = (
 TURNS, POINTS = 14, 6000
 
 
-def draw(motion: Motion) -> Figure:
+def draw(motion: Motion | MotionO4) -> Figure:
     """Both traces of a motion."""
     states = orbit(motion, TURNS, POINTS)
     view, letters = View(), (r"\alpha", r"\beta")
-    lengths = (float(motion.parameters.a), float(motion.parameters.b))
+    lengths = motion.constants["a"], motion.constants["b"]
     figure, axes = sheets(r"$\alpha$, $|\alpha|=a$", r"$\beta$, $|\beta|=b$")
     for index, (one, letter, length) in enumerate(zip(axes, letters, lengths, strict=True)):
         labels = tuple(rf"${letter}_{k}$" for k in (1, 2, 3))

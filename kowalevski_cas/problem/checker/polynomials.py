@@ -107,7 +107,9 @@ class Element:
         return Element(ring, out, self.below * other.below).reduced()
 
     def __pow__(self, exponent: int) -> Element:
-        return reduce(Element.__mul__, [self] * exponent) if exponent else self.ring.number(1)
+        if not exponent:
+            return self * self.ring.number(0) + self.ring.number(1)
+        return reduce(Element.__mul__, [self] * exponent)
 
     def degree(self) -> int:
         """The total degree."""

@@ -1,0 +1,162 @@
+r"""Ranges of an index: :math:`\dot q_i=p_i,\; i=1,2` is a statement for each value.
+
+A range stands behind the statements, also in brackets, and holds for those in which its letter is
+an index; of two such letters, :math:`\delta_{ij}` is Kronecker's delta. One that does not end with
+a number, as :math:`i=1,\ldots,n`, says that the letter is an index, and no more: what is printed
+for it is read as it stands.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from itertools import product
+
+from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.lexer import Token
+
+Ranges = Mapping[str, range | tuple[int, ...]]
+
+_SIGNS = {
+    "letter": "l", "number": "n", "comma": ",", "dots": "d", "sign": "s", "stop": ".",
+    "gap": " ", "cell": " ", "row": " ", "block": " ",
+}  # fmt: skip
+_VALUE = "(?:n?l(?:sn)?|n|d)"
+_RANGE = re.compile(
+    rf"""(?:(?P<open>\()|(?<![^ ,]))(?P<letters>l(?:,l)*)
+    [ ]?=[ ]?(?P<values>{_VALUE}(?:,{_VALUE})+)(?(open)\))(?=[ ,.]|$)""".replace("\n    ", "")
+)
+
+
+def without_ranges(tokens: list[Token], tex: str) -> tuple[list[Token], Ranges]:
+    """The tokens without the ranges of indices that are printed among them, and these ranges."""
+    signs = "".join(_sign(token) for token in tokens)
+    found: dict[str, range | tuple[int, ...]] = {}
+    kept, end = list[Token](), 0
+    for match in _RANGE.finditer(signs):
+        letters = [t for t in tokens[slice(*match.span("letters"))] if t.kind == "letter"]
+        if not all(_is_index(tokens, letter.text) for letter in letters):
+            continue
+        values = _values(tokens[slice(*match.span("values"))])
+        for letter in letters:
+            if found.setdefault(letter.text, values) != values:
+                message = f"a second range of {letter.text}: name one of the indices otherwise"
+                raise NotationError(message, tex, letter.start)
+        first = tokens[match.start()]
+        kept += [*tokens[end : match.start()], Token("comma", ",", first.start, first.start)]
+        end = match.end()
+    return kept + tokens[end:], found
+
+
+def each_value(tokens: list[Token], ranges: Ranges, tex: str) -> Iterator[list[Token]]:
+    """A statement for all values of the indices in it; itself, if it has none."""
+    own = [name for name, values in ranges.items() if values and _is_index(tokens, name)]
+    for values in product(*(ranges[name] for name in own)):
+        at = dict(zip(own, values, strict=True))
+        yield _substituted(tokens, at, tex) if at else tokens
+
+
+def _sign(token: Token) -> str:
+    if token.text in ("(", ")", "="):
+        return token.text
+    return _SIGNS.get(token.kind, "x")
+
+
+def _values(tokens: list[Token]) -> range | tuple[int, ...]:
+    """The values of an index; none, if they are no numbers."""
+    parts = [token for token in tokens if token.kind != "comma"]
+    dots = [token.kind for token in parts].count("dots")
+    if any(token.kind not in ("number", "dots") or "." in token.text.strip(".") for token in parts):
+        return ()
+    values = tuple(int(token.text) for token in parts if token.kind == "number")
+    if not dots:
+        return values
+    every = range(values[0], values[-1] + 1)
+    ends = dots == 1 and parts[-2].kind == "dots" and values[:-1] == (*every[: len(values) - 1],)
+    return every if ends else ()
+
+
+def _is_index(tokens: list[Token], letter: str) -> bool:
+    """Whether a letter stands in an index."""
+    return any(within and token.text == letter for token, within in _indexed(tokens))
+
+
+def _indexed(tokens: list[Token]) -> Iterator[tuple[Token, bool]]:
+    """Each token, and whether it stands in an index."""
+    depth, before = 0, ""
+    for token in tokens:
+        depth += token.kind == "{" and (depth > 0 or before == "_")
+        yield token, depth > 0 or before == "_"
+        depth -= token.kind == "}" and depth > 0
+        before = token.kind
+
+
+def _substituted(tokens: list[Token], at: Mapping[str, int], tex: str) -> list[Token]:
+    """The tokens with values in the place of indices, and sums in indices added up."""
+    found: list[Token] = []
+    tokens = [*_without_deltas(tokens, at)]
+    for k, token in enumerate(tokens):
+        before = [t.kind for t in tokens[max(0, k - 3) : k]]
+        if token.kind != "letter" or token.text not in at:
+            found.append(token)
+            continue
+        if before[-1:] == ["^"] or before[-2:] == ["^", "{"]:
+            raise NotationError("is this a power or an index? write it out", tex, token.start)
+        if before == ["sum", "_", "{"]:
+            message = f"{token.text} is the index of a sum and of the statements: rename one"
+            raise NotationError(message, tex, token.start)
+        number = Token("number", str(at[token.text]), token.start, token.end)
+        group = before[-1:] == ["_"] and at[token.text] > 9
+        braces = [Token(kind, kind, token.start, token.end) for kind in "{}"] if group else []
+        found += [*braces[:1], number, *braces[1:]]
+    return [*_added(found, tokens, tex)]
+
+
+def _without_deltas(tokens: list[Token], at: Mapping[str, int]) -> Iterator[Token]:
+    """The tokens with the value of each Kronecker's delta of indices."""
+    behind = 0
+    for k, token in enumerate(tokens):
+        index = tokens[k + 1 : k + 6]
+        names = [one.text for one in index[2:4]]
+        shape = [one.kind for one in index] == ["_", "{", "letter", "letter", "}"]
+        if token.text == r"\delta" and shape and {*names} <= {*at}:
+            value = str(int(at[names[0]] == at[names[1]]))
+            yield Token("number", value, token.start, index[-1].end)
+            behind = k + 6
+        elif k >= behind:
+            yield token
+
+
+def _added(found: list[Token], tokens: list[Token], tex: str) -> Iterator[Token]:
+    """The tokens with one number for each sum of numbers in an index, as in ``q_{1+1}``."""
+    printed = {token.start for token in tokens if token.kind == "number"}
+    waiting: list[Token] = []
+    for token, within in _indexed(found):
+        if within and token.kind in ("number", "sign"):
+            waiting.append(token)
+            continue
+        yield from _sum(waiting, printed, tex)
+        waiting = []
+        yield token
+    yield from _sum(waiting, printed, tex)
+
+
+def _sum(tokens: list[Token], printed: set[int], tex: str) -> Iterator[Token]:
+    """A row of numbers and signs in an index, as one number if there are signs."""
+    numbers = [token for token in tokens if token.kind == "number"]
+    put = [token.start not in printed for token in numbers]
+    if not any(put) or (len(numbers) == len(tokens) and all(put) and _digits(numbers)):
+        yield from tokens
+        return
+    total = -1
+    if [t.kind for t in tokens] == ["number", "sign"] * (len(numbers) - 1) + ["number"]:
+        signs = [1, *(-1 if token.text == "-" else 1 for token in tokens[1::2])]
+        total = sum(sign * int(number.text) for sign, number in zip(signs, numbers, strict=True))
+    if total < 0:
+        message = "a product, or several indices? write the statements out"
+        raise NotationError(message, tex, tokens[0].start)
+    yield Token("number", str(total), tokens[0].start, tokens[-1].end)
+
+
+def _digits(numbers: list[Token]) -> bool:
+    return all(len(number.text) == 1 for number in numbers)

@@ -1,0 +1,28 @@
+r"""The functions that a paper defines, as :math:`\varphi(s)=4ms^2`, at their arguments."""
+
+from __future__ import annotations
+
+from kowalevski_cas.notation import Application, Formula, Name, substitute
+from kowalevski_cas.paper.meaning import Meaning
+from kowalevski_cas.paper.scene import head
+from kowalevski_cas.problem.space import Meaningless
+
+
+def value_of(formula: Application, setting: Meaning) -> Formula:
+    """The expression for which a function with these arguments stands."""
+    for name in setting.scene.definitions:
+        function, arguments = head(name)
+        if arguments and function == formula.function:
+            if len(arguments) != len(formula.arguments):
+                raise Meaningless(f"{name} is used with {len(formula.arguments)} arguments")
+            values = dict(zip(arguments, formula.arguments, strict=True))
+            body = setting.definition(name)
+            if any(isinstance(n, Application) and n.function == function for n in body.nodes()):
+                raise Meaningless(f"{name} is defined by itself", function)
+            own = [setting.texts.expression(argument) for argument in arguments]
+            if [*formula.arguments] == own:
+                return body
+            if not all(isinstance(one, Name) for one in own):
+                raise Meaningless(f"{name} is used with other velocities: define it anew")
+            return substitute(body, values)
+    raise Meaningless(f"the function {formula.function} has no meaning here", formula.function)

@@ -1,0 +1,73 @@
+"""A formula with an index, and the range of that index: a statement for each value."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kowalevski_cas.notation import NotationError, OpenParser, Vocabulary, heads, read_display
+from kowalevski_cas.notation.latex import to_latex
+
+
+def statements(tex):
+    found = read_display(tex, Vocabulary(times={"t"}), OpenParser)
+    return [to_latex(one.formula).replace(" ", "") for one in found]
+
+
+@given(st.integers(0, 12), st.integers(0, 4))
+def test_a_statement_stands_for_all_values_of_its_index(first, more):
+    values = range(first, first + more + 2)
+
+    def index(value):
+        return str(value) if value < 10 else f"{{{value}}}"
+
+    expected = [rf"\dot{{q}}_{index(k)}=kp_{index(k + 1)}" for k in values]
+    every = ",".join(map(str, values))
+    assert statements(rf"\dot q_i=kp_{{i+1}},\quad i={every}") == expected
+    dots = rf"\dot q_i=kp_{{i+1}} \quad (i={first},\ldots,{values[-1]})"
+    assert statements(dots) == expected
+
+
+@pytest.mark.parametrize(
+    ("tex", "expected"),
+    [
+        (r"x_{ij}=y_ip_j,\ i,j=1,2", "x_{11}=y_1p_1 x_{12}=y_1p_2 x_{21}=y_2p_1 x_{22}=y_2p_2"),
+        (r"\{q_i,p_j\}=\delta_{ij},\ i,j=1,2", r"\{q_1,p_1\}=1 \{q_1,p_2\}=0 \{q_2,p_1\}=0 \{q_2,p_2\}=1"),
+        (r"x_i=y, i=1,2, \quad z=y_3", "x_1=y x_2=y z=y_3"),
+        (r"z=y,\ x_i=iy\ (i=1,2)", "z=y x_1=1y x_2=2y"),
+        (r"x_{i+1}=q_{1+2}y_i, i=1,2", "x_2=q_{1+2}y_1 x_3=q_{1+2}y_2"),
+        (r"x_i = y_i \quad (i=1,2,\cdots,n)", "x_i=y_i"),
+        (r"\begin{align} x_i &= y, \\ z_i &= y, & i&=1,2 \end{align}", "x_1=y x_2=y z_1=y z_2=y"),
+    ],
+)  # fmt: skip
+def test_what_a_range_says(tex, expected):
+    assert statements(tex) == expected.split()
+
+
+def test_what_is_defined_has_the_values_as_indices():
+    assert [one.names for one in heads(r"L_i=2q_{i+1},\ i=1,2")] == [("L_1",), ("L_2",)]
+
+
+@pytest.mark.parametrize(
+    ("tex", "message"),
+    [
+        ("x=1,2", "a decimal comma"),  # x is no index
+        (r"a_{1i}=x_i, i=1,2", "a product, or several indices"),
+        (r"x_{2i}=y, i=1,2", "a product, or several indices"),
+        (r"x_{i-2}=y, i=1,2", "a product, or several indices"),
+        (r"x_{ij}=y, i,j=9,10", "a product, or several indices"),
+        (r"x_i=y^i, i=1,2", "is this a power or an index"),
+        (r"x_i=\sum_{i=1}^3y_i, i=1,2", "i is the index of a sum and of the statements"),
+        (r"x_i=y, i=1,2, z_i=y, i=3,4", "a second range of i"),
+    ],
+)
+def test_what_a_range_does_not_say(tex, message):
+    with pytest.raises(NotationError, match=message):
+        statements(tex)
+
+
+@pytest.mark.parametrize("tex", [r"{\dot x}_1={a+b}c", r"x={a+b}, {\rm e}_1={y}", "{{x}}=2"])
+def test_a_statement_has_both_its_braces(tex):
+    for one in read_display(tex, Vocabulary(), OpenParser):
+        assert one.source.count("{") == one.source.count("}")
+        (again,) = read_display(one.source, Vocabulary(), OpenParser)
+        assert again.formula == one.formula
