@@ -8,11 +8,11 @@ from functools import reduce
 from itertools import chain, product
 from operator import add, mul
 
+from kowalevski_cas.algebra.factors import irreducible_factors
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evidence import Proof
-from kowalevski_cas.search.factors import irreducible_factors
 from kowalevski_cas.search.groebner import Combinations, complete
 from kowalevski_cas.search.splits import four_squares
 from kowalevski_cas.search.squares import sum_of_squares
