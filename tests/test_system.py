@@ -261,6 +261,10 @@ SPACE = {R: ("x", "y", "z"), P: ("u", "v", "w")}
             r"\dot{\mathbf r}=\frac{\partial H}{\partial\mathbf p},\ \dot{\mathbf p}=-\frac{\partial H}{\partial\mathbf r},\ H(\mathbf r,\mathbf p)=\frac12\mathbf p^2+(\mathbf r^2)^2",
             "H",
         ),
+        (
+            r"\frac{d}{dt}\frac{\partial L}{\partial\dot{\mathbf r}}=\frac{\partial L}{\partial\mathbf r},\ L(\mathbf r,\dot{\mathbf r})=\frac m2\dot{\mathbf r}^2-\frac k4(\mathbf r^2)^2",
+            r"\mathbf r\times\frac{\partial L}{\partial\dot{\mathbf r}}",
+        ),
         (r"\dot{\mathbf r}=\mathbf r\times\mathbf p,\ \dot{\mathbf p}=0", r"\langle\mathbf r,\mathbf p\rangle"),
         (
             r"\mathbf I\dot{\mathbf r}=\mathbf I\mathbf r\times\mathbf r,\ \mathbf I=\operatorname{diag}(a,b,c)",
