@@ -48,6 +48,8 @@ def start(oscillation: Oscillation, values: Values) -> tuple[Fraction, int]:
     # sn carries the product of both signs, the other functions are positive from −K to K.
     sign = f_sign if 0 in oscillation.field_roots else S_sign
     argument = _argument(oscillation, first, second)
+    if not argument.is_finite():  # no motion is ever at the double root to which it tends
+        argument = arb(0)
     if oscillation.kind != "exponential":
         argument *= S_sign * f_sign
     return as_fraction(-argument / oscillation.rate), sign
