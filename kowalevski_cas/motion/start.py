@@ -26,6 +26,8 @@ def arc_of(oscillation: Oscillation, values: Values) -> Arc | None:
         return None
     if S == 0 and f == 0:
         if abs(s - oscillation.root(p)) < abs(s - oscillation.root(q)):
+            if oscillation.kind == "separatrix":
+                return None  # at a simple root S or f is not zero: no motion has these values
             p, q, u, v = q, p, v, u
         return Arc((q, u, v, p), infinite=False)
     if oscillation.kind == "exponential" and S * f * oscillation.orientation < 0:

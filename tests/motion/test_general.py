@@ -29,6 +29,7 @@ lengths = st.fractions(0, 2, max_denominator=50)
 @given(states | whole)
 @example(np.zeros(9))
 @example(np.array([0, -1.0, -2, 0, 1, 2, -1, 0, 0]))  # x1x2 = 0, and two roots coincide
+@example(np.array([-1.0, 1, 0, -1.5, 0, 1, 0, -1.5, 1]))  # the same, c ≠ 0
 @example(np.array([-1.0, 1, 0, -1, 1, -1, 1, -1, 1]))  # parallel fields on M⁴
 @example(np.array([0, 0, 0, 1.0, 0, 0, 0, 1, 0]))  # r = 0
 @example(np.array([0, 0, 0, 1.0, 0, 0, 0, 1, 0.5]))  # m = 0
