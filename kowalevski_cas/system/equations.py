@@ -31,9 +31,11 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.paper.names import BRACKET, head, is_bold
 from kowalevski_cas.paper.plain import half_power, written_out
-from kowalevski_cas.paper.scene import BRACKET, Scene, head, is_bold, vocabulary
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.paper.vocabulary import vocabulary
 
 _RATE = re.compile(r"\\dot\{([^{}]*)\}(.*)")
 _INDEX = re.compile("[i-n]")
