@@ -34,6 +34,7 @@ from kowalevski_cas.notation import (
     OpenParser,
     Vocabulary,
     from_sympy,
+    heads,
     read,
     read_display,
     to_latex,
@@ -51,7 +52,14 @@ from kowalevski_cas.pool import HERE
 from kowalevski_cas.processes import each
 from kowalevski_cas.system.answers import Function, Stated
 from kowalevski_cas.system.claims import Claims, Tex
-from kowalevski_cas.system.equations import moving_by, restricted, rooted, with_parameters
+from kowalevski_cas.system.equations import (
+    bold,
+    moving_by,
+    restricted,
+    rooted,
+    with_parameters,
+    with_time,
+)
 from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
@@ -94,16 +102,22 @@ class System(Claims):
         self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "")
         MADE.append(self.section)
-        if isinstance(field, str):
-            display = self.section.display(f"{self.prefix}field", field)
-        else:
-            rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
-            display = self.section.display(f"{self.prefix}field", r",\quad ".join(rows))
-            if len([*display]) != len(rows):
-                raise ValueError(f"{display.tex}: give each variable one right side")
-        self._stand_on(moving_by(display, name, vectors or {}))
+        components = bold(vectors or {})
+        tex = with_time(field if isinstance(field, str) else self._rows(field), components)
+        display = self.section.display(f"{self.prefix}field", tex)
+        self._stand_on(moving_by(display, name, components))
         moving, constant = self.scene.variables, self.scene.constants
         self.section.title = _echo(moving, constant, "${}$".format)
+
+    def _rows(self, field: Mapping[Any, Any]) -> str:
+        """Equations of motion by their right sides."""
+        if not isinstance(field, Mapping):
+            raise TypeError(f"LaTeX, or right sides by the variables of SymPy, and not {field!r}")
+        rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
+        tex = r",\quad ".join(rows)
+        if len(heads(tex)) != len(rows):
+            raise ValueError(f"{tex}: give each variable one right side")
+        return tex
 
     def __repr__(self) -> str:
         return _echo(self.scene.variables, self.scene.constants, lambda n: to_plain(self.read(n)))
