@@ -9,7 +9,8 @@ from difflib import SequenceMatcher
 from functools import lru_cache
 
 from kowalevski_cas.notation import NotationError
-from kowalevski_cas.notation.lexer import Token, scan
+from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.tokens import Token
 
 BREAKS = frozenset({"row", "cell", "gap", "comma", "stop"})
 """What may stand at either end of a formula and says nothing about it."""

@@ -11,9 +11,10 @@ from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula, Name, Negative, Sum
 from kowalevski_cas.notation.latex import bracketed, to_latex
 from kowalevski_cas.notation.layout import split_display
-from kowalevski_cas.notation.lexer import BRACE, scan
+from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.misprints import misprints
 from kowalevski_cas.notation.reader import Path, Statement, read_display
+from kowalevski_cas.notation.tokens import BRACE
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
 _COMMAND = re.compile(r"\\[A-Za-z]+$")

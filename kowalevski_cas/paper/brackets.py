@@ -25,7 +25,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.errors import dotted
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.scene import BRACKET, EPSILON, head, is_indexed
+from kowalevski_cas.paper.names import BRACKET, EPSILON, head, is_indexed
 from kowalevski_cas.problem.space import Meaningless
 
 DIGITS = "123"

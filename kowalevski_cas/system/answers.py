@@ -17,8 +17,8 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Section
-from kowalevski_cas.paper.scene import vocabulary
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.verify.outcome import Counterexample, Outcome, Verdict, in_latex
 from kowalevski_cas.verify.run import verify
 

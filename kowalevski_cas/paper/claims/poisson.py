@@ -22,7 +22,7 @@ from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import function, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.scene import BRACKET, head
+from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Goal, Rank, identity
 from kowalevski_cas.problem.space import Equation, Meaningless
