@@ -58,12 +58,18 @@ def find(name: str) -> Path:
             f"{name} is no derivation: a Python file is expected, or a folder with an __init__.py"
             + ("; a TeX source is for `kowalevski-cas audit`" if path.suffix == ".tex" else "")
         )
+    if path.suffix:
+        raise LibraryError(f"there is no file {name}")
     known = ", ".join(available()) or "none"
     raise LibraryError(f"there is no derivation “{name}”; the library has: {known}")
 
 
 READ: dict[Path, int] = {}
 """The files that derivations have read besides their modules, and when these had been saved."""
+
+
+MADE: list[Section] = []
+"""The sections of the systems that the derivation made which was loaded last, named or not."""
 
 
 def source(folder: Path) -> Path:
@@ -107,6 +113,7 @@ def load(name: str) -> Derivation:
     assert spec is not None and spec.loader is not None
     module = module_from_spec(spec)
     sys.modules[module_name] = module
+    MADE.clear()
     try:
         with _without_bytecode(not file.is_relative_to(library())):
             spec.loader.exec_module(module)
@@ -140,12 +147,12 @@ def owner(scene: Scene) -> tuple[Path, str] | None:
 
 
 def _derivation(module: ModuleType, file: Path, name: str) -> Derivation:
-    """What a module calls its derivation, or the sections that its values have."""
+    """What a module calls its derivation, or the sections that it made and its values have."""
     found = getattr(module, "derivation", None)
     if isinstance(found, Derivation):
         return found
     sections = (getattr(value, "section", None) for value in vars(module).values())
-    own = tuple(dict.fromkeys(one for one in sections if isinstance(one, Section)))
+    own = tuple(dict.fromkeys([*MADE, *(one for one in sections if isinstance(one, Section))]))
     if not own:
         raise LibraryError(
             f"{file} states nothing: make a System(...), or define `derivation = Derivation(...)`"

@@ -308,7 +308,7 @@ all_constants = (
     )
     .having(
         vectors=FRAME,
-        loci=(Locus("$c_1=c_2=0$, that is, for $a=b$ and $c=0$,", ("c_1=0", "c_2=0"), "c_1 c_2"),),
+        loci=(Locus("$a=b$ and $c=0$", ("c_1=0", "c_2=0"), AS_LARGE.condition),),
         nonzero=NOT_PARALLEL,
     )
     .with_unit(unit[1])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from math import lcm
@@ -26,12 +26,24 @@ from kowalevski_cas.notation import (
 LONGEST = 14_000
 """The bits of the longest number that is printed."""
 
+Polynomial = Callable[[Terms, Sequence[Formula]], Formula]
+"""How the formula of a polynomial is written."""
+
 
 def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
     """The formula of an element in the names of its ring as they are read, to be shown.
 
     A root above the line with its square below it goes below.
     """
+    return _read(element, vocabulary, polynomial_formula)
+
+
+def product_of(element: Element, vocabulary: Vocabulary) -> Formula:
+    """The same formula, with polynomials in their irreducible factors."""
+    return _read(element, vocabulary, _product)
+
+
+def _read(element: Element, vocabulary: Vocabulary, polynomial: Polynomial) -> Formula:
     ring, terms, below, divisors = _cancelled(element)
     names = [name_formula(name, vocabulary) for name in ring.names]
     width = len(ring.polynomials.generators)
@@ -45,7 +57,7 @@ def formula_of(element: Element, vocabulary: Vocabulary) -> Formula:
             for index in inner:
                 below[index] -= 1
             shown.append(names[width + bit])
-    return _fraction(terms, below, divisors, names, shown)
+    return _fraction(terms, below, divisors, names, polynomial, shown)
 
 
 def formula_in(element: Element) -> Formula:
@@ -57,7 +69,7 @@ def formula_in(element: Element) -> Formula:
         # The generator is the root times what it is over.
         over = None if under is None else polynomial_formula(under.terms()[0], plain)
         names.append(Name(root) if over is None else Product((over, Name(root))))
-    return _fraction(terms, below, divisors, names)
+    return _fraction(terms, below, divisors, names, polynomial_formula)
 
 
 def _cancelled(element: Element) -> tuple[Ring, Terms, dict[int, int], dict[int, Terms]]:
@@ -88,17 +100,22 @@ def _fraction(
     below: Mapping[int, int],
     divisors: Mapping[int, Terms],
     names: Sequence[Formula],
+    polynomial: Polynomial,
     roots: Sequence[Formula] = (),
 ) -> Formula:
     """A polynomial with integer coefficients over a number, divisors and roots."""
     factor = lcm(*(value.denominator for value in terms.values()))
-    top = polynomial_formula({e: v * factor for e, v in terms.items()}, names)
+    top = polynomial({e: v * factor for e, v in terms.items()}, names)
     bottom: list[Formula] = [Number(factor)] if factor > 1 else []
-    bottom += [
-        _power(polynomial_formula(divisors[index], names), exponent)
-        for index, exponent in below.items()
-        if exponent
-    ]
+    for index, exponent in below.items():
+        divisor = polynomial(divisors[index], names)
+        if isinstance(divisor, Negative):
+            divisor = divisor.argument
+            if exponent % 2:
+                top = top.argument if isinstance(top, Negative) else Negative(top)
+        if exponent:
+            power = _power(divisor, exponent)
+            bottom += power.factors if isinstance(power, Product) else (power,)
     return _over(top, [*bottom, *roots])
 
 
@@ -146,8 +163,32 @@ def _lowered(exponents: tuple[int, ...], place: int) -> tuple[int, ...]:
 
 def polynomial_formula(terms: Terms, names: Sequence[Formula]) -> Formula:
     """The formula of a polynomial, its terms in descending order."""
+    return _sum(terms, names, sorted(terms, reverse=True))
+
+
+def _sum(terms: Terms, names: Sequence[Formula], order: Sequence[tuple[int, ...]]) -> Formula:
     powers = {e: (_power(n, k) for n, k in zip(names, e, strict=True) if k) for e in terms}
-    return total(multiple(terms[e], powers[e]) for e in sorted(terms, reverse=True))
+    return total(multiple(terms[e], powers[e]) for e in order)
+
+
+def _product(terms: Terms, names: Sequence[Formula]) -> Formula:
+    """The formula of a polynomial in its irreducible factors, each with a positive term first."""
+    if len(terms) < 2:
+        return polynomial_formula(terms, names)
+    from kowalevski_cas.algebra.factors import irreducible_factors
+
+    number, factors = terms[max(terms)], irreducible_factors(terms)
+    factors.sort(key=lambda one: (len(one[0]), [-e for e in max(one[0])]))
+    shown = []
+    for factor, exponent in factors:
+        number /= factor[max(factor)] ** exponent
+        if exponent % 2 and number < 0 and min(factor.values()) < 0:
+            number, factor = -number, {e: -v for e, v in factor.items()}
+        order = sorted(factor, reverse=True)
+        first = next(e for e in order if factor[e] > 0)
+        order.sort(key=lambda e: e != first)
+        shown.append(_power(_sum(factor, names, order), exponent))
+    return multiple(number, shown)
 
 
 @cache

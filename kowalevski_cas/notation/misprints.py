@@ -142,8 +142,10 @@ def _names(
     letter = letter_and_index(node.name)[0]
     same = [n for n in names if n != node.name and (letter_and_index(n)[0] == letter)]
     others = same if kind == "index" else [n for n in names if n != node.name and n not in same]
+    known = node.name in names or node.name in vocabulary.times
+    wrong = f"${node.name}$" if known else f"${node.name}$, which is not defined,"
     for other in sorted(others, key=lambda name: -closeness(node.name, name)):
-        yield Misprint(kind, place.path, Name(other), f"for ${node.name}$ read ${other}$")
+        yield Misprint(kind, place.path, Name(other), f"for {wrong} read ${other}$")
 
 
 def _exponents(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:

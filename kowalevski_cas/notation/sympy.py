@@ -33,15 +33,25 @@ def from_sympy(expression: Any, name: Callable[[Any], str]) -> Formula:
     def of(part: Any) -> Formula:
         return from_sympy(part, name)
 
-    expression = sympy.sympify(expression)
+    expression = _expression(expression)
     if expression.is_Symbol:
         return Name(name(expression))
     if isinstance(expression, sympy.Equality):
         return Relation((of(expression.lhs), of(expression.rhs)), ("=",))
+    if not isinstance(expression, sympy.Expr):
+        raise TypeError(f"{expression} is no equation: write Eq(…, evaluate=False), or LaTeX")
+    return _operation(expression, of)
+
+
+def _operation(expression: Any, of: Callable[[Any], Formula]) -> Formula:
+    """A sum, product, quotient, power or number, with what it divides by also where it cancels."""
+    import sympy
+
     if expression.is_Add:
         return Sum(tuple(of(term) for term in expression.as_ordered_terms()))
-    if expression.could_extract_minus_sign():
-        return Negative(of(-expression))
+    opposite = -expression  # SymPy may cancel here
+    if expression.could_extract_minus_sign() and -opposite == expression:
+        return Negative(of(opposite))
     above, below = sympy.fraction(expression)
     if below != 1:
         return Quotient(of(above), of(below))
@@ -54,6 +64,16 @@ def from_sympy(expression: Any, name: Callable[[Any], str]) -> Formula:
         base = base if expression.exp.q == 1 else Root(base)
         return base if exponent == Number(1) else Power(base, exponent)
     raise TypeError(f"{expression} is no sum, product, whole power or square root: write LaTeX")
+
+
+def _expression(value: Any) -> Any:
+    """A value as an expression of SymPy; raises ``TypeError`` if it is none."""
+    import sympy
+
+    expression = sympy.sympify(value)
+    if not isinstance(expression, sympy.Basic):
+        raise TypeError(f"{value!r} is no formula, in LaTeX or of SymPy")
+    return expression
 
 
 def to_sympy(formula: Formula, symbols: Mapping[str, Any]) -> Any:

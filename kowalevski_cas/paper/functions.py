@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kowalevski_cas.notation import Application, Formula, Name, substitute
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.scene import head
+from kowalevski_cas.paper.names import head
 from kowalevski_cas.problem.space import Meaningless
 
 
@@ -25,4 +25,7 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
             if not all(isinstance(one, Name) for one in own):
                 raise Meaningless(f"{name} is used with other velocities: define it anew")
             return substitute(body, values)
-    raise Meaningless(f"the function {formula.function} has no meaning here", formula.function)
+    what = f"the function {formula.function} has no meaning here"
+    if formula.function in (r"\ln", r"\log"):
+        what += ": print the exponential of both sides, a product of powers, as `find darboux` does"
+    raise Meaningless(what, formula.function)

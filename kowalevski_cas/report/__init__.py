@@ -9,7 +9,7 @@ from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.pdf import Engine, ReportError, Written, page, write_report
-from kowalevski_cas.report.places import Item, Row, Section, sections
+from kowalevski_cas.report.places import Item, Row, Section, Stated, sections
 from kowalevski_cas.report.sentences import Phrases
 from kowalevski_cas.report.typst import render_typst
 
@@ -23,6 +23,7 @@ __all__ = [
     "ReportError",
     "Row",
     "Section",
+    "Stated",
     "Written",
     "contents",
     "page",

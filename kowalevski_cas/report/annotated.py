@@ -28,7 +28,7 @@ from kowalevski_cas.report.document import (
     Text,
 )
 from kowalevski_cas.report.names import anchor
-from kowalevski_cas.report.places import Item, sections
+from kowalevski_cas.report.places import Item, names, sections
 from kowalevski_cas.report.prose import FIRST, Placed, read_article
 from kowalevski_cas.report.sentences import listed
 from kowalevski_cas.verify.outcome import Run, Verdict
@@ -59,7 +59,7 @@ class _Annotated:
             audit.session.texts.vocabulary,
         )  # fmt: skip
         paper = sections(run, derivation, audit.session.texts)
-        self.contents = Contents(run, paper, {}, ())
+        self.contents = Contents(run, paper, names(paper), {}, ())
         self.items: dict[str, list[Item]] = {}
         self.begins: dict[str, str] = {}
         for section in paper:
@@ -123,12 +123,12 @@ class _Annotated:
         if display.id in self.begins:
             blocks.insert(0, Paragraph((), anchor=self.begins[display.id]))
         for item in items:
-            if item.all or not typed.inline:
+            if item.stated or not typed.inline:
                 blocks += self.contents.passages.item(item)
         if not typed.inline:
             return Placed((), tuple(blocks))
         shown_here: list[Inline] = [*listed([(one,) for one in formulas], ", ")]
-        for outcome in own.all[:1]:
+        for outcome in own.outcomes[:1]:
             sign = Link(f"claim.{anchor(outcome.claim)}", (Sign(outcome.verdict),))
             shown_here += ["\u00a0", sign]
         return Placed(tuple(shown_here) or (Code(typed.tex),), tuple(blocks), inline=True)
@@ -190,8 +190,8 @@ class _Annotated:
         """Where a reference to a display leads."""
         items = self.items.get(display.id, ()) if display else ()
         own: Sequence[Item] = [item for item in items if display and item.display == display.id]
-        if own and own[0].all:
-            return f"claim.{anchor(own[0].all[0].claim)}"
+        if own and own[0].outcomes:
+            return f"claim.{anchor(own[0].outcomes[0].claim)}"
         return f"display.{anchor(own[0].display)}" if own else "paper"
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from textwrap import shorten
 from typing import Final
 
 from kowalevski_cas import __version__
-from kowalevski_cas.notation import print_prose, read_prose, to_plain
+from kowalevski_cas.notation import Relation, print_prose, read_prose, to_plain
 from kowalevski_cas.report.document import (
     Block,
     Code,
@@ -27,9 +28,9 @@ from kowalevski_cas.report.graph import picture
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.passages import Passages
-from kowalevski_cas.report.places import Section, names
+from kowalevski_cas.report.places import Name, Section, names
 from kowalevski_cas.report.plates import Plate
-from kowalevski_cas.report.sentences import Phrases, listed, nonzero
+from kowalevski_cas.report.sentences import Phrases, counted, listed, nonzero
 from kowalevski_cas.report.witnesses import Witness, arithmetics
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 
@@ -50,21 +51,23 @@ def contents(
         programs: which programs confirm which certificates.
         plates: the pictures of the derivation.
     """
-    return Contents(run, sections, certified or {}, programs).document(plates)
+    called = names(sections)
+    return Contents(run, sections, called, certified or {}, programs).document(plates)
 
 
 class Contents:
-    """The parts of a report of a run."""
+    """The parts of a report of a run, in which claims are ``called`` so."""
 
     def __init__(
         self,
         run: Run,
         sections: Sequence[Section],
+        called: Mapping[str, Name],
         certified: Mapping[str, str],
         programs: Sequence[Witness],
     ) -> None:
         self.run, self.sections, self.certified, self.programs = run, sections, certified, programs
-        self.phrases = Phrases(run.vocabulary, (o.claim for o in run.outcomes), names(sections))
+        self.phrases = Phrases(run.vocabulary, called)
         self.passages = Passages(self.phrases, certified, programs)
         copied = any(section.copied for section in sections)
         self.findings = Findings(self.phrases, run.outcomes, copied)
@@ -135,6 +138,10 @@ class Contents:
                 " “Valid for ", nonzero(divided[0]), "” means that the formula, or a definition "
                 "or equation that it uses, has this denominator.",
             )  # fmt: skip
+        names = self.phrases.names.values()
+        own = next((name.number for name in names if not name.number.startswith("(")), "")
+        if own and any(name.number.startswith("(") for name in names):
+            valid = (*valid, f" A number such as {own} is this report's, (1) is the paper's.")
         if means:
             yield Paragraph((*means, ".", *valid), "note")
 
@@ -168,24 +175,39 @@ class Contents:
 
     def graph(self) -> Iterator[Block]:
         """What rests on what."""
-        drawn = picture(self.run.outcomes, self.phrases.names)
+        drawn = picture(self.run.outcomes, self._boxes())
         yield Heading(("What rests on what",), "section.picture")
         if not drawn.boxes:
             yield Paragraph(("Each claim was decided from the equations of motion alone.",))
             return
         yield Paragraph(
             ("A line leads from each statement to those that rest on it; lines implied by others "
-             f"are omitted. The frame tells the verdict: {self._frames()}. Rows of one display "
-             "share a box, which shows the worst verdict among them.",),
+             f"are omitted. The frame tells the verdict: {self._frames()}. The formulas "
+             "of one display share a box, which shows the worst verdict among them.",),
             leads=True,
         )  # fmt: skip
         yield Graph(drawn)
         said: Text = ("The equations of motion underlie everything and are not drawn.",)
-        if any(outcome.corrected for outcome in self.run.outcomes):
+        if self.findings.slips:
             said = (*said, " What rests on a misprinted formula starts from its corrected form.")
         if drawn.alone:
-            said = (*said, " Isolated statements: ", *self.phrases.links(drawn.alone), ".")
+            many = counted(len(drawn.alone), "statement")
+            said = (*said, f" Omitted: {many} that neither rest on another nor carry one.")
         yield Paragraph(said, "note")
+
+    def _boxes(self) -> dict[str, str]:
+        """What stands in the boxes."""
+        return {outcome.claim: self._box(outcome) for outcome in self.run.outcomes}
+
+    def _box(self, outcome: Outcome) -> str:
+        """A number, and with one of the report's own a short formula or a name."""
+        name = self.phrases.names[outcome.claim]
+        if name.number.startswith("(") or name.several > 1:
+            return name.number
+        said = ", ".join(to_plain(f) for f in outcome.formulas if isinstance(f, Relation))
+        if len(said) > _SHORT or any(map(unicodedata.combining, said)):
+            return name.number
+        return f"{name.number} {said or outcome.claim.replace('-', ' ')}"
 
     def _frames(self) -> str:
         """What the frames of the boxes mean, of those that are drawn."""
@@ -205,6 +227,9 @@ class Contents:
         for name, text in _TRUST:
             yield Paragraph((Emphasis((f"{name}.",)), " ", *self.phrases.words(text)))
 
+
+_SHORT: Final = 16
+"""How many letters a formula has at most that stands in a box."""
 
 _FRAMES: Final = {
     Verdict.PROVED: "thin where a statement holds",

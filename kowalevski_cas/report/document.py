@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import count
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.graph import Picture
@@ -160,14 +159,16 @@ def drawing(document: Document) -> Picture:
 def paged(document: Document) -> Document:
     """The document for paper: no records, long displays in an appendix and a link to each."""
     moved: list[Block] = []
-    names = (f"A{number}" for number in count(1))
+    names: dict[tuple[Formula, ...], str] = {}
 
     def away(lead: Paragraph, display: Display) -> Paragraph:
-        name = next(names)
-        head = Emphasis((f"{name}. ",), strong=True)
-        moved.append(Heading((head,), f"long.{name}", 2))
-        # one by one, so that a page can end between them
-        moved.extend(replace(display, formulas=(one,), long=False) for one in display.formulas)
+        name = names.get(display.formulas, f"A{len(names) + 1}")
+        if display.formulas not in names:
+            names[display.formulas] = name
+            head = Emphasis((f"{name}. ",), strong=True)
+            moved.append(Heading((head,), f"long.{name}", 2))
+            # one by one, so that a page can end between them
+            moved.extend(replace(display, formulas=(one,), long=False) for one in display.formulas)
         return Paragraph((*lead.text, " ", Link(f"long.{name}", (f"formula {name}",)), "."))
 
     def stays(blocks: Sequence[Block]) -> Iterator[Block]:

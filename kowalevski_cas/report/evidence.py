@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, Relation, to_plain
@@ -41,7 +41,7 @@ class Evidence:
         told = [(row.claim, step) for row in self.rows for step in row.steps]
         for claims, ones in alike(told, lambda step: (step.words, step.point)):
             told_of = [formula for step in ones for formula in step.formulas]
-            formulas = dict.fromkeys(formula for formula in told_of if not _empty(formula))
+            formulas = _told(told_of)
             if told_of and not formulas:
                 continue
             yield Paragraph(
@@ -49,7 +49,7 @@ class Evidence:
             )
             long = sum(len(to_plain(formula)) for formula in formulas) > LONG
             if formulas:
-                yield Display(tuple(formulas), long=long)
+                yield Display(formulas, long=long)
 
     def _said(self, step: Step, leads: bool) -> Text:
         if step.point is not None:
@@ -66,8 +66,7 @@ class Evidence:
         """Each point once, with the values that the first of the rows has there."""
         having = [(row.claim, row.counterexample) for row in self.rows if row.counterexample]
         for claims, (one, *_) in alike(having, lambda one: (one.point, one.words)):
-            whose = self.phrases.link(claims[0]) if len(self.rows) > 1 else ()
-            of = (" to ", *whose) if whose else ()
+            of = (" to ", *self.phrases.links(claims[:1])) if len(self.rows) > 1 else ()
             head = Emphasis(("Counterexample", *of, "."))
             yield Paragraph((head, " ", *self.phrases.values(one)))
 
@@ -108,7 +107,7 @@ class Evidence:
 
     def _whose(self, claims: Sequence[str]) -> Text:
         whose = self._unless_all(claims)
-        return (*self.phrases.links(whose), ": ") if whose else ()
+        return (*capitalised(self.phrases.links(whose)), ": ") if whose else ()
 
     def _unless_all(self, claims: Sequence[str]) -> tuple[str, ...]:
         """The claims, each once; none if they are all the rows there are."""
@@ -116,9 +115,14 @@ class Evidence:
         return () if len(ids) == len(self.rows) else ids
 
 
-def _empty(formula: Formula) -> bool:
-    """Whether an equation says nothing, as 1 = 1."""
-    return isinstance(formula, Relation) and len({*formula.members}) == 1
+def _told(formulas: Iterable[Formula]) -> tuple[Formula, ...]:
+    """The formulas without equations that say nothing, as 1 = 1, or what another one says."""
+    told: dict[object, Formula] = {}
+    for one in formulas:
+        said = frozenset(one.members) if isinstance(one, Relation) else {one}
+        if len(said) > 1 or not isinstance(one, Relation):
+            told.setdefault(frozenset(said), one)
+    return tuple(told.values())
 
 
 def missing(phrases: Phrases, condition: Condition) -> Text:

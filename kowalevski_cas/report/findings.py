@@ -88,8 +88,11 @@ class Findings:
                 f"only under a hypothesis that the paper does not state{self._all()}",
             ),
         ]
-        holds = [f"{in_words(n)} {_verb('hold', n)} {how}" for n, how in found if n]
         what = counted(len(self.outcomes), "formula or statement", "formulas and statements")
+        for n, how in found:
+            if n == len(self.outcomes) > 2:
+                return f"All {what} hold {how}."
+        holds = [f"{in_words(n)} {_verb('hold', n)} {how}" for n, how in found if n]
         return f"Of {what}, {_joined(holds) or 'none is proved'}.{self._wrong(many)}"
 
     def _all(self) -> str:
@@ -125,8 +128,9 @@ class Findings:
             many = counted(len(self.open), "open statement")
             yield Heading((capital(many),), "open", 2)
             for outcome in self.open:
+                where = self.phrases.links([outcome.claim])
                 said = self.phrases.sentence(outcome.message)
-                yield Claim(outcome.verdict, "", (*self.phrases.link(outcome.claim), ": ", *said))
+                yield Claim(outcome.verdict, "", (*where, ": ", *said))
 
     def hypotheses(self) -> Iterator[Block]:
         """What the paper does not say and a statement needs, each condition once."""
@@ -142,7 +146,7 @@ class Findings:
     def _misprint(self, slip: Slip) -> Claim:
         first, correction = slip[0], slip[0].correction
         assert correction is not None
-        where = self.phrases.links(outcome.claim for outcome in slip)
+        where = self.phrases.found([outcome.claim for outcome in slip])
         head: Text = (*capitalised(where), ": ", *self.phrases.words(correction.words), ".")
         printed, meant = compared(first.formulas, correction.formulas)
         shown: list[Block] = [
@@ -152,11 +156,13 @@ class Findings:
         return Claim(None, "", head, blocks=tuple(shown))
 
     def _falsehood(self, outcome: Outcome) -> Claim:
-        said = self.phrases.sentence(outcome.words)
-        head: Text = (*self.phrases.link(outcome.claim), ": ", *said)
+        where = capitalised(self.phrases.found([outcome.claim]))
+        head: Text = (*where, ": ", *self.phrases.sentence(outcome.words))
         shown: list[Block] = []
         if outcome.source and any(isinstance(f, Relation) for f in outcome.formulas):
             shown.append(Display(outcome.formulas, outcome.source))
+        if outcome.counterexample:
+            shown.append(Paragraph(self.phrases.values(outcome.counterexample)))
         correction = outcome.correction
         if correction is None:
             return Claim(outcome.verdict, "", (*head, " No true statement was found near it."))
@@ -167,11 +173,11 @@ class Findings:
 
     def _reason(self, claims: Sequence[str], condition: Condition) -> Paragraph:
         """What some claims say, and what happens without the hypothesis."""
-        said = "; ".join(dict.fromkeys(o.words for o in self.lacking if o.claim in claims))
-        why = self.phrases.sentence(condition.words)
-        return Paragraph(
-            (*self.phrases.links(claims), ": ", *self.phrases.sentence(said), " ", *why)
-        )
+        said: Text = ()
+        for outcome in self.lacking:
+            if outcome.claim in claims:
+                said = (*said, *self.phrases.linked(outcome.claim, outcome.words), " ")
+        return Paragraph((*said, *self.phrases.sentence(condition.words)))
 
 
 _OPEN = {

@@ -1,14 +1,8 @@
-"""Names in a report: of claims, and of the displays they are rows of."""
+"""Names of places in a report."""
 
 from __future__ import annotations
 
 import re
-
-
-def display_of(claim: str) -> str:
-    """The display to which a claim belongs: ``eq10`` for ``eq10.3``; else the claim itself."""
-    match = re.fullmatch(r"(.+)\.\d+", claim)
-    return match[1] if match else claim
 
 
 def anchor(text: str) -> str:

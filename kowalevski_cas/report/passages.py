@@ -21,7 +21,7 @@ from kowalevski_cas.report.document import (
 from kowalevski_cas.report.evidence import Evidence
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.names import anchor
-from kowalevski_cas.report.places import Item, Section
+from kowalevski_cas.report.places import Item, Section, Stated
 from kowalevski_cas.report.sentences import Phrases, capital, listed, nonzero
 from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.tools import title
@@ -63,93 +63,81 @@ class Passages:
             yield Paragraph(("Of the two values of a root we mean the one with ", *meant, "."))
         before = ""
         for item in section.items:
-            what = "" if item.all else capital(item.source) or _ROLES.get(item.role, "")
+            what = "" if item.stated else capital(item.source) or _ROLES.get(item.role, "")
             if what and what != before:
                 yield Paragraph((*self.phrases.words(what), ":"), "note", leads=True)
             before = what
             yield from self.item(item)
 
     def item(self, item: Item) -> Iterator[Block]:
-        """A display, what is claimed of it, and what was found; or a claim about no display."""
-        if not item.all:
+        """A display, what is claimed of it, and what was found; or claims about no display."""
+        if not item.stated:
             formulas = tuple(formula for row in item.rows for formula in row.formulas)
             label = (item.label,) if item.label else ()
             place = f"display.{anchor(item.display)}" if item.display else ""
             yield Display(formulas, item.rows[0].source, label=label, anchor=place)
-            return
-        together = [o for row in item.rows for o in row.outcomes[:1]]
-        others = [o for row in item.rows for o in row.outcomes[1:]] + [*item.outcomes]
-        if len(together) > 1 or (together and len(item.rows) > 1):
-            yield self._rows(item, together)
-        elif item.rows:
-            lone = together or [others.pop(0)]
-            yield self._alone(lone[0], item)
-        for outcome in others:
-            yield self._alone(outcome)
+        for one in item.stated:
+            yield self._several(one) if len(one.rows) > 1 else self._alone(one)
 
-    def _rows(self, item: Item, outcomes: Sequence[Outcome]) -> Claim:
-        """A display of several statements, some of which are claimed."""
+    def _several(self, stated: Stated) -> Claim:
+        """The formulas of a display, all or some of which are claimed."""
+        outcomes = stated.outcomes
         words = dict.fromkeys(outcome.words for outcome in outcomes if outcome.words)
-        names = dict(item.names())
+        where = {self._where(outcome) for outcome in outcomes}
         shown = []
-        for number, row in enumerate(item.rows, 1):
-            own = row.outcomes[0] if row.outcomes else None
-            label = names.get(own.claim, "") if own else f"{item.label[:-1]}.{number})"
+        for row in stated.rows:
+            own = row.outcome
+            beside = [self.phrases.words(own.words)] if own and len(words) > 1 else []
+            if own and len(where) > 1 and self._where(own):
+                beside.append(("valid for ", *self._where(own)))
             shown.append(
                 Display(
                     _slips(row.formulas, own),
                     row.source,
                     own.verdict if own else None,
-                    self._beside(own, label if item.label else ""),
+                    listed(beside, "; "),
                     f"claim.{anchor(own.claim)}" if own else "",
                     bool(own and own.verdict is Verdict.REFUTED),
                 )
             )
-        head = self.phrases.sentence("; ".join(words))
-        return self._claim(None, "", head, (), shown, outcomes)
+        head = self.phrases.sentence(*words) if len(words) == 1 else ()
+        if len(where) == 1:
+            head = (*head, *_valid(*where))
+        return self._claim(None, "", head, stated.number, shown, outcomes)
 
-    def _beside(self, outcome: Outcome | None, label: str) -> Text:
-        """What stands behind a row: where it holds, and its number."""
-        if outcome is None:
-            return (label,) if label else ()
-        name: Text = (label,) if label else (Code(outcome.claim),)
-        where = [c for c in outcome.conditions if not c.witness]
-        return ("valid for ", *self.phrases.where(where), ": ", *name) if where else name
-
-    def _alone(self, outcome: Outcome, item: Item | None = None) -> Claim:
-        """A single claim, with its formula."""
-        label: Text = (item.label,) if item and item.label else (Code(outcome.claim),)
-        formulas = tuple(f for row in item.rows for f in row.formulas) if item else outcome.formulas
-        source = item.rows[0].source if item else outcome.source
+    def _alone(self, stated: Stated) -> Claim:
+        """A single claim, with its formulas."""
+        (row,), (outcome,) = stated.rows, stated.outcomes
         misprint = outcome.correction is not None and outcome.correction.edit is not None
         shown = []
-        if formulas or source:
-            shown = [Display(_slips(formulas, outcome), source, wrong=misprint)]
-        head = (*self.phrases.sentence(outcome.words), *self._verdict_of(outcome))
+        if row.formulas or row.source:
+            shown = [Display(_slips(row.formulas, outcome), row.source, wrong=misprint)]
+        head = (*self.phrases.sentence(outcome.words), *_valid(self._where(outcome)))
+        if not self._where(outcome) and outcome.verdict not in (
+            Verdict.PROVED,
+            Verdict.CONDITIONAL,
+        ):
+            word = MARKS[outcome.verdict].word.capitalize()
+            head = (*head, " ", Emphasis((f"{word}.",), strong=True))
         place = f"claim.{anchor(outcome.claim)}"
-        return self._claim(outcome.verdict, place, head, label, shown, (outcome,))
+        return self._claim(outcome.verdict, place, head, stated.number, shown, (outcome,))
 
-    def _verdict_of(self, outcome: Outcome) -> Text:
-        """The verdict in words, where it is not that the claim holds as printed."""
-        where = [c for c in outcome.conditions if not c.witness]
-        if where:
-            return (" Valid for ", *self.phrases.where(where), ".")
-        if outcome.verdict in (Verdict.PROVED, Verdict.CONDITIONAL):
-            return ()
-        return (" ", Emphasis((f"{MARKS[outcome.verdict].word.capitalize()}.",), strong=True))
+    def _where(self, outcome: Outcome) -> Text:
+        """Where a statement holds, if its denominators say so."""
+        return self.phrases.where(c for c in outcome.conditions if not c.witness)
 
     def _claim(
         self,
         verdict: Verdict | None,
         place: str,
         head: Text,
-        label: Text,
+        number: str,
         shown: Sequence[Display],
         outcomes: Sequence[Outcome],
     ) -> Claim:
         told = Evidence(self.phrases, outcomes)
         folded = (*told.steps(), *self._records(outcomes))
-        return Claim(verdict, place, head, label, (*shown, *told.first()), folded)
+        return Claim(verdict, place, head, (number,), (*shown, *told.first()), folded)
 
     def _records(self, outcomes: Sequence[Outcome]) -> Iterator[Paragraph]:
         """Who confirms claims, and what they rest on; what holds of several is said once."""
@@ -177,6 +165,10 @@ def _slips(formulas: tuple[Formula, ...], outcome: Outcome | None) -> tuple[Form
     if outcome is None or outcome.correction is None or outcome.correction.edit is None:
         return formulas
     return compared(formulas, outcome.correction.formulas)[0]
+
+
+def _valid(where: Text) -> Text:
+    return (" Valid for ", *where, ".") if where else ()
 
 
 def _names(names: Sequence[str]) -> Text:

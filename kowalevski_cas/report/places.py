@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
-from itertools import groupby
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from itertools import count, groupby, zip_longest
 
 from kowalevski_cas.audit.roles import Roles
 from kowalevski_cas.notation import Formula, NotationError
@@ -16,44 +17,61 @@ from kowalevski_cas.verify.outcome import Outcome, Run
 
 @dataclass(frozen=True)
 class Row:
-    """A statement of a display, with the claims that are about it alone."""
+    """Formulas on a line, and the claim that is about them."""
 
     formulas: tuple[Formula, ...]
     source: str
-    outcomes: tuple[Outcome, ...] = ()
+    outcome: Outcome | None = None
+
+
+@dataclass(frozen=True)
+class Stated:
+    """Claims that stand together: a single one, or those of the formulas of one display.
+
+    ``number`` is that of the equation, or else the report's own; ``near`` then says where the paper
+    prints it.
+    """
+
+    rows: tuple[Row, ...]
+    number: str = ""
+    near: str = ""
+
+    @property
+    def outcomes(self) -> tuple[Outcome, ...]:
+        """The claims."""
+        return tuple(row.outcome for row in self.rows if row.outcome)
+
+
+@dataclass(frozen=True)
+class Name:
+    """What a claim is called: by the number where it stands, and by its own place among several."""
+
+    number: str
+    near: str = ""
+    place: int = 0
+    several: int = 1
 
 
 @dataclass(frozen=True)
 class Item:
-    """A display with the claims about it, or a claim about none, which has no rows.
+    """A display with the claims about it, or claims about none, which has no formulas.
 
-    ``label`` is the number of the equation and ``display`` the name of what is displayed;
-    ``outcomes`` are about the whole; ``role`` says what a display is for that nobody claims, and
-    ``source`` where one comes from that the paper does not print.
+    ``label`` is the number of the equation and ``display`` the name of what is displayed; ``role``
+    says what a display is for that nobody claims, and ``source`` where one comes from that the
+    paper does not print.
     """
 
     rows: tuple[Row, ...] = ()
-    outcomes: tuple[Outcome, ...] = ()
+    stated: tuple[Stated, ...] = ()
     label: str = ""
     role: str = ""
     display: str = ""
     source: str = ""
 
     @property
-    def all(self) -> tuple[Outcome, ...]:
+    def outcomes(self) -> tuple[Outcome, ...]:
         """The claims about the display and about its rows."""
-        return (*(o for row in self.rows for o in row.outcomes), *self.outcomes)
-
-    def names(self) -> Iterator[tuple[str, str]]:
-        """The claims that have the number of an equation for a name."""
-        if not self.label:
-            return
-        for number, row in enumerate(self.rows, 1):
-            own = f"{self.label[:-1]}.{number})" if len(self.rows) > 1 else self.label
-            if row.outcomes:
-                yield row.outcomes[0].claim, own
-        if self.outcomes and not any(row.outcomes for row in self.rows):
-            yield self.outcomes[0].claim, self.label
+        return tuple(outcome for one in self.stated for outcome in one.outcomes)
 
 
 @dataclass(frozen=True)
@@ -68,7 +86,7 @@ class Section:
     @property
     def outcomes(self) -> tuple[Outcome, ...]:
         """What was decided in the section."""
-        return tuple(outcome for item in self.items for outcome in item.all)
+        return tuple(outcome for item in self.items for outcome in item.outcomes)
 
 
 @dataclass
@@ -90,14 +108,40 @@ def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[Sect
     found = []
     for section in derivation.sections:
         items = tuple(_items(section, outcomes, texts, roles))
-        if any(item.all for item in items):
+        if any(item.stated for item in items):
+            items = numbered(section.number, items)
             found.append(Section(section.number, section.title, items, section.copied))
     return tuple(found)
 
 
-def names(sections: Sequence[Section]) -> dict[str, str]:
-    """The claims that are called by the numbers of equations."""
-    return {c: name for section in sections for item in section.items for c, name in item.names()}
+def numbered(section: str, items: Sequence[Item]) -> tuple[Item, ...]:
+    """The items of a section, with a number for all that is stated."""
+    own, before, found = count(1), "", []
+    for item, after in zip_longest(items, items[1:]):
+        stated = []
+        for k, one in enumerate(item.stated):
+            if item.label and not k:
+                stated.append(replace(one, number=item.label))
+                continue
+            near = f"before {after.label}" if after and after.label else before
+            number = f"{section}.{next(own)}"
+            stated.append(replace(one, number=number, near=near if item.display else ""))
+        found.append(replace(item, stated=tuple(stated)))
+        before = f"after {item.label}" if item.label else before
+    return tuple(found)
+
+
+def names(sections: Sequence[Section]) -> dict[str, Name]:
+    """What the claims are called."""
+    stated = [one for section in sections for item in section.items for one in item.stated]
+    return {
+        row.outcome.claim: Name(
+            one.number, one.near, place if len(one.rows) > 1 else 0, len(one.outcomes)
+        )
+        for one in stated
+        for place, row in enumerate(one.rows, 1)
+        if row.outcome
+    }
 
 
 def _items(
@@ -129,10 +173,14 @@ def _apart(claims: Sequence[tuple[Display | None, Outcome]]) -> Iterator[Item]:
     """Claims about no display of the section: those about one of another section together."""
     for display, ones in groupby(claims, lambda pair: pair[0]):
         outcomes = [outcome for _, outcome in ones]
-        if display is None or len(outcomes) == 1:
-            yield from (Item(outcomes=(outcome,)) for outcome in outcomes)
+        if display is None:
+            yield from (Item(stated=(Stated((_row_of(outcome),)),)) for outcome in outcomes)
         else:
-            yield Item(tuple(Row(o.formulas, o.source, (o,)) for o in outcomes))
+            yield Item(stated=(Stated(tuple(map(_row_of, outcomes))),))
+
+
+def _row_of(outcome: Outcome) -> Row:
+    return Row(outcome.formulas, outcome.source, outcome)
 
 
 def _home(claim: Claim) -> Display | None:
@@ -149,14 +197,24 @@ def _row(place: _Place, printed: Printed) -> list[Outcome]:
 
 def _displayed(display: Display, place: _Place, texts: Texts, roles: Roles) -> Item:
     role = roles.at(Printed(display, 1).place).name
-    try:
-        statements = texts.statements(display)
-    except NotationError:
-        own = tuple(outcome for row in place.rows.values() for outcome in row)
-        row = Row((), texts.source(display), own)
-        return Item((row,), tuple(place.whole), display.label, role, display.id, display.source)
-    rows = tuple(
-        Row((one.formula,), one.source, tuple(place.rows.get(number, ())))
-        for number, one in enumerate(statements, 1)
-    )
-    return Item(rows, tuple(place.whole), display.label, role, display.id, display.source)
+    rows: tuple[Row, ...] = ()
+    with suppress(NotationError):
+        rows = tuple(Row((one.formula,), one.source) for one in texts.statements(display))
+    rows = rows or (Row((), texts.source(display)),)
+    stated = tuple(_stated(rows, place))
+    return Item(rows, stated, display.label, role, display.id, display.source)
+
+
+def _stated(rows: tuple[Row, ...], place: _Place) -> Iterator[Stated]:
+    """What is claimed of the rows, then what else is claimed of them, then of all together."""
+    claimed = [place.rows.get(number, []) for number in range(1, len(rows) + 1)]
+    claimed[0] += [o for k, ones in place.rows.items() if k > len(rows) for o in ones]
+    for k, ones in enumerate(zip_longest(*claimed)):
+        shown = [replace(row, outcome=one) for row, one in zip(rows, ones, strict=True)]
+        yield Stated(tuple(row for row in shown if row.outcome or not k))
+    whole = place.whole
+    if whole and not any(claimed):
+        together = tuple(formula for row in rows for formula in row.formulas)
+        yield Stated((Row(together, rows[0].source, whole[0]),))
+        whole = whole[1:]
+    yield from (Stated((_row_of(outcome),)) for outcome in whole)

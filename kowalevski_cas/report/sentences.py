@@ -9,6 +9,7 @@ from typing import Final
 from kowalevski_cas.notation import Formula, Number, Relation, Vocabulary, read_prose
 from kowalevski_cas.report.document import Code, Link, Text
 from kowalevski_cas.report.names import anchor
+from kowalevski_cas.report.places import Name
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
 
 ZERO: Final = Number(0)
@@ -41,6 +42,26 @@ def counted(many: int, one: str, more: str = "") -> str:
     return f"{in_words(many)} {one if many == 1 else more or one + 's'}"
 
 
+def runs(numbers: Iterable[int]) -> str:
+    """Numbers in words, those that follow one another together.
+
+    >>> runs([1, 2, 3, 4, 7, 8])
+    '1–4, 7 and 8'
+    """
+    found: list[list[int]] = []
+    for number in sorted(numbers):
+        if found and found[-1][-1] == number - 1:
+            found[-1].append(number)
+        else:
+            found.append([number])
+    parts = [
+        part
+        for run in found
+        for part in ([f"{run[0]}–{run[-1]}"] if len(run) > 2 else map(str, run))
+    ]
+    return "".join(map(str, listed([(part,) for part in parts])))
+
+
 def capital(text: str) -> str:
     """The text with a capital at its beginning."""
     return text[:1].upper() + text[1:]
@@ -69,12 +90,10 @@ def nonzero(formula: Formula) -> Formula:
 
 
 class Phrases:
-    """Phrases in the vocabulary of a paper; ``names`` has the equations' numbers of claims."""
+    """Phrases in the vocabulary of a paper; ``names`` has what its claims are called."""
 
-    def __init__(
-        self, vocabulary: Vocabulary, claims: Iterable[str], names: Mapping[str, str]
-    ) -> None:
-        self.vocabulary, self.claims, self.names = vocabulary, frozenset(claims), names
+    def __init__(self, vocabulary: Vocabulary, names: Mapping[str, Name]) -> None:
+        self.vocabulary, self.names = vocabulary, names
 
     def words(self, text: str) -> Text:
         """Words with mathematics between dollars."""
@@ -86,19 +105,43 @@ class Phrases:
         stop = "" if text.endswith((".", "!", "?", ":")) else end
         return self.words(capital(text) + stop) if text else ()
 
-    def name(self, claim: str) -> Text:
-        """What a claim is called: by the number of its equation, if it has one."""
-        return (self.names[claim],) if claim in self.names else (Code(claim),)
-
-    def link(self, claim: str) -> Text:
-        """The name of a claim, with a link if the report treats it."""
-        if claim not in self.claims:
-            return self.name(claim)
-        return (Link(f"claim.{anchor(claim)}", self.name(claim)),)
+    def name(self, claims: Sequence[str]) -> Text:
+        """What claims are called that have one number, or what a single one is called."""
+        name = self.names.get(claims[0])
+        if name is None:
+            return (Code(claims[0]),)
+        if len(claims) == name.several:
+            return (name.number,)
+        places = runs(self.names[claim].place for claim in claims)
+        return (f"formula{'s' * (len(claims) > 1)} {places} of {name.number}",)
 
     def links(self, claims: Iterable[str]) -> Text:
-        """The names of several claims."""
-        return listed([self.link(claim) for claim in claims])
+        """The names of several claims, with links to those that the report treats."""
+        together: dict[str, list[str]] = {}
+        for claim in claims:
+            own = self.names.get(claim)
+            together.setdefault(own.number if own else claim, []).append(claim)
+        return listed(
+            [
+                (Link(f"claim.{anchor(ones[0])}", self.name(ones)),)
+                if ones[0] in self.names
+                else self.name(ones)
+                for ones in together.values()
+            ]
+        )
+
+    def linked(self, claim: str, words: str) -> Text:
+        """The words of a claim as a sentence that leads to it; its name if there are none."""
+        if not words:
+            return self.links([claim])
+        return (Link(f"claim.{anchor(claim)}", self.sentence(words)),)
+
+    def found(self, claims: Sequence[str]) -> Text:
+        """Where the paper prints claims: near an equation with a number, or as such."""
+        name = self.names.get(claims[0])
+        if name is None or not name.near:
+            return self.links(claims)
+        return (Link(f"claim.{anchor(claims[0])}", (name.near,)),)
 
     def where(self, conditions: Iterable[Condition]) -> Text:
         """What several conditions say."""

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from heapq import heapify, heappop, heappush
 from itertools import combinations
 from math import prod
+from typing import TypeVar
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -26,6 +27,9 @@ POWERS = 3
 Monomial = tuple[int, ...]
 Made = dict[int, fmpq_mpoly]
 """How a polynomial is combined from elements of a basis, by their places."""
+
+
+Row = TypeVar("Row")
 
 
 class Basis:
@@ -66,6 +70,13 @@ class Basis:
     def minimal(self) -> list[fmpq_mpoly]:
         """The elements whose leading monomials no later one divides; they are a basis too."""
         return [self.elements[k] for k in self._kept]
+
+    def reduced(self) -> list[fmpq_mpoly]:
+        """A basis in which no monomial is divisible by the leading one of another element."""
+        found = self.minimal()
+        for k, own in enumerate(found):
+            found[k] = remainder(own, (*found[:k], *found[k + 1 :]))
+        return [one for one in found if one]
 
     def _enter(self, polynomial: fmpq_mpoly, made: Made) -> None:
         """Add an element, with the pairs that are needed (Gebauer and Möller)."""
@@ -126,6 +137,16 @@ class Basis:
         return self.context.from_dict({exponents: 1})
 
 
+def remainder(polynomial: fmpq_mpoly, divisors: Sequence[fmpq_mpoly]) -> fmpq_mpoly:
+    """What is left of a polynomial when no leading monomial of a divisor divides one of it."""
+    before = None
+    while before != polynomial:
+        before = polynomial
+        for divisor in filter(None, divisors):
+            polynomial = divmod(polynomial, divisor)[1]
+    return polynomial
+
+
 class Combinations:
     """Rows of elements that combine targets from generators; a basis is made of these once.
 
@@ -168,9 +189,19 @@ class Combinations:
 
     def rows(self, power: int = 1) -> list[list[Element]] | None:
         """The rows for powers of the targets, or ``None`` if one is not found."""
-        return complete(self._row(target**power) for target in self.targets)
+        return self.rows_of(self.targets, power)
 
-    def _row(self, target: Element) -> list[Element] | None:
+    def rows_of(self, targets: Sequence[Element], power: int = 1) -> list[list[Element]] | None:
+        """The rows for powers of other targets that divide by nothing new."""
+        return complete(self.row(target**power) for target in targets)
+
+    def minimal(self) -> list[Element]:
+        """The elements of the reduced basis."""
+        found = [] if self.basis is None else self.basis.reduced()
+        return [self.flat.element(_in(self.flat.context, one)) for one in found]
+
+    def row(self, target: Element) -> list[Element] | None:
+        """The row for an element."""
         if self.basis is None:
             return None
         flat, one = self.flat, self.ring.one
@@ -193,7 +224,7 @@ class Combinations:
         return _in(self.context, self.flat.polynomial(element))
 
 
-def complete(rows: Iterable[list[Element] | None]) -> list[list[Element]] | None:
+def complete(rows: Iterable[Row | None]) -> list[Row] | None:
     """All rows; ``None`` as soon as one is missing."""
     found = []
     for row in rows:

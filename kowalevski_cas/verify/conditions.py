@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from fractions import Fraction
 
-from kowalevski_cas.algebra.present import divided
+from kowalevski_cas.algebra.factors import irreducible_factors
+from kowalevski_cas.algebra.present import divided, formula_of
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Negative, Product, Sum
+from kowalevski_cas.notation import Formula, Negative, Power, Product, Quotient, Sum
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.cofactors import vanishes_on
-from kowalevski_cas.search.factors import irreducible_factors
 from kowalevski_cas.search.squares import sum_of_squares
-from kowalevski_cas.verify.shown import shown
+from kowalevski_cas.verify.shown import written
 
 Shape = frozenset[object]
 """A polynomial up to a constant factor, as a key."""
@@ -27,13 +28,15 @@ Divided = tuple[Elaboration, Formula]
 def conditions_of(accepted: Accepted) -> list[Divided]:
     """What all that was accepted assumes to be non-zero, each factor once."""
     settings: dict[Elaboration, list[Element]] = {}
+    stated: dict[Elaboration, list[Formula]] = {}
     for goal, elements in accepted.divided:
         assert isinstance(goal.space, Elaboration)
         kept = settings.setdefault(goal.space, [])
         kept += _not_implied(goal, elements, goal.space)
+        stated.setdefault(goal.space, []).extend(goal.formulas())
     found: dict[Formula, Elaboration] = {}
     for setting, elements in settings.items():
-        for formula in _divisors(elements, setting):
+        for formula in _divisors(elements, setting, stated[setting]):
             found.setdefault(formula, setting)
     return [(setting, formula) for formula, setting in found.items()]
 
@@ -48,8 +51,13 @@ def _not_implied(goal: Simple, elements: Sequence[Element], setting: Elaboration
     return [inverse for inverse in found if not vanishes_on(one, [inverse.inverse(), *known])]
 
 
-def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula]:
-    """What elements of a setting, in FLINT, are divided by, beyond what it takes for granted."""
+def _divisors(
+    elements: Sequence[Element], setting: Elaboration, stated: Sequence[Formula]
+) -> list[Formula]:
+    """What elements of a setting, in FLINT, are divided by, beyond what it takes for granted.
+
+    A divisor is named as a denominator that is printed, in the scene or in what is ``stated``.
+    """
     ring = setting.finder.ring
     divisors = ring.divided_by(elements)
     if not divisors:
@@ -65,7 +73,10 @@ def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula
             continue
         if shape not in names and shape not in known:
             divisor = _without(divisor, known)
-        if divisor is not ring.one:
+        printed = () if shape in names else _printed(divisor, granted, setting, stated)
+        if printed:
+            found |= dict.fromkeys(printed)
+        elif divisor is not ring.one:
             found[names[shape] if shape in names else _positive(divisor, setting)] = None
     for pair in setting.conjugates:
         first, second = map(setting.texts.expression, pair)
@@ -75,12 +86,56 @@ def _divisors(elements: Sequence[Element], setting: Elaboration) -> list[Formula
     return list(found)
 
 
+def _printed(
+    divisor: Element, granted: set[Shape], setting: Elaboration, stated: Sequence[Formula]
+) -> tuple[Formula, ...]:
+    """The printed denominators, one or several, that vanish together where the divisor does."""
+    if len(divisor.terms()[0]) < 2:
+        return ()
+
+    def factors(element: Element) -> set[Shape]:
+        irreducible = irreducible_factors(element.terms()[0]) if 0 in element.terms() else []
+        return {_shape(divisor.ring.from_terms({0: terms})) for terms, _ in irreducible} - granted
+
+    wanted, product = factors(divisor), divisor.ring.one
+    parts: dict[Formula, Element] = {}
+    for formula in _denominators(setting, stated):
+        with suppress(Meaningless, ZeroDivisionError):
+            parts[formula] = setting.finder.scalar(formula)
+    shares = [
+        formula
+        for formula, element in parts.items()
+        if not element.is_zero
+        and wanted & {s for d in divisor.ring.divided_by([element.inverse()]) for s in factors(d)}
+    ]
+    for formula in shares:
+        product = product * parts[formula]
+        if set(parts[formula].terms()) == {0} and factors(parts[formula]) == wanted:
+            return (written(formula, setting),)
+    together = set(product.terms()) == {0} and factors(product) == wanted
+    return tuple(written(formula, setting) for formula in shares) if together else ()
+
+
+def _denominators(setting: Elaboration, stated: Sequence[Formula]) -> Iterator[Formula]:
+    """The factors of all denominators in the definitions of a setting and in what is stated."""
+    places = setting.scene.definitions.values()
+    waiting = [*stated, *(setting.plain(setting.texts.formula(place)) for place in places)]
+    while waiting:
+        formula = waiting.pop()
+        waiting += formula.children()
+        if isinstance(formula, Quotient):
+            below = formula.denominator
+            for factor in below.factors if isinstance(below, Product) else (below,):
+                yield factor.base if isinstance(factor, Power) else factor
+
+
 def _positive(divisor: Element, setting: Elaboration) -> Formula:
     """A divisor as it is printed, without a minus before each term."""
-    formula = shown(divisor, setting)
+    words = setting.texts.vocabulary
+    formula = formula_of(divisor, words)
     terms = formula.terms if isinstance(formula, Sum) else (formula,)
     negative = all(isinstance(term, Negative) for term in terms)
-    return shown(-divisor, setting) if negative else formula
+    return formula_of(-divisor, words) if negative else formula
 
 
 def _granted(setting: Elaboration) -> Iterator[Element]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from kowalevski_cas.algebra.present import formula_of, name_formula
+from kowalevski_cas.algebra.present import name_formula, product_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Vocabulary
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -14,9 +14,9 @@ from kowalevski_cas.verify.outcome import Point
 
 
 def shown(element: Element, setting: Setting) -> Formula:
-    """An element in the names of its setting."""
+    """An element in the names of its setting, in factors."""
     assert isinstance(setting, Elaboration)
-    return formula_of(element, setting.texts.vocabulary)
+    return product_of(element, setting.texts.vocabulary)
 
 
 def named(name: str, setting: Setting) -> Formula:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import product
+from typing import Final
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
@@ -36,6 +37,9 @@ LONGEST = 24
 
 MOST = 12
 """How many products a combination has at most, for it to be shown."""
+
+
+_VANISHES: Final = Step("The derivative along the vector field vanishes identically.")
 
 
 def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
@@ -72,10 +76,12 @@ def _steps(claim: Claim, goal: Goal, evidence: Evidence) -> Iterator[Step]:
 
 def _derivatives(goal: Follows) -> Iterator[Step]:
     """The derivatives that the program generated for left sides."""
+    told: list[Step] = []
     for left, _ in goal.conclusions[0] if goal.conclusions else ():
         match left:
             case (Derivative() as rate) | Product((Number(), Derivative() as rate)):
-                yield from _derivative(rate, finder_of(goal.space))
+                told += _derivative(rate, finder_of(goal.space))
+    yield from [step for step in told if step != _VANISHES] or told[:1]
 
 
 def _derivative(formula: Derivative, at: Evaluation) -> Iterator[Step]:
@@ -84,7 +90,7 @@ def _derivative(formula: Derivative, at: Evaluation) -> Iterator[Step]:
     except Meaningless:
         return
     if all(value.is_zero for value in values):
-        yield Step("The derivative along the vector field vanishes identically.")
+        yield _VANISHES
     elif (terms := size(values)) > LONGEST:
         yield Step(f"The derivative along the vector field, as generated, has {terms} terms.")
     else:
@@ -129,9 +135,9 @@ def _combination(claim: Claim, goal: Follows, proof: Proof, at: Evaluation) -> S
         )
         return Step(f"{what}, by an identity whose coefficients have {terms} terms.")
     one = len(goal.conclusions) == 1
-    what = "the difference of the two sides" if one else "a product of differences of the two sides"
-    what = f"a power of {what}" if proof.power > 1 else what
-    words = f"{what[0].upper()}{what[1:]} is a combination of the hypotheses"
+    what = "difference of the two sides" if one else "product of the differences of their sides"
+    what = f"{'a power of ' * (proof.power > 1)}the {what} is a combination of the hypotheses"
+    words = f"{what[0].upper()}{what[1:]}" if one else f"One of the alternatives holds: {what}"
     products = sum(not entry.is_zero for row in rows for entry in row)
     if terms > LONGEST or products > MOST:
         return Step(f"{words}; its coefficients have {terms} terms.")

@@ -38,8 +38,8 @@ ERRATA = {
 
 CONDITIONS = {
     "M4-dimension": ["(a^2 - b^2)^2 + 4c^2"],
-    "N4-dimension": ["x_1x_2", "c_1c_2"],
-    "N4-independence": ["x_1x_2", "x_1 + w_1^2"],
+    "N4-dimension": ["x_1x_2", "(a^2 - b^2)^2 + 4c^2"],
+    "N4-independence": ["x_1x_2", "w_1^2 + x_1"],
     "appelrot-dimension": [r"\alpha_1^2 + \alpha_2^2"],
     "eq15": ["x_1x_2"],
     "eq16.invariance": [r"\xi_1^2 + \xi_2^2"],

@@ -16,8 +16,8 @@ RECORD = load_record(find(NAME))
 CONDITIONS = {
     "m": [],
     "point.alpha": [],
-    "fields.1": ["x_1x_2 - x_1mr^2 - x_2mr^2"],
-    "solution.1": [r"-\mathrm{sn}^2\kappa + 1"],
+    "fields.1": [r"\ell - 2ms_1", r"\ell - 2ms_2"],
+    "solution.1": [r"1 - \kappa\mathrm{sn}^2"],
 }
 
 

@@ -9,8 +9,9 @@ from typing import Any
 
 from kowalevski_cas.notation import Edit, Formula, NotationError, Vocabulary, read_display
 from kowalevski_cas.paper.texts import Display, Printed
-from kowalevski_cas.report import Item, Row, Section, contents
+from kowalevski_cas.report import Item, Row, Section, Stated, contents
 from kowalevski_cas.report.document import Document
+from kowalevski_cas.report.places import numbered
 from kowalevski_cas.verify.outcome import (
     Condition,
     Correction,
@@ -573,14 +574,11 @@ def in_order(run: Run) -> tuple[Section, ...]:
         outcomes = [outcome for outcome in run.outcomes if outcome.section == number]
         items = []
         for name, ones in groupby(outcomes, lambda one: re.sub(r"\.\d+$", "", one.claim)):
-            rows = tuple(Row(one.formulas, one.source, (one,)) for one in ones)
+            rows = tuple(Row(one.formulas, one.source, one) for one in ones)
             label = f"({name[2:]})" if re.fullmatch(r"eq\d+", name) else ""
-            if rows[0].source:
-                items.append(Item(rows, (), label))
-            else:
-                items += [Item(outcomes=row.outcomes) for row in rows]
+            items.append(Item(rows, (Stated(rows),), label, display=name if rows[0].source else ""))
         if outcomes:
-            found.append(Section(number, title, tuple(items)))
+            found.append(Section(number, title, numbered(number, items)))
     return tuple(found)
 
 

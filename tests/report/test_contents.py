@@ -109,8 +109,8 @@ class TestWrong:
     def test_a_slip_in_several_rows_is_one_misprint(self) -> None:
         heads = [block for block in under(WHOLE, "misprints")]
         assert len(heads) == 3  # i², w₃ in four rows, and the factor in (21)
-        rows = [link.target for link in parts(heads[1]) if isinstance(link, Link)]
-        assert rows == [f"claim.eq10.{k}" for k in range(1, 5)]
+        assert "Formulas 1–4 of (10)" in said(heads[1])
+        assert "Before (9)" in said(heads[0])
         assert [p.wrong for p in parts(heads[1]) if isinstance(p, Display)] == [True, False]
 
     def test_the_same_words_about_two_displays_are_two_misprints(self) -> None:
@@ -136,7 +136,7 @@ class TestWrong:
         assert "has this denominator" in said(marks)
         theta = condition("x_1x_2", "").expression
         formulas = [part for part in parts((marks,)) if isinstance(part, Formula)]
-        assert [next(iter(formula.children())) for formula in formulas] == [theta]
+        assert [formula.children()[0] for formula in formulas] == [theta]
 
     def test_a_hypothesis_that_several_statements_lack_is_one(self) -> None:
         needed = condition("x", "for $x=0$ it fails", witness=counterexample(point({}), "1", "2"))
@@ -182,14 +182,22 @@ class TestWrong:
 
 
 class TestEvidence:
-    def test_conditions_that_rows_share_are_said_beside_each(self) -> None:
-        once = condition("x", "it is a denominator")
-        rows = [claim(f"eq1.{k}", "1", "x=x", "", C, conditions=(once,)) for k in (1, 2, 3)]
-        labels = [
-            p.label for p in parts(under(document(*rows), "section.1")) if isinstance(p, Display)
+    @pytest.mark.parametrize("shared", [True, False])
+    def test_conditions_that_rows_share_are_said_once(self, shared: bool) -> None:
+        both = [condition(name, "a denominator") for name in ("x", "x" if shared else "m")]
+        rows = [
+            claim(f"eq1.{k}", "1", "x=x", "", C, conditions=(one,)) for k, one in enumerate(both, 1)
         ]
-        assert [label[-1] for label in labels] == ["(1.1)", "(1.2)", "(1.3)"]
-        assert all(label[0] == "valid for " for label in labels)
+        (whole,) = (p for p in parts(under(document(*rows), "section.1")) if isinstance(p, Claim))
+        beside = [p.label for p in whole.blocks if isinstance(p, Display)]
+        assert said(whole.head).count("Valid for ") == shared
+        assert [said(label).count("valid for ") for label in beside] == [not shared] * 2
+
+    def test_words_that_rows_do_not_share_stand_beside_each(self) -> None:
+        rows = [claim(f"eq1.{k}", "1", "x=x", f"row {k}", P) for k in (1, 2)]
+        (whole,) = (p for p in parts(under(document(*rows), "section.1")) if isinstance(p, Claim))
+        assert [said(p.label) for p in whole.blocks if isinstance(p, Display)] == ["row 1", "row 2"]
+        assert whole.head == () and whole.label == ("(1)",)
 
     def test_a_step_that_rows_share_is_told_once(self) -> None:
         text = said(under(WHOLE, "section.2"))

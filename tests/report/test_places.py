@@ -7,6 +7,7 @@ import pytest
 from kowalevski_cas.library import available, load
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.report import Section, sections
+from kowalevski_cas.report.places import Name, names
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 
 
@@ -51,16 +52,39 @@ def test_displays_keep_their_order(kharlamov: tuple[Section, ...]) -> None:
 def test_a_claim_about_a_display_stands_at_it(kharlamov: tuple[Section, ...]) -> None:
     items = {item.label: item for section in kharlamov for item in section.items}
     assert [o.claim for o in items["(7)"].outcomes] == ["eq7"]
-    assert [[o.claim for o in row.outcomes] for row in items["(13)"].rows] == [
-        [],
-        [],
-        ["eq13.conjugate"],
+    (conjugate,) = items["(13)"].stated
+    assert [row.outcome and row.outcome.claim for row in conjugate.rows] == [
+        None,
+        None,
+        "eq13.conjugate",
     ]
-    assert [o.claim for o in items["(16)"].all] == ["eq16.1", "eq16.2", "eq16.invariance"]
+    together = [[o.claim for o in one.outcomes] for one in items["(16)"].stated]
+    assert together == [["eq16.1", "eq16.2"], ["eq16.invariance"]]
+
+
+def test_a_claim_is_called_by_the_number_of_the_paper_or_by_one_of_the_report(
+    kharlamov: tuple[Section, ...],
+) -> None:
+    called = names(kharlamov)
+    assert called["eq14"] == Name("(14)")
+    assert called["eq10.7"] == Name("(10)", place=7, several=9)
+    assert called["eq9.i"] == Name("2.2", "before (9)")
+    assert called["critical-set"].near == "after (22)"
+    assert called["equilibria"].near == ""  # it stands in no formula
+    stated = [one.number for section in kharlamov for i in section.items for one in i.stated]
+    assert len(set(stated)) == len(stated)
+
+
+@pytest.mark.parametrize("name", available())
+def test_claims_have_names_of_their_own(name: str) -> None:
+    derivation = load(name)
+    called = names(sections(undecided(derivation), derivation, derivation.texts()))
+    assert called.keys() == {claim.id for claim in derivation.claims}
+    assert len({(name.number, name.place) for name in called.values()}) == len(called)
 
 
 def test_a_claim_about_no_display_follows_what_it_mentions(kharlamov: tuple[Section, ...]) -> None:
-    first = [item.label or "".join(o.claim for o in item.all) for item in kharlamov[0].items]
+    first = [item.label or "".join(o.claim for o in item.outcomes) for item in kharlamov[0].items]
     assert first.index("(8)") < first.index("M4-independence")
     assert first.index("(7)") < first.index("M4-dimension") < first.index("(8)")
 

@@ -8,7 +8,7 @@ from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.run import verify
 
 CLAIMS = (
-    "eq4.1", "eq7", "J3", "M4-dimension", "eq9.i", "eq9", "eq10.5", "eq14", "eq15", "eq16.invariance",
+    "U1-prime", "eq4.1", "eq7", "J3", "M4-dimension", "eq9.i", "eq9", "eq10.5", "eq14", "eq15", "eq16.invariance",
     "real-form.1", "equilibria", "eq22", "critical-set", "redundant-integral", "kowalevski-variable",
 )  # fmt: skip
 
@@ -41,11 +41,16 @@ def test_a_derivative_is_by_the_time_of_its_scene(steps):
     assert formulas[0] == "dz₁/dτ = (x₁w₂ − y₂w₁)/2"
 
 
+def test_a_derivative_is_shown_in_factors_as_the_paper_prints_it(steps):
+    ((_, formulas),) = steps("U1-prime")
+    assert formulas == ["dU₁/dτ = c₁(x₁ + w₁²)(x₁x₂ω₃ − x₁w₂z₂ − x₂w₁z₁)/x₁²"]
+
+
 def test_an_equation_that_follows_is_a_combination_of_what_is_given(steps):
     generated, combined, *_, point = steps("J3")
     assert generated[1][0].startswith("d/dt[(ω₁² + ω₂²)ω₃ + 2(ω₁α₃ + ω₂β₃)] = ")
     assert combined[0] == "The difference of the two sides is a combination of the hypotheses:"
-    assert combined[1][0].endswith(" = (−α₂ − β₁)J₁ + (α₁ − β₂)J₂")
+    assert combined[1][0].endswith(" = −(α₂ + β₁)J₁ + (α₁ − β₂)J₂")
     assert point[0].startswith("the differential is independent")
 
 
@@ -72,7 +77,7 @@ def test_cases_eliminants_and_numbers(steps):
     assert "case by case" in steps("redundant-integral")[0][0]
     ((words, formulas),) = steps("equilibria")
     assert words.startswith("The solutions are given by the roots of one equation")
-    assert formulas[1] == "s⁴ + (−2a² − 2b²)s² + (a⁴ − 2a²b² + b⁴ + 4c²) = 0"
+    assert formulas[1] == "s⁴ − 2(a² + b²)s² + (a⁴ − 2a²b² + b⁴ + 4c²) = 0"
     assert steps("kowalevski-variable")[0][0] == "The numbers that the program found:"
 
 

@@ -32,7 +32,7 @@ class Told:
     @cached_property
     def phrases(self) -> Phrases:
         """Phrases in the vocabulary of the source."""
-        return Phrases(self.audit.session.texts.vocabulary, (), {})
+        return Phrases(self.audit.session.texts.vocabulary, {})
 
     def told(self, details: Iterable[str] = ()) -> str:
         """The audit as text; details stand before the summary."""

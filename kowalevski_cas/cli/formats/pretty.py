@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.report import Contents
+from kowalevski_cas.report.places import names
 from kowalevski_cas.verify.outcome import Verdict
 
 
@@ -35,8 +36,10 @@ def told(result: Result, claims: Iterable[str] = ()) -> str:
 
 
 def contents_of(result: Result) -> Contents:
-    """What a report of the results would say."""
-    return Contents(result.run, result.paper, {}, ())
+    """What a report of the results would say, where claims without a number have their ids."""
+    known = names(result.paper).items()
+    called = {claim: name for claim, name in known if name.near or name.number.startswith("(")}
+    return Contents(result.run, result.paper, called, {}, ())
 
 
 def _errors(result: Result) -> Iterator[str]:

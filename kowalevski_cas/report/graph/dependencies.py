@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
-from kowalevski_cas.report.names import display_of
 from kowalevski_cas.verify.outcome import Outcome
 
 
 def dependencies(
-    outcomes: Sequence[Outcome],
+    outcomes: Sequence[Outcome], labels: Mapping[str, str]
 ) -> tuple[dict[str, list[str]], dict[str, list[str]]]:
-    """The claims of each box, and the boxes that it rests on: no circles, nothing twice."""
-    members = _collapsed(outcomes)
+    """The claims of each box, and the boxes that it rests on: no circles, nothing twice.
+
+    A box is called by its first claim. Claims with the same label share one.
+    """
+    members = _collapsed(outcomes, labels)
     home = {claim: name for name, claims in members.items() for claim in claims}
     rests: dict[str, list[str]] = {name: [] for name in members}
     for outcome in outcomes:
@@ -23,15 +25,15 @@ def dependencies(
     return members, _reduced(_acyclic(rests))
 
 
-def _collapsed(outcomes: Sequence[Outcome]) -> dict[str, list[str]]:
-    """Rows of one display as one box, where that makes no circle."""
+def _collapsed(outcomes: Sequence[Outcome], labels: Mapping[str, str]) -> dict[str, list[str]]:
+    """Claims with one label as one box, where that makes no circle."""
     members: dict[str, list[str]] = {}
     for outcome in outcomes:
-        members.setdefault(display_of(outcome.claim), []).append(outcome.claim)
+        members.setdefault(labels[outcome.claim], []).append(outcome.claim)
     rests = {outcome.claim: outcome.rests_on for outcome in outcomes}
 
     def reaches(start: str, group: set[str]) -> bool:
-        """Whether a row rests on a row of its own display by way of others."""
+        """Whether a claim rests on one of its own box by way of others."""
         seen: set[str] = set()
         stack = [below for below in rests.get(start, ()) if below not in group]
         while stack:
@@ -44,12 +46,9 @@ def _collapsed(outcomes: Sequence[Outcome]) -> dict[str, list[str]]:
         return False
 
     found: dict[str, list[str]] = {}
-    for name, claims in members.items():
-        tangled = name in claims or any(reaches(claim, set(claims)) for claim in claims)
-        if len(claims) > 1 and tangled:
-            found.update({claim: [claim] for claim in claims})
-        else:
-            found[name if len(claims) > 1 else claims[0]] = claims
+    for claims in members.values():
+        tangled = any(reaches(claim, {*claims}) for claim in claims)
+        found |= {claim: [claim] for claim in claims} if tangled else {claims[0]: claims}
     return found
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
@@ -10,7 +9,7 @@ from typing import Final
 from kowalevski_cas.notation import to_plain
 from kowalevski_cas.report.graph.dependencies import dependencies
 from kowalevski_cas.report.graph.layout import WIDTH, layout
-from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.verify.outcome import WORST, Outcome, Verdict
 
 BOX: Final = 5.0
 """The height of a box."""
@@ -20,21 +19,11 @@ LETTER: Final = 1.32
 
 _HEIGHT: Final = 205.0
 _LAYER: Final = 13.0
-_WORST: Final = (
-    Verdict.PROVED,
-    Verdict.CONDITIONAL,
-    Verdict.ENCLOSED,
-    Verdict.PROBABLE,
-    Verdict.TIMEOUT,
-    Verdict.UNDECIDED,
-    Verdict.REFUTED,
-    Verdict.ERROR,
-)
 
 
 @dataclass(frozen=True)
 class Box:
-    """A claim, or several rows of one display, at its place (the centre, in mm).
+    """A claim, or several of one display, at its place (the centre, in mm).
 
     ``says`` is what it states, in plain text.
     """
@@ -75,12 +64,9 @@ class Picture:
         return min(1.0, 0.999 * WIDTH / self.width, _HEIGHT / self.height)
 
 
-def picture(outcomes: Sequence[Outcome], names: Mapping[str, str] | None = None) -> Picture:
-    """Lay out the claims that rest on others, foundations at the top.
-
-    ``names`` has what claims are called that are called otherwise than by their ids.
-    """
-    members, rests = dependencies(outcomes)
+def picture(outcomes: Sequence[Outcome], labels: Mapping[str, str]) -> Picture:
+    """Lay out the claims that rest on others, foundations at the top; one label is one box."""
+    members, rests = dependencies(outcomes, labels)
     carried = {below for belows in rests.values() for below in belows}
     drawn = {name: belows for name, belows in rests.items() if belows or name in carried}
     alone = tuple(claim for name in members if name not in drawn for claim in members[name])
@@ -89,8 +75,7 @@ def picture(outcomes: Sequence[Outcome], names: Mapping[str, str] | None = None)
     verdicts = {o.claim: o.verdict for o in outcomes}
     stated = {o.claim: ", ".join(map(to_plain, o.formulas)) for o in outcomes}
     says = {name: "; ".join(filter(None, map(stated.get, members[name]))) for name in drawn}
-    labels = {name: _label(name, members[name], names or {}) for name in drawn}
-    layers = layout(drawn, {name: LETTER * len(label) + 8.0 for name, label in labels.items()})
+    layers = layout(drawn, {name: LETTER * len(labels[name]) + 8.0 for name in drawn})
     edges = [(c.x - c.width / 2, c.x + c.width / 2) for layer in layers for c in layer]
     left, right = min(e[0] for e in edges) - 0.5, max(e[1] for e in edges) + 0.5
 
@@ -99,10 +84,10 @@ def picture(outcomes: Sequence[Outcome], names: Mapping[str, str] | None = None)
 
     boxes = tuple(
         Box(
-            members[cell.name][0],
+            cell.name,
             labels[cell.name],
             says[cell.name],
-            max((verdicts[c] for c in members[cell.name]), key=_WORST.index),
+            min((verdicts[c] for c in members[cell.name]), key=WORST.index),
             cell.x - left,
             y(k),
             cell.width,
@@ -122,15 +107,3 @@ def picture(outcomes: Sequence[Outcome], names: Mapping[str, str] | None = None)
         for above in cell.after
     )
     return Picture(boxes, lines, right - left, y(len(layers) - 1) + BOX / 2 + 0.5, alone)
-
-
-def _label(name: str, claims: Sequence[str], names: Mapping[str, str]) -> str:
-    """A claim's name, or those of all rows of a display in short."""
-    if len(claims) == 1:
-        return names.get(claims[0], claims[0])
-    if claims[0] in names:
-        return re.sub(r"\.\d+\)$", ")", names[claims[0]])
-    numbers = [int(claim.rsplit(".", 1)[1]) for claim in claims]
-    if numbers == list(range(numbers[0], numbers[-1] + 1)):
-        return f"{name}.{numbers[0]}–{numbers[-1]}"
-    return f"{name}.{','.join(map(str, numbers))}"
