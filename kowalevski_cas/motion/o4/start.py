@@ -70,7 +70,7 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
     if not off <= TOLERANCE:
         raise Inadmissible(
             f"the closed form with the constants of the state is {off:.3g} of its size away "
-            "from it: the state is not on O⁴, or two roots are so close that it does not tell the motion"
+            "from it: the state is not on O⁴, or two roots are too close for it to tell the motion"
         )
     return replace(motion, off=off)
 
