@@ -35,6 +35,9 @@ _ROLES: Final = {
 }
 
 
+_CLAIMED: Final = ("It is claimed that",)
+
+
 class Passages:
     """What is said about the parts of a paper, for those who read it from the beginning.
 
@@ -100,7 +103,7 @@ class Passages:
                     bool(own and own.verdict is Verdict.REFUTED),
                 )
             )
-        head = self.phrases.sentence(*words) if len(words) == 1 else ()
+        head = self.phrases.sentence(*words) if len(words) == 1 else _CLAIMED * bool(words)
         if len(where) == 1:
             head = (*head, *_valid(*where))
         return self._claim(None, "", head, stated.number, shown, outcomes)
