@@ -66,6 +66,10 @@ READ: dict[Path, int] = {}
 """The files that derivations have read besides their modules, and when these had been saved."""
 
 
+MADE: list[Section] = []
+"""The sections of the systems that the derivation made which was loaded last, named or not."""
+
+
 def source(folder: Path) -> Path:
     """The file that is executed for the derivation of which this folder keeps what there is."""
     return folder.with_suffix(".py") if folder.suffix == EVIDENCE else folder / "__init__.py"
@@ -107,6 +111,7 @@ def load(name: str) -> Derivation:
     assert spec is not None and spec.loader is not None
     module = module_from_spec(spec)
     sys.modules[module_name] = module
+    MADE.clear()
     try:
         with _without_bytecode(not file.is_relative_to(library())):
             spec.loader.exec_module(module)
@@ -140,12 +145,12 @@ def owner(scene: Scene) -> tuple[Path, str] | None:
 
 
 def _derivation(module: ModuleType, file: Path, name: str) -> Derivation:
-    """What a module calls its derivation, or the sections that its values have."""
+    """What a module calls its derivation, or the sections that it made and its values have."""
     found = getattr(module, "derivation", None)
     if isinstance(found, Derivation):
         return found
     sections = (getattr(value, "section", None) for value in vars(module).values())
-    own = tuple(dict.fromkeys(one for one in sections if isinstance(one, Section)))
+    own = tuple(dict.fromkeys([*MADE, *(one for one in sections if isinstance(one, Section))]))
     if not own:
         raise LibraryError(
             f"{file} states nothing: make a System(...), or define `derivation = Derivation(...)`"

@@ -4,10 +4,14 @@ import os
 import re
 import subprocess
 import sys
+from contextlib import suppress
 from pathlib import Path
 from signal import SIGINT
 
 import pytest
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from kowalevski_cas import System
 from kowalevski_cas.cli import main
@@ -98,6 +102,22 @@ def test_a_quotient_is_no_cofactor(lorenz):
     outcome = lorenz.darboux("x", r"\frac{\sigma(y-x)}{x}").outcome
     assert outcome.verdict is Verdict.ERROR
     assert "is no polynomial in the variables" in outcome.message
+
+
+@pytest.mark.parametrize(
+    ("field", "F", "message"),
+    [
+        (
+            r"\dot x=y, \dot y=-e^x",
+            "e^x",
+            "degrees, volumes and numbers of solutions are not known",
+        ),
+        (r"\dot x=y, \dot y=x", "x=y", "a function is expected"),
+    ],
+)
+def test_what_is_no_polynomial_is_no_darboux_polynomial(field, F, message):
+    outcome = System(field).darboux(F, "y").outcome
+    assert outcome.verdict is Verdict.ERROR and message in outcome.message
 
 
 def test_what_a_statement_needs_is_named():
@@ -194,6 +214,33 @@ def test_equations_as_textbooks_print_them(field, moves, integral):
     system = System(field)
     assert repr(system) == moves
     assert system.integral(integral).verdict in (Verdict.PROVED, Verdict.CONDITIONAL)
+
+
+def test_a_name_with_a_square_is_no_printed_root():
+    """It may be either root, and the printed one is not negative."""
+    plane = System(r"\dot x=ru, \dot u=cx").where("r^2=x^2+c^2")
+    for equation in (r"\sqrt{x^2+c^2}=r", r"r\sqrt{x^2+c^2}=r^2", r"\sqrt{c^2+x^2}-r=0"):
+        outcome = plane.identity(equation).outcome
+        assert outcome.verdict is Verdict.ERROR
+        assert "r may be" in outcome.message and "or its opposite: print r" in outcome.message
+    assert plane.identity("r^2-c^2=x^2").verdict is Verdict.PROVED
+
+
+numbers = st.integers(1, 60)
+
+
+@settings(max_examples=10)
+@given(numbers, numbers, st.integers(-4, 4), numbers, st.booleans())
+def test_roots_of_numbers_depend_on_each_other_as_they_do(m, n, a, b, true):
+    product = sympy.sqrt(m) * sympy.sqrt(n)
+    if true:  # as the program of a school would write it
+        a, root = product.as_coeff_Mul()
+        b = root**2
+    system = System(r"\dot x=1")
+    F = system.define(rf"F=\sqrt{{{m}}}\sqrt{{\frac{{{n}}}{{4}}}}-\frac{{{a}}}{{2}}\sqrt{{{b}}}")
+    equal = product == a * sympy.sqrt(b)
+    wanted = Verdict.PROVED if equal else Verdict.REFUTED
+    assert system.identity(f"{F.name}=0").verdict is wanted
 
 
 R, P = r"\mathbf{r}", r"\mathbf{p}"
@@ -377,6 +424,42 @@ def test_expressions_of_sympy_are_as_good_as_latex():
         lorenz.integral(x**y)
 
 
+NAMES = ("x", "x1", "x_1", "alpha", r"\alpha", "y", "foo", "2", "x y", "x+y", "}", "", "d", "bar x")
+ASSUMED = ({}, {"real": True}, {"positive": True}, {"integer": True}, {"commutative": False})
+
+
+@given(
+    *[st.tuples(st.sampled_from(NAMES), st.sampled_from(ASSUMED), st.booleans()) for _ in "ab"],
+    st.sampled_from((sympy.Add, sympy.Mul)),
+)
+def test_symbols_that_differ_are_never_the_same(one, other, joined):
+    """They are refused, or nothing false is proved of them."""
+    a, b = (
+        (sympy.Dummy if dummy else sympy.Symbol)(name, **assumed)
+        for name, assumed, dummy in (one, other)
+    )
+    for left, right in ((a, b), (a * b, b * a), (joined(a, 1), joined(b, 1))):
+        if left != right:
+            with suppress(ValueError):
+                system = System({a: b, b: a} if a != b else {a: a})
+                equation = sympy.Eq(left, right, evaluate=False)
+                assert not system.identity(equation).verdict.green
+
+
+@pytest.mark.parametrize(
+    "field", [{"x": r"y, \dot z=1", "y": "-x"}, {"x": "1", r"y}=1, \dot{z": "2"}, {"x": "y=1"}]
+)
+def test_a_variable_has_one_right_side(field):
+    with suppress(ValueError):
+        assert System(field).identity(r"\dot x=\dot x").verdict is Verdict.ERROR
+
+
+@pytest.mark.parametrize("relation", [sympy.Ne(*sympy.symbols("x y")), sympy.true])
+def test_what_is_no_equation_of_sympy_is_refused(relation):
+    with pytest.raises(TypeError, match=r"is no equation: write Eq\(…, evaluate=False\)"):
+        System({sympy.Symbol("x"): 1}).identity(relation)
+
+
 def test_a_notebook_shows_what_is_said(lorenz):
     F = lorenz.define(r"F=x^2-2\sigma z")
     assert F._repr_latex_() == r"$F = x^2 - 2\sigma z$"
@@ -429,6 +512,20 @@ second.integral("x^2+y^2", expect="refuted")
     assert code == 0 and "circle-integral-x-2-y-2" in out and "saddle. x, y move" in out
 
 
+def test_a_claim_is_decided_whatever_its_system_is_called(cli):
+    """What is false does not vanish with the name of its system."""
+    file = """
+from kowalevski_cas import System
+for name, sign in (("first", "-"), ("second", "+")):
+    system = System(r"\\dot x=y, \\dot y=-x", name)
+    system.integral(f"x^2{sign}y^2")
+system = System(r"\\dot x=y, \\dot y=-x", "third")
+del system
+"""
+    code, out = cli("verify", file)
+    assert code == 1 and "first-integral-x-2-y-2: expected that it is true, found refuted" in out
+
+
 def test_a_derivation_and_a_system_have_one_vocabulary(lorenz):
     lorenz.invariant("x=0", "y=0")
     run = verify(Derivation("lorenz", "", "", "", (lorenz.section,)), ["flint"])
@@ -452,7 +549,9 @@ circle.integral(E)
     assert code == 2 and "lorenz.py:4: " in out and "no displays with the label eq:15" in out
 
 
-@pytest.mark.parametrize("term", [r"\frac{x-x}{y}", r"\frac{1-1}{y}", r"\frac{y^2}{y}-y"])
+@pytest.mark.parametrize(
+    "term", [r"\frac{x-x}{y}", r"\frac{1-1}{y}", r"\frac{y^2}{y}-y", r"(\frac{1}{y})^0-1"]
+)
 def test_what_a_vanishing_term_divides_by_is_a_condition(term):
     free = System(r"\dot x=y, \dot y=0")
     for claim in (free.integral(f"y+{term}"), free.identity(f"y+{term}=y")):
@@ -475,6 +574,16 @@ def test_darboux_polynomials_are_found_and_claimed(lorenz):
     assert {one.verdict for one in lorenz.where("b=1").find_darboux(degree=1)} <= {Verdict.PROVED}
     found = lorenz.where(r"b=2\sigma").find_darboux(degree=2)
     assert [repr(one.formulas[0]) for one in found] and found[0].verdict is Verdict.PROVED
+
+
+def test_each_answer_has_its_time(capsys):
+    chain = System(r"\dot x=yz+x^2,\ \dot y=zx-y^2,\ \dot z=xy,\ \dot u=x-u^3,\ \dot v=u")
+    chain.seconds = 1
+    found = chain.find_integrals(degree=12)
+    assert "it took more than 1 s" in capsys.readouterr().err
+    assert [one.claim for one in found] == chain.section.claims
+    chain.seconds = 1e-3
+    assert chain.integral("x").verdict is Verdict.TIMEOUT
 
 
 def test_that_there_is_no_darboux_polynomial_with_a_cofactor(lorenz):

@@ -5,7 +5,6 @@ from kowalevski_cas.paper.derivation import Scene
 
 from ..kharlamov2002.section1 import ALPHA, BETA, OMEGA
 from ..kharlamov2002.section2 import F1, F2, F_prime, c, eq13, eq16, unit, xi
-from .elliptic import CN, DN, SN, jacobi, jacobi_rates
 from .phase_point import fields, velocity
 from .setting import complex_variables, initial
 from .third_integral import VECTORS, G
@@ -23,13 +22,6 @@ point = Scene(
     "the radicals, and parts of the formulas, as variables",
     variables=(*by, "s_1", "s_2", "a", "b", "m", r"\ell"),
 )
-
-functions = Scene(
-    "Jacobi's functions",
-    "sn, cn, dn as variables",
-    variables=(SN, CN, DN),
-    constants=("n", "k"),
-).moving(jacobi[3], jacobi_rates)
 
 with_G = initial.having(vectors=VECTORS).defining(G)
 
@@ -66,9 +58,6 @@ def offer() -> ClosedForm:
             tuple(Member(printed, 1) for printed in (*velocity, *fields)),
             by,
             supplied,
-        ),
-        jacobi_rates=Values(
-            functions, tuple(rf"\dot{{{name}}}" for name in (SN, CN, DN)), (SN, CN, DN, "n", "k")
         ),
         complex_variables=Values(initial, known, (*STATE, "i")),
         across=Values(beside, invariants, (*known, ROOT)),

@@ -80,7 +80,7 @@ section.states(
     Identity, parameters[3], on=any_regime, says=r"$\kappa$ by the roots", ids=("kappa",)
 )
 
-jacobi_rates = section.states(
+section.states(
     Identity,
     section.lemma(
         "jacobi-rates",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from math import isqrt
+from math import isqrt, prod
 
 from kowalevski_cas.algebra.polynomials import Polynomial, Polynomials, Terms
 from kowalevski_cas.algebra.present import formula_of
@@ -57,6 +57,25 @@ def rational(element: Element) -> Fraction | None:
     return value
 
 
+def is_negative(number: Element) -> bool:
+    """Whether a real number is negative; the roots that it is made of are the positive ones."""
+    squares = [rational(radicand) or Fraction(0) for radicand in number.ring.radicands]
+    parts = [
+        (value, int(prod(s for bit, s in enumerate(squares) if mask >> bit & 1)))
+        for mask, terms in number.terms().items()
+        for value in terms.values()
+    ]
+    digits = 32
+    while parts:
+        unit = Fraction(1, 10**digits)
+        roots = [isqrt(square * 100**digits) * unit for _, square in parts]
+        found = [(v * root, v * (root + unit)) for (v, _), root in zip(parts, roots, strict=True)]
+        if sum(map(min, found)) > 0 or sum(map(max, found)) < 0:
+            return sum(map(max, found)) < 0
+        digits *= 2
+    return False
+
+
 class Substitution:
     """The homomorphism from ``ring`` to a ring of numbers that an exact point defines.
 
@@ -98,7 +117,9 @@ class Substitution:
         found = numbers.number(Fraction(1, value.denominator))
         if whole < 0:
             found = found * numbers.generator("i")
-        for prime, exponent in _factors(abs(whole)):  # roots of primes do not depend on each other
+        for prime, exponent in prime_factors(
+            abs(whole)
+        ):  # roots of primes do not depend on each other
             found = found * numbers.number(prime ** (exponent // 2))
             if exponent % 2:
                 found = found * self._adjoined(numbers.number(prime))
@@ -149,7 +170,7 @@ class Substitution:
         return self._monomials[exponents]
 
 
-def _factors(number: int) -> Iterator[tuple[int, int]]:
+def prime_factors(number: int) -> Iterator[tuple[int, int]]:
     """The prime factors of a positive number; beyond what is tried, what is left counts as one."""
     for prime in range(2, TRIED):
         exponent = 0

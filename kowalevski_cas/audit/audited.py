@@ -14,10 +14,6 @@ MISSING = "missing"
 UNREADABLE = "unreadable"
 NEW = "new"
 
-WORST = (
-    Verdict.ERROR, Verdict.REFUTED, Verdict.TIMEOUT, Verdict.UNDECIDED, Verdict.PROBABLE,
-    Verdict.ENCLOSED, Verdict.CONDITIONAL, Verdict.PROVED,
-)  # fmt: skip
 WRONG = frozenset({str(Verdict.REFUTED), str(Verdict.ERROR), SUSPECT, MISSING, UNREADABLE})
 """Verdicts of formulas that an author has to look at."""
 

@@ -10,7 +10,6 @@ from kowalevski_cas.audit.audited import (
     NEW,
     SUSPECT,
     UNREADABLE,
-    WORST,
     WRONG,
     Audited,
 )
@@ -22,6 +21,7 @@ from kowalevski_cas.audit.session import AuthorSession
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.notation import Formula, NotationError, split_display, to_latex
 from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.verify.outcome import WORST
 
 
 class Describer:

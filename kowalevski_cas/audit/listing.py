@@ -12,8 +12,8 @@ from kowalevski_cas.audit.source import Source
 from kowalevski_cas.audit.tokens import scanned
 from kowalevski_cas.notation import NotationError, Vocabulary, read_display
 from kowalevski_cas.notation.cursor import BOLD
-from kowalevski_cas.notation.lexer import Token
 from kowalevski_cas.notation.macros import FUNCTIONS, GREEK
+from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
 _LISTED = frozenset({"letter", "number", "comma", "accent", "_", "{", "}"})

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 from kowalevski_cas.audit.definitions import Definitions, Macro, definitions, group_at, skip
 from kowalevski_cas.audit.source import Source, SourceError
+from kowalevski_cas.audit.tokens import set_apart
 
 DEEPEST = 30
 """Macros within macros."""
@@ -21,7 +22,6 @@ LONGEST = 8_000_000
 
 _MACRO = re.compile(r"\\(?:[A-Za-z@]+|.)", re.DOTALL)
 _TOKEN = re.compile(r"\\(?:[A-Za-z]+|.)|.", re.DOTALL)
-_COMMAND = re.compile(r"\\[A-Za-z]+$")
 _SLOT = re.compile(r"#([1-9])")
 
 
@@ -99,7 +99,7 @@ class _Writer:
                 at = match.end()
                 continue
             before = self.out[-1] if self.out else ""
-            self.add(_apart(before, body, self.text, at), match.start(), at, False)
+            self.add(set_apart(before, body, self.text[at : at + 1]), match.start(), at, False)
         self.add(self.text[at:], at, len(self.text), True)
 
     def until(self, offset: int) -> None:
@@ -152,16 +152,10 @@ class _Writer:
                 continue
             pieces.append(body[at : match.start()])
             inner, at = self.call(body, macro, match.end(), depth + 1)
-            pieces.append(_apart("".join(pieces[-2:]), inner, body, at))
+            pieces.append(set_apart("".join(pieces[-2:]), inner, body[at : at + 1]))
         pieces.append(body[at:])
         result = "".join(pieces)
         self.produced += len(result)
         if self.produced > LONGEST:
             raise SourceError(f"{self.source.path}: its macros write out too much text")
         return result
-
-
-def _apart(before: str, body: str, text: str, at: int) -> str:
-    """The body, kept apart from a command before it, and from a letter that follows it."""
-    left = " " if body[:1].isalpha() and _COMMAND.search(before) else ""
-    return left + body + (" " if text[at : at + 1].isalpha() and _COMMAND.search(body) else "")

@@ -12,7 +12,8 @@ from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.notation import Formula, NotationError, Statement, Vocabulary, read_display
-from kowalevski_cas.notation.lexer import Token, scan
+from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.paper.texts import Printed
 
 PATIENCE = 100

@@ -9,7 +9,8 @@ from difflib import SequenceMatcher
 from functools import lru_cache
 
 from kowalevski_cas.notation import NotationError
-from kowalevski_cas.notation.lexer import Token, scan
+from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.tokens import Token
 
 BREAKS = frozenset({"row", "cell", "gap", "comma", "stop"})
 """What may stand at either end of a formula and says nothing about it."""
@@ -85,11 +86,11 @@ def changes(old: str, new: str) -> Iterator[tuple[int, int, str]]:
             yield before[i].start, before[j - 1].end, typed
         else:
             place = before[i - 1].end if i else before[0].start if before else 0
-            yield place, place, _set_apart(typed, old, place)
+            yield place, place, set_apart(old[:place], typed, old[place : place + 1])
 
 
-def _set_apart(typed: str, old: str, place: int) -> str:
+def set_apart(before: str, typed: str, after: str) -> str:
     """What is typed, with spaces where it would run into what stands around it."""
-    before = " " if _COMMAND.search(old[:place]) and typed[:1].isalpha() else ""
-    after = " " if _COMMAND.search(typed) and old[place : place + 1].isalpha() else ""
-    return before + typed + after
+    left = " " if _COMMAND.search(before) and typed[:1].isalpha() else ""
+    right = " " if _COMMAND.search(typed) and after[:1].isalpha() else ""
+    return left + typed + right

@@ -11,6 +11,7 @@ import argparse
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
 from kowalevski_cas.cli.motion import add_motion
 from kowalevski_cas.cli.pictures import chosen
@@ -20,14 +21,7 @@ from kowalevski_cas.files import write
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
     add_motion(parser)
-    parser.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        default=Path("reports/motion/body.gif"),
-        metavar="FILE",
-        help="where to write (reports/motion/body.gif)",
-    )
+    session.add_output(parser, "where to write", "reports/motion/body.gif", "FILE")
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -33,10 +33,9 @@ SUMS: Final = "SHA256SUMS"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
     session.add_derivations(parser)
-    parser.add_argument(
-        "-o", "--output", type=Path, metavar="DIR", required=True,
-        help="write there, each derivation into an empty folder of its name",
-    )  # fmt: skip
+    session.add_output(
+        parser, "write there, each derivation into an empty folder of its name", required=True
+    )
     session.add_timeout(parser, 60)
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from pathlib import Path
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
@@ -19,9 +18,7 @@ from kowalevski_cas.verify.certificate import FOLDER
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
     session.add_derivations(parser)
-    parser.add_argument(
-        "-o", "--output", type=Path, metavar="DIR", help="write there instead of the derivation"
-    )
+    session.add_output(parser, "write there instead of the derivation")
     session.add_timeout(parser, 600)
 
 

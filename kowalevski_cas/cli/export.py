@@ -24,9 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     words = "; ".join(f"{name}: {words}" for name, words in FORMATS.items())
     parser.add_argument("format", choices=FORMATS, metavar="FORMAT", help=words)
     session.add_derivations(parser)
-    parser.add_argument(
-        "-o", "--output", type=Path, metavar="DIR", required=True, help="write there"
-    )
+    session.add_output(parser, "write there", required=True)
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -17,7 +17,6 @@ import argparse
 import re
 import sys
 from collections.abc import Collection
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.cli import session
@@ -60,13 +59,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     session.add_timeout(parser, 60, "for the method")
     parser.add_argument("--format", choices=FORMATS, default="json")
-    parser.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        metavar="DIR",
-        help="write DIR/motion.FORMAT instead of printing",
-    )
+    session.add_output(parser, "write DIR/motion.FORMAT instead of printing")
 
 
 def add_motion(parser: argparse.ArgumentParser) -> None:

@@ -36,14 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "pictures", nargs="*", metavar="PICTURE", help=f"all of them if none is named; {words}"
     )
     add_motion(parser)
-    parser.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        default=Path("reports/motion"),
-        metavar="DIR",
-        help="where to write (reports/motion)",
-    )
+    session.add_output(parser, "where to write", "reports/motion")
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -23,13 +23,7 @@ if TYPE_CHECKING:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
     session.add_derivations(parser)
-    parser.add_argument(
-        "--output",
-        type=Path,
-        default=Path("reports"),
-        metavar="DIR",
-        help="where to write (reports)",
-    )
+    session.add_output(parser, "where to write", "reports")
     session.add_timeout(parser, 60)
 
 

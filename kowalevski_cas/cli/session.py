@@ -141,6 +141,25 @@ def add_timeout(
     )
 
 
+def add_output(
+    parser: argparse.ArgumentParser,
+    says: str,
+    default: str = "",
+    of: str = "DIR",
+    required: bool = False,
+) -> None:
+    """The argument by which a command is told where to write."""
+    parser.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        metavar=of,
+        default=Path(default) if default else None,
+        help=f"{says} ({default})" if default else says,
+        required=required,
+    )
+
+
 HOW = {"jobs", "scheduler", "timeout", "format", "write"}
 """Arguments that do not say what is asked, but how."""
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from pathlib import Path
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, REJECTED, CommandError
@@ -23,14 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     words = "; ".join(f"{name}: {words}" for name, words in FORMATS.items())
     parser.add_argument("program", choices=FORMATS, metavar="PROGRAM", help=words)
     session.add_derivations(parser)
-    parser.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        metavar="DIR",
-        default=Path("reports/witnesses"),
-        help="write there (reports/witnesses)",
-    )
+    session.add_output(parser, "write there", "reports/witnesses")
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -69,11 +69,6 @@ def phase_point() -> Function:
     return compiled(_offered(ClosedForm).phase_point)
 
 
-def jacobi_rates() -> Function:
-    """The rates of sn, cn, dn of n·t, by sn, cn, dn, n and the modulus k."""
-    return compiled(_offered(ClosedForm).jacobi_rates)
-
-
 def complex_variables() -> Function:
     """The complex variables and ω3, by the state and i."""
     return compiled(_offered(ClosedForm).complex_variables)

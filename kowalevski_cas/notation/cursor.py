@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from kowalevski_cas.notation.errors import NotationError, undeclared
 from kowalevski_cas.notation.formula import Formula, Name
-from kowalevski_cas.notation.lexer import DEEPEST, Token
 from kowalevski_cas.notation.macros import GREEK
+from kowalevski_cas.notation.tokens import DEEPEST, Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
 # A node, the interval that printed it, and the pieces of its children.

@@ -11,8 +11,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.lexer import BRACE, Token, scan
+from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.ranges import each_value, without_ranges
+from kowalevski_cas.notation.tokens import BRACE, Token
 
 # Breaks, the stronger the larger: of several in a row the strongest counts.
 _BREAKS = {"gap": 1, "cell": 2, "row": 3, "block": 4, "comma": 5}

@@ -22,23 +22,11 @@ from kowalevski_cas.notation.macros import (
     TYPED,
     WORDS,
 )
+from kowalevski_cas.notation.tokens import DEEPEST, TOKEN, Token, after_group
 
 LONGEST = 100_000
-DEEPEST = 100
 
-_TOKEN = re.compile(
-    r"""(?P<blank>[\s~]+|%[^\n]*|\\[,;:!\ ])
-      | (?P<letter>[A-Za-z])
-      | (?P<number>[0-9]+(?:\.[0-9]+)?)
-      | (?P<row>\\\\\s*\*?(?:\s*\[\s*[-+]?[\d.]+\s*[a-z]{2}\s*\])?)
-      | (?P<macro>\\(?:(?:operatorname|hspace|vspace|tag)\*|[A-Za-z]+|.|$))
-      | (?P<dots>\.\.\.)
-      | (?P<mark>.)""",
-    re.VERBOSE | re.DOTALL,
-)
 _NOISE = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
-BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
-_SPACE = re.compile(r"(?:\s|%[^\n]*(?:\n|$))*")
 _WORD = re.compile(r"[A-Za-z]+")
 _LENGTH = re.compile(
     r"\s*=?\s*[-+]?[\d.]+\s*[a-z]{2}(?:\s*(?:plus|minus)\s*[-+]?[\d.]+\s*[a-z]{2,5})*"
@@ -50,18 +38,6 @@ SHIFTS = ("$", r"\(", r"\)", r"\[", r"\]", ".", ",", ";")
 _NULL = re.compile(r"\s*\.")
 _BAR = re.compile(r"\s*(?:\||\\\||\\[vV]ert(?![A-Za-z]))")
 _OPENS = re.compile(r"\\left|\\[bB]igg?l")
-
-
-class Token:
-    """A thing that prints, or a break, with its interval in the source."""
-
-    __slots__ = ("end", "kind", "start", "text")
-
-    def __init__(self, kind: str, text: str, start: int, end: int) -> None:
-        self.kind = kind
-        self.text = text
-        self.start = start
-        self.end = end
 
 
 def scan(tex: str) -> list[Token]:
@@ -94,7 +70,7 @@ class _Scanner:
         self.environments: list[tuple[str, bool, bool]] = []
 
     def run(self) -> list[Token]:
-        tex, size, match_at = self.tex, len(self.tex), _TOKEN.match
+        tex, size, match_at = self.tex, len(self.tex), TOKEN.match
         add = self.tokens.append
         while self.at < size:
             match = match_at(tex, self.at)
@@ -250,7 +226,7 @@ class _Scanner:
         self.add("{", "{", start)
 
     def do_skip(self, start: int) -> None:
-        self.at = self.after_group(self.at)
+        self.at = after_group(self.tex, self.at)
 
     def do_glue(self, start: int) -> None:
         """A length in words, as in hskip 3mm."""
@@ -270,7 +246,7 @@ class _Scanner:
 
     def do_text(self, start: int) -> None:
         """Words among formulas: an index, the word const, a comma, or nothing but a gap."""
-        inside, self.at = self.at, self.after_group(self.at)
+        inside, self.at = self.at, after_group(self.tex, self.at)
         text = _GAP.sub(" ", self.tex[inside : self.at]).strip("{} ")
         words = text.strip(" .,;")
         if words in WORDS:
@@ -291,7 +267,7 @@ class _Scanner:
         name = self.environment(start)
         groups = LAYOUTS.get(name, 0)
         for _ in range(groups):
-            self.at = self.after_group(self.at)
+            self.at = after_group(self.tex, self.at)
         braced = bool(self.tokens) and self.tokens[-1].text == r"\{" and name in LAYOUTS
         if braced:
             self.tokens.pop()
@@ -319,18 +295,3 @@ class _Scanner:
         if match[1] not in LAYOUTS and match[1] not in MATRICES:
             raise NotationError(f"the environment {match[1]} cannot be read", self.tex, start)
         return match[1]
-
-    def after_group(self, at: int) -> int:
-        """The position behind the group, or the single token, that begins here."""
-        space = _SPACE.match(self.tex, at)
-        assert space is not None
-        at = space.end()
-        if self.tex[at : at + 1] != "{":
-            token = _TOKEN.match(self.tex, at)
-            return token.end() if token else at
-        depth = 0
-        for brace in BRACE.finditer(self.tex, at):
-            depth += {"{": 1, "}": -1}.get(brace[0], 0)
-            if depth == 0:
-                return brace.end()
-        raise NotationError("this brace is never closed", self.tex, at)

@@ -9,9 +9,10 @@ from dataclasses import replace
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
-from kowalevski_cas.notation.lexer import Token, scan
+from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.reader import read
+from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
 _SHOWN = {"plusminus": "letter"}

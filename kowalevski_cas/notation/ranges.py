@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 from itertools import product
 
 from kowalevski_cas.notation.errors import NotationError
-from kowalevski_cas.notation.lexer import Token
+from kowalevski_cas.notation.tokens import Token
 
 Ranges = Mapping[str, range | tuple[int, ...]]
 

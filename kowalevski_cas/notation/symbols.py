@@ -18,8 +18,8 @@ from kowalevski_cas.notation.formula import (
     Power,
     Product,
 )
-from kowalevski_cas.notation.lexer import DEEPEST, Token
 from kowalevski_cas.notation.macros import GREEK, INSTEAD
+from kowalevski_cas.notation.tokens import DEEPEST, Token
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import VECTOR
 

@@ -38,10 +38,20 @@ def from_sympy(expression: Any, name: Callable[[Any], str]) -> Formula:
         return Name(name(expression))
     if isinstance(expression, sympy.Equality):
         return Relation((of(expression.lhs), of(expression.rhs)), ("=",))
+    if not isinstance(expression, sympy.Expr):
+        raise TypeError(f"{expression} is no equation: write Eq(…, evaluate=False), or LaTeX")
+    return _operation(expression, of)
+
+
+def _operation(expression: Any, of: Callable[[Any], Formula]) -> Formula:
+    """A sum, product, quotient, power or number, with what it divides by also where it cancels."""
+    import sympy
+
     if expression.is_Add:
         return Sum(tuple(of(term) for term in expression.as_ordered_terms()))
-    if expression.could_extract_minus_sign():
-        return Negative(of(-expression))
+    opposite = -expression  # SymPy may cancel here
+    if expression.could_extract_minus_sign() and -opposite == expression:
+        return Negative(of(opposite))
     above, below = sympy.fraction(expression)
     if below != 1:
         return Quotient(of(above), of(below))

@@ -47,7 +47,6 @@ class ClosedForm:
             :math:`s_1s_2-a^2`, :math:`s_1s_2-b^2`, :math:`\ell-2ms_1`, :math:`\ell-2ms_2`,
             :math:`rS_2`, and r; homogeneous of degree zero in those that involve :math:`s_1`
             (with :math:`S_1, f_1, rS_2` and d): a common factor changes nothing.
-        jacobi_rates: the rates of sn, cn, dn of n·t, by sn, cn, dn, n and the modulus k.
         complex_variables: the eight complex variables and :math:`\omega_3`, by the state and i.
         across: :math:`F_1, F_2, U_1, U_2`, by those and :math:`\sqrt{x_1x_2}`.
         across_rates: the rates of :math:`F_1, F_2` in the time :math:`\tau=it`, linear in them,
@@ -58,7 +57,6 @@ class ClosedForm:
     integrals: Values
     constants: Values
     phase_point: Values
-    jacobi_rates: Values
     complex_variables: Values
     across: Values
     across_rates: Values

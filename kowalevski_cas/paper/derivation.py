@@ -9,8 +9,9 @@ from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 from kowalevski_cas.paper.claims import Claim, Identity
-from kowalevski_cas.paper.scene import Change, Locus, Scene, vocabulary
+from kowalevski_cas.paper.scene import Change, Locus, Scene
 from kowalevski_cas.paper.texts import Display, Printed, Texts, statements
+from kowalevski_cas.paper.vocabulary import vocabulary
 
 Says = str | Sequence[str]
 Shown = TypeVar("Shown", Display, Printed)

@@ -21,30 +21,27 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
-    Quotient,
     Relation,
     Root,
     Vector,
 )
 from kowalevski_cas.paper.components import component
-from kowalevski_cas.paper.inverse import inverse
 from kowalevski_cas.paper.motion import Moving
+from kowalevski_cas.paper.names import head, is_bold
 from kowalevski_cas.paper.plain import Plain
-from kowalevski_cas.paper.roots import solved
+from kowalevski_cas.paper.roots import root_of_number, solved
 from kowalevski_cas.paper.scene import Change as ChangeOfScene
-from kowalevski_cas.paper.scene import Scene, head, is_bold
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.paper.validation import check_time, validate
+from kowalevski_cas.paper.validation import validate
 from kowalevski_cas.paper.written_out import WrittenOut
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.prune import mentions
 from kowalevski_cas.problem.space import (
     Adjoined,
-    Change,
     Equation,
     Let,
     Meaningless,
-    Motion,
     Raised,
     Setting,
     Step,
@@ -75,16 +72,22 @@ class Elaboration(Moving):
         self._steps: dict[str, Step | None] = {}
         self._open: list[str] = []
         self.places: dict[str, tuple[Printed, ...]] = {}
-        self._inverses: dict[object, dict[str, Formula]] = {}
+        self.inverses: dict[object, dict[str, Formula]] = {}
         self.roots = tuple(self._root_names())
 
     def _root_names(self) -> Iterator[str]:
         if self.scene.unit is not None or self.source is not None:
             yield "i"
         yield from self.transcendental.roots
+        primes, names = dict[str, None](), list[str]()
         for name, printed in self.scene.roots.items():
-            if printed is None or not name.startswith(r"\sqrt"):
-                yield name
+            if not name.startswith(r"\sqrt"):
+                names.append(name)
+            elif printed is None:
+                number = root_of_number(self.texts.expression(name).children()[0])
+                primes |= dict.fromkeys(rf"\sqrt{{{p}}}" for p in number[1]) if number else {}
+                names += [] if number else [name]
+        yield from (*primes, *names)
 
     @cached_property
     def loci(self) -> tuple[tuple[tuple[Equation, ...], Formula], ...]:
@@ -193,14 +196,6 @@ class Elaboration(Moving):
         assert isinstance(step, Raised)
         return step
 
-    def components(self, row: Motion) -> Iterator[tuple[str, Formula, Formula]]:
-        """An equation of motion by components: name, factor of its rate, right side."""
-        if len(row.names) == 1:
-            yield row.names[0], row.factor, row.force
-            return
-        for index, name in enumerate(row.names):
-            yield name, component(row.factor, index, self), component(row.force, index, self)
-
     def _let(self, name: str, formula: Formula, *places: Printed) -> Let:
         self.places[name] = places
         let = Let(name, self.plain(formula))
@@ -226,7 +221,7 @@ class Elaboration(Moving):
         if name in self.transcendental.roots:
             self.places[name] = ()
             return self.transcendental.roots[name]
-        printed = self.scene.roots[name]
+        printed = self.scene.roots.get(name)
         if printed is not None:
             return solved(self, name, printed)
         root = self.texts.expression(name)
@@ -234,17 +229,6 @@ class Elaboration(Moving):
             raise Meaningless(f"{name} is not printed as a square root", name)
         self.places[name] = ()
         return Adjoined(name, self.plain(root.argument))
-
-    @cached_property
-    def inverse(self) -> dict[str, Formula]:
-        """The old variables of a change through the new ones; solved for once a change."""
-        assert self.source is not None
-        known = self.source._inverses
-        if self.scene.field not in known:
-            change = self.change
-            assert change is not None
-            known[self.scene.field] = inverse(self.source, change.formulas)
-        return known[self.scene.field]
 
     def _zero_names(self) -> Iterator[str]:
         for printed in self.scene.zero:
@@ -280,41 +264,6 @@ class Elaboration(Moving):
         for root in takewhile(lambda root: root not in names, self.roots):
             at.scalar(Name(root))
         return at
-
-    # -- motion ------------------------------------------------------------------
-
-    @cached_property
-    def change(self) -> Change | None:
-        """The change of variables that gives the field."""
-        change = self.scene.field
-        if not isinstance(change, ChangeOfScene):
-            return None
-        assert self.source is not None
-        new: dict[str, Formula] = {}
-        for printed in change.formulas:
-            left, right = self.texts.sides(printed)
-            if not isinstance(left, Name):
-                raise Meaningless(f"the formula at {printed.place} gives no variable")
-            new[left.name] = self.source.plain(right)
-        own = (*self.scene.variables, *self.scene.definitions)
-        formulas = [
-            *((n, f) for n, f in new.items() if n in own),
-            *((n, Name(n)) for n in own if n in self.source.variables and n not in new),
-        ]
-        check_time(self.source, change.time)
-        time = Quotient(Number(1), self.source.plain(self.texts.time_scale(change.time)))
-        return Change(self.source, tuple(formulas), time)
-
-    def motion_places(self) -> Iterator[Printed]:
-        """The places on which every derivative rests."""
-        field = self.scene.field
-        if isinstance(field, ChangeOfScene):
-            assert self.source is not None
-            yield from (*field.formulas, field.time)
-            yield from self.source.motion_places()
-        else:
-            yield from field
-        yield from self.scene.zero
 
     # -- formulas ----------------------------------------------------------------
 

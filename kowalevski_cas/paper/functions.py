@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from kowalevski_cas.notation import Application, Formula, Name, substitute
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.scene import head
+from kowalevski_cas.paper.names import head
 from kowalevski_cas.problem.space import Meaningless
 
 

@@ -30,12 +30,15 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.notation.errors import dotted
+from kowalevski_cas.paper.components import component
+from kowalevski_cas.paper.inverse import inverse
 from kowalevski_cas.paper.matrices import by_rows
 from kowalevski_cas.paper.meaning import Meaning
-from kowalevski_cas.paper.scene import Change
+from kowalevski_cas.paper.scene import Change as ChangeOfScene
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.transcendental import Transcendental
-from kowalevski_cas.problem.space import Equation, Meaningless, Motion
+from kowalevski_cas.paper.validation import check_time
+from kowalevski_cas.problem.space import Change, Equation, Meaningless, Motion
 
 
 def velocities(
@@ -187,14 +190,21 @@ def _partial(element: Element, name: str) -> Element:
 
 
 class Moving(Meaning):
-    """What the printed equations of motion of a scene say."""
+    """What the printed equations of motion of a scene say.
+
+    With a change of variables the motion is that of the ``source``; ``inverses`` has what was
+    solved for changes from here.
+    """
+
+    source: Moving | None
+    inverses: dict[object, dict[str, Formula]]
 
     @cached_property
     def printed_field(self) -> list[Formula]:
         """The equations of motion, as far as they can be read; who needs them is told the rest."""
         rows = self.scene.field
         found: list[Formula] = []
-        for place in () if isinstance(rows, Change) else rows:
+        for place in () if isinstance(rows, ChangeOfScene) else rows:
             with suppress(NotationError):
                 found.append(self.texts.relation(place))
         return found
@@ -230,4 +240,56 @@ class Moving(Meaning):
     def field(self) -> tuple[Motion, ...]:
         """The printed equations of motion, solved for the rates where they are not."""
         rows = self.scene.field
-        return () if isinstance(rows, Change) else tuple(field(self, rows))
+        return () if isinstance(rows, ChangeOfScene) else tuple(field(self, rows))
+
+    @cached_property
+    def change(self) -> Change | None:
+        """The change of variables that gives the field."""
+        change = self.scene.field
+        if not isinstance(change, ChangeOfScene):
+            return None
+        assert self.source is not None
+        new: dict[str, Formula] = {}
+        for printed in change.formulas:
+            left, right = self.texts.sides(printed)
+            if not isinstance(left, Name):
+                raise Meaningless(f"the formula at {printed.place} gives no variable")
+            new[left.name] = self.source.plain(right)
+        own = (*self.scene.variables, *self.scene.definitions)
+        formulas = [
+            *((n, f) for n, f in new.items() if n in own),
+            *((n, Name(n)) for n in own if n in self.source.variables and n not in new),
+        ]
+        check_time(self.source, change.time)
+        time = Quotient(Number(1), self.source.plain(self.texts.time_scale(change.time)))
+        return Change(self.source, tuple(formulas), time)
+
+    @cached_property
+    def inverse(self) -> dict[str, Formula]:
+        """The old variables of a change through the new ones; solved for once a change."""
+        assert self.source is not None
+        known = self.source.inverses
+        if self.scene.field not in known:
+            change = self.change
+            assert change is not None
+            known[self.scene.field] = inverse(self.source, change.formulas)
+        return known[self.scene.field]
+
+    def motion_places(self) -> Iterator[Printed]:
+        """The places on which every derivative rests."""
+        field = self.scene.field
+        if isinstance(field, ChangeOfScene):
+            assert self.source is not None
+            yield from (*field.formulas, field.time)
+            yield from self.source.motion_places()
+        else:
+            yield from field
+        yield from self.scene.zero
+
+    def components(self, row: Motion) -> Iterator[tuple[str, Formula, Formula]]:
+        """An equation of motion by components: name, factor of its rate, right side."""
+        if len(row.names) == 1:
+            yield row.names[0], row.factor, row.force
+            return
+        for index, name in enumerate(row.names):
+            yield name, component(row.factor, index, self), component(row.force, index, self)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, reduce
+from itertools import pairwise
 
+from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import (
     Application,
     Conjugate,
@@ -40,6 +42,7 @@ from kowalevski_cas.paper.functions import value_of
 from kowalevski_cas.paper.matrices import OF_MATRICES, by_rows, is_matrix, rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
+from kowalevski_cas.paper.roots import root_of_number
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import MARK
@@ -77,8 +80,9 @@ class Plain:
             case Application():
                 known = self.setting.transcendental(formula)
                 return self(value_of(formula, self.setting)) if known is None else known
-            case Root() if (value := self._printed_value(formula)) is not None:
-                return value
+            case Root(argument):
+                value = self._printed_value(formula)
+                return self._positive(Root(self(argument))) if value is None else value
             case Power(base, exponent) if (halves := half_power(exponent)) is not None:
                 power = Power(Root(base), Number(abs(halves)))
                 return self(power if halves > 0 else Quotient(Number(1), power))
@@ -177,6 +181,20 @@ class Plain:
             raise Meaningless(f"the value at {printed.place} is not {name}")
         return value
 
+    def _positive(self, root: Root) -> Formula:
+        """A printed root; raises :class:`Meaningless` if a name has its square, and either sign.
+
+        Those of numbers are made of roots of primes.
+        """
+        if (number := root_of_number(root.argument)) is not None:
+            roots = (Root(Number(prime)) for prime in number[1])
+            return reduce(lambda a, b: Product((a, b)), roots, fraction_formula(number[0]))
+        name = self.setting.finder.root_name(root.argument)
+        if name in self.setting.scene.roots and not name.startswith(r"\sqrt"):
+            shown = to_latex(root)
+            raise Meaningless(f"{name} may be {shown} or its opposite: print {name}, not {shown}")
+        return root
+
     def printed_root(self, root: Root) -> tuple[str, Printed] | None:
         """The name of a root for which a place prints a value, and the place."""
         for name, printed in self.setting.scene.roots.items():
@@ -268,7 +286,11 @@ def _at(formula: Formula, index: str, value: int) -> Formula:
     parts = _INDEX.findall(low)
     if index not in parts:
         return formula
-    if {*"+-"} & {*parts} and re.search(r"[^-+,]{2}", "".join(p[:1] for p in parts)):
+    before = (one for one, other in pairwise(parts) if other == index and one.isdecimal())
+    crowded = re.search(r"[^-+,]{2}", "".join(p[:1] for p in parts))
+    if any(int(one) > 1 for one in before) or (
+        crowded and (value > 9 or {*"+-"} & {*parts})  # 2i may be two indices, or a product
+    ):
         raise Meaningless(f"what is the index of {to_latex(formula)}? write the terms out")
     low = "".join(str(value) if part == index else part for part in parts)
     if re.fullmatch(r"\d+(?:[+-]\d+)+", low):  # as in q_{i+1}

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+from functools import cache
+
+from kowalevski_cas.algebra import load
+from kowalevski_cas.algebra.numbers import prime_factors, rational
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element, Ring
@@ -9,7 +14,32 @@ from kowalevski_cas.notation import Constant, Formula, Name, Number, Power, to_l
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.space import Adjoined, Meaningless
+from kowalevski_cas.problem.space import Adjoined, Meaningless, Space
+
+
+def root_of_number(radicand: Formula) -> tuple[Fraction, tuple[int, ...]] | None:
+    r"""The root of a positive number, as a rational number and the primes of which roots are left.
+
+    So roots of numbers depend on each other no more: :math:`\sqrt8` is :math:`2\sqrt2`. ``None``
+    for the root of anything else.
+    """
+    try:
+        value = rational(_numbers().scalar(radicand))
+    except Meaningless:
+        return None
+    if value is None or value <= 0:
+        return None
+    factors = [*prime_factors(value.numerator * value.denominator)]
+    factor = Fraction(1, value.denominator)
+    for prime, exponent in factors:
+        factor *= prime ** (exponent // 2)
+    return factor, tuple(prime for prime, exponent in factors if exponent % 2)
+
+
+@cache
+def _numbers() -> Evaluation:
+    """The rational numbers."""
+    return Evaluation(Space((), ("",)), load("flint"))
 
 
 def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:

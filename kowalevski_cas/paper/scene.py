@@ -11,9 +11,8 @@ from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass, replace
 from dataclasses import field as default
 
-from kowalevski_cas.notation import Vocabulary
 from kowalevski_cas.notation.errors import dotted
-from kowalevski_cas.notation.macros import FUNCTIONS
+from kowalevski_cas.paper.names import BRACKET, EPSILON, check_names, head, is_bold, is_indexed
 from kowalevski_cas.paper.texts import Display, Printed, check_attributes, statements
 
 
@@ -110,14 +109,7 @@ class Scene:
         """Refuse names that are given twice; raises ``ValueError`` or ``TypeError``."""
         owner = f"the scene “{self.name}”"
         check_attributes(self, owner)
-        known: dict[str, str] = {}
-        for kind, name in self._given():
-            if name in known and {kind, known[name]} not in FREE:
-                raise ValueError(
-                    f"{owner}: {name} has a meaning already, {known[name]}: "
-                    f"it cannot be {kind} as well; choose another name, or leave one out"
-                )
-            known[name] = kind
+        check_names(owner, self._given())
 
     def _given(self) -> Iterator[tuple[str, str]]:
         """Every name with what the scene says that it is."""
@@ -334,63 +326,3 @@ class Scene:
             if vector in self.definitions and name in components:
                 return vector, components.index(name)
         return None
-
-
-FREE = (
-    {"a variable", "a root"},  # a coordinate, by an equation for its square
-    {"a constant", "a root"},
-    {"a variable", "a component"},
-    {"a constant", "a component"},
-    {"a root", "a component"},
-    {"defined", "a component"},
-)
-"""What a name may be at the same time."""
-
-
-def is_bold(name: str) -> bool:
-    """Whether a name is printed in bold, that is, denotes a vector or a matrix."""
-    return name.startswith((r"\boldsymbol", r"\mathbf", r"\vec"))
-
-
-BRACKET, EPSILON = r"\{", r"\varepsilon_{ijk}"
-"""The Poisson bracket as a function, and the sign of a permutation."""
-
-
-def is_indexed(name: str) -> bool:
-    """Whether a coordinate in a printed bracket has an index that stands for each of 1, 2, 3."""
-    return name.endswith(("_i", "_j"))
-
-
-def head(name: str) -> tuple[str, tuple[str, ...]]:
-    r"""The function and its arguments in a head like ``\varphi(s)``; a bare name has none.
-
-    >>> head("f(s)"), head("H"), head(r"\{M_i,M_j\}")[1]
-    (('f', ('s',)), ('H', ()), ('M_i', 'M_j'))
-    """
-    if name.startswith(BRACKET):
-        return BRACKET, tuple(name[2:-2].split(","))
-    function, _, arguments = name.partition("(")
-    return function, tuple(arguments.removesuffix(")").split(",")) if arguments else ()
-
-
-def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
-    """The names of all these scenes; bold capitals that are no declared vectors are matrices."""
-    times = frozenset({"t", *(scene.time for scene in scenes)})
-    bold = {n for s in scenes for n in (*s.vectors, *s.definitions) if is_bold(n)}
-    vectors = {name for scene in scenes for name in scene.vectors}
-    capitals = {n for n in bold if n.startswith(r"\mathbf{") and n[8].isupper()}
-    printed = {head(n)[0] for s in scenes for n, p in s.definitions.items() if p.heads.matrix}
-    matrices = frozenset((capitals | printed) - vectors)
-    still = {n for s in scenes for n in (*s.constants, *s.undefined)}
-    moving = {n for s in scenes for n in (*s.variables, *s.definitions)} - still
-    parts = ((name, parts) for scene in scenes for name, parts in scene.vectors.items())
-    return Vocabulary(
-        scalars=times.union(name for scene in scenes for name in scene.names()),
-        vectors=frozenset(bold) - matrices,
-        matrices=matrices,
-        functions=frozenset(
-            head(n)[0] for s in scenes for n in s.definitions if head(n)[1] and n[:2] != BRACKET
-        ).union(FUNCTIONS),
-        times=times,
-        moving=frozenset(moving.union(n for n, own in parts if not moving.isdisjoint(own))),
-    )

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from kowalevski_cas.notation import Application, Formula, Name, PoissonBracket, Root
 from kowalevski_cas.paper.matrices import is_matrix
+from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.plain import Plain
-from kowalevski_cas.paper.scene import BRACKET, head
 from kowalevski_cas.paper.texts import Printed
 
 

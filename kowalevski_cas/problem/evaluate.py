@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 from functools import cache, cached_property
+from typing import Any
 
 from kowalevski_cas.algebra.derivation import Field, along
 from kowalevski_cas.algebra.polynomials import Polynomials, Terms
@@ -48,8 +49,10 @@ class Evaluation(Fold):
         self._open: set[tuple[str, bool]] = set()
         self._rates: Field | None = None
         self._moving = False
-        self.roots: list[tuple[Element, Element]] = []
-        """Radicands, and their roots."""
+        self.places: dict[Hashable, Any] = {}
+        """What is known of points, by their values."""
+        self.roots: dict[str, Element] = {}
+        """Radicands, by the names of their roots."""
         given = {n: self.ring.generator(n) for n in self.names} if own else dict(values or {})
         for name, value in given.items():
             self._values[name, False] = value
@@ -94,7 +97,7 @@ class Evaluation(Fold):
 
     def _adjoin(self, name: str, radicand: Element) -> Element:
         value = self.ring.zero if radicand.is_zero else self.ring.adjoin(name, radicand)
-        self.roots.append((radicand, value))
+        self.roots[name] = radicand
         return value
 
     def _conjugate(self, name: str) -> Element:
@@ -121,10 +124,14 @@ class Evaluation(Fold):
 
     def root(self, argument: Formula, conjugated: bool = False) -> Element:
         """The declared square root of an expression."""
+        return self.scalar(Name(self.root_name(argument, conjugated)))
+
+    def root_name(self, argument: Formula, conjugated: bool = False) -> str:
+        """The name of the declared square root of an expression."""
         value = self.scalar(argument, conjugated)
-        for square, root in self.roots:
+        for name, square in self.roots.items():
             if (square - value).is_zero:
-                return root
+                return name
         raise Meaningless(f"no root of {to_latex(argument)} is declared here")
 
     # -- derivatives -------------------------------------------------------------

@@ -34,7 +34,7 @@ class Sampled(Evaluation):
             generator = self.programs.adjoin(name, self.carry(radicand))
             value = generator if below is None else generator * self.carry(below).inverse()
             self._values[name, False] = value
-        self.roots = [(self.carry(square), self.carry(root)) for square, root in exact.roots]
+        self.roots = {name: self.carry(square) for name, square in exact.roots.items()}
 
     def __call__(self, formula: Formula, conjugated: bool = False) -> Value:
         key = (id(formula), conjugated)

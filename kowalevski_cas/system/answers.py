@@ -17,8 +17,8 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Section
-from kowalevski_cas.paper.scene import vocabulary
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.verify.outcome import Counterexample, Outcome, Verdict, in_latex
 from kowalevski_cas.verify.run import verify
 
@@ -56,14 +56,16 @@ class Function(Shown):
 class Stated(Shown):
     """A claim about a system. It is decided when something is asked of it."""
 
-    def __init__(self, claim: Claim, section: Section, symbols: Mapping[str, Any]) -> None:
-        self.claim, self.section, self.symbols = claim, section, symbols
+    def __init__(
+        self, claim: Claim, section: Section, symbols: Mapping[str, Any], seconds: float
+    ) -> None:
+        self.claim, self.section, self.symbols, self.seconds = claim, section, symbols, seconds
 
     @cached_property
     def outcome(self) -> Outcome:
-        """All that a run says about it, with FLINT."""
+        """All that a run says about it, with FLINT, in the seconds that it has."""
         derivation = Derivation("", "", "", "", (self.section,))
-        return verify(derivation, ["flint"], [self.claim.id]).outcomes[0]
+        return verify(derivation, ["flint"], [self.claim.id], timeout=self.seconds).outcomes[0]
 
     @property
     def verdict(self) -> Verdict:

@@ -31,9 +31,11 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.paper.names import BRACKET, head, is_bold
 from kowalevski_cas.paper.plain import half_power, written_out
-from kowalevski_cas.paper.scene import BRACKET, Scene, head, is_bold, vocabulary
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.paper.vocabulary import vocabulary
 
 _RATE = re.compile(r"\\dot\{([^{}]*)\}(.*)")
 _INDEX = re.compile("[i-n]")
@@ -206,7 +208,7 @@ def rooted(scene: Scene, display: Display) -> Scene:
     waiting = [statement.formula for statement in read_display(display.tex, vocabulary((scene,)))]
     for place, formula in zip(display, waiting, strict=True):
         named = {*place.heads.names} & {*scene.definitions}
-        if named and len([*formula.children()]) > len(named) + 1:
+        if named and len(formula.children()) > len(named) + 1:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
     for formula in (node for one in waiting for node in one.nodes()):
         if isinstance(formula, Conjugate):

@@ -14,6 +14,7 @@ them: ``kowalevski-cas verify lorenz.py``.
 from __future__ import annotations
 
 import re
+import sys
 from argparse import ArgumentParser
 from collections.abc import Callable, Container, Mapping, Sequence
 from contextlib import suppress
@@ -24,10 +25,12 @@ from importlib import import_module
 from itertools import chain, count
 from typing import Any
 
-from kowalevski_cas.cli.find import forecast
+from kowalevski_cas.cli.find import forecast, found
+from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import (
     Formula,
     Name,
+    NotationError,
     OpenParser,
     Vocabulary,
     from_sympy,
@@ -37,23 +40,17 @@ from kowalevski_cas.notation import (
     to_plain,
 )
 from kowalevski_cas.paper.claims import (
-    Casimir,
     Claim,
-    DarbouxPolynomial,
-    FirstIntegral,
-    Identity,
-    Implication,
-    InvariantRelations,
-    Involution,
-    Jacobi,
-    LiouvilleIntegrable,
 )
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.scene import Scene, vocabulary
+from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.pool import HERE
+from kowalevski_cas.processes import each
 from kowalevski_cas.system.answers import Function, Stated
+from kowalevski_cas.system.claims import Claims, Tex
 from kowalevski_cas.system.equations import moving_by, restricted, rooted, with_parameters
 from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
@@ -64,11 +61,8 @@ LONGEST = 24
 
 QUESTIONS = "kowalevski_cas.cli.questions"
 
-Tex = Any
-"""A formula: LaTeX, what was defined, or an expression of SymPy."""
 
-
-class System:
+class System(Claims):
     r"""Equations of motion: what has a derivative moves, and all other names are constant.
 
     They may be of higher order, and define names in passing: :math:`\dot q=\partial H/\partial p`,
@@ -84,6 +78,8 @@ class System:
         ValueError: they are no equations of motion; the message says why.
     """
 
+    seconds = 60.0
+    """For each claim, and for each question."""
     pool = HERE
     """Where searches are done: ``Pool(jobs=4)`` for four processes."""
 
@@ -96,11 +92,15 @@ class System:
         self.symbols: dict[str, Any] = {}
         """The symbols of SymPy in which the system is written, by their names here."""
         self.prefix = f"{name}-" if name else ""
-        if not isinstance(field, str):
-            rows = (rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items())
-            field = r",\quad ".join(rows)
         self.section = Section(name or "1", "")
-        display = self.section.display(f"{self.prefix}field", field)
+        MADE.append(self.section)
+        if isinstance(field, str):
+            display = self.section.display(f"{self.prefix}field", field)
+        else:
+            rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
+            display = self.section.display(f"{self.prefix}field", r",\quad ".join(rows))
+            if len([*display]) != len(rows):
+                raise ValueError(f"{display.tex}: give each variable one right side")
         self._stand_on(moving_by(display, name, vectors or {}))
         moving, constant = self.scene.variables, self.scene.constants
         self.section.title = _echo(moving, constant, "${}$".format)
@@ -152,61 +152,14 @@ class System:
         special._stand_on(scene)
         return special
 
+    def having(self, *constants: str) -> System:
+        r"""The system with more constants, as ``\rho``, which stand in no equation of motion."""
+        more = copy(self)
+        scene = self.scene.having(constants=constants)
+        more._stand_on(scene.described(f"{scene.name} with {', '.join(constants)}", scene.words))
+        return more
+
     # -- claims ------------------------------------------------------------------
-
-    def identity(self, equation: Tex, expect: str = "") -> Stated:
-        """Both sides are equal; derivatives are along the motion."""
-        says = "both sides are the same function"
-        return self.states(Identity, "identity", says, expect, equation)
-
-    def implication(self, equation: Tex, given: Sequence[Tex], expect: str = "") -> Stated:
-        """An equation holds wherever the given ones do."""
-        says = "this holds wherever what is given does"
-        return self.states(Implication, "implication", says, expect, equation, given=tuple(given))
-
-    def integral(self, formula: Tex, given: Sequence[Tex] = (), expect: str = "") -> Stated:
-        """A function is constant along every motion, perhaps on an invariant set only."""
-        says = "this is constant along every motion"
-        return self.states(FirstIntegral, "integral", says, expect, formula, given=tuple(given))
-
-    def invariant(self, *relations: Tex, expect: str = "") -> Stated:
-        """No motion leaves the set on which these hold; a function stands for its zeros."""
-        zero = tuple(f"{self._tex(F)}=0" if isinstance(F, Function) else F for F in relations)
-        says = f"no motion leaves the set where {self._listed(zero)}"
-        return self.states(InvariantRelations, "invariant", says, expect, relations=zero)
-
-    def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> Stated:
-        """A polynomial F with F' = KF, where K is the cofactor."""
-        says = "its derivative is this multiple of it"
-        return self.states(DarbouxPolynomial, "darboux", says, expect, formula, cofactor=cofactor)
-
-    def lax(self, first: Function, second: Function, expect: str = "") -> Stated:
-        """A Lax pair of matrices: L' = LM - ML."""
-        L, M = self._tex(first), self._tex(second)
-        says = "the equations of motion give this Lax equation"
-        return self.states(Identity, "lax", says, expect, rf"\frac{{d}}{{dt}}{L}={L}{M}-{M}{L}")
-
-    def jacobi(self, expect: str = "") -> Stated:
-        """The Poisson bracket that was defined satisfies Jacobi's identity."""
-        return self.states(Jacobi, "jacobi", "the bracket satisfies Jacobi's identity", expect)
-
-    def casimir(self, formula: Tex, expect: str = "") -> Stated:
-        """A function whose bracket with every function vanishes."""
-        says = "its bracket with every function vanishes"
-        return self.states(Casimir, "casimir", says, expect, formula)
-
-    def involution(self, *functions: Tex, expect: str = "") -> Stated:
-        """Functions whose brackets with each other vanish."""
-        says = f"the brackets of {self._listed(functions)} with each other vanish"
-        return self.states(Involution, "involution", says, expect, functions=functions)
-
-    def integrable(self, *integrals: Tex, casimirs: Sequence[Tex] = (), expect: str = "") -> Stated:
-        """Integrability in the sense of Liouville; the first integral is the Hamiltonian."""
-        says = f"the motion is integrable in the sense of Liouville, by {self._listed(integrals)}"
-        return self.states(
-            LiouvilleIntegrable, "integrable", says, expect,
-            integrals=integrals, casimirs=tuple(casimirs),
-        )  # fmt: skip
 
     def states(
         self,
@@ -239,7 +192,7 @@ class System:
         self.section.claim(claim)
         if expect:
             self.section.expected[id] = expect
-        return Stated(claim, self.section, self.symbols)
+        return Stated(claim, self.section, self.symbols, self.seconds)
 
     # -- questions ---------------------------------------------------------------
 
@@ -273,26 +226,31 @@ class System:
     def _found(self, question: str, *words: str, **options: int | str) -> list[Stated]:
         """What the command ``find`` finds, as claims like any other.
 
-        What was found before an error or an interruption stays claimed.
+        What is found in time is claimed; if something may be left, that is said.
         """
-        forecast(self.scene, int(options.get("degree", 0)))
+        forecast(self.scene, question, int(options.get("degree", 0)))
         module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
         module.add_arguments(parser)
         told = [f"--{name}={value}" for name, value in options.items() if type(value) is not bool]
         told += [f"--{name}" for name, value in options.items() if value is True]
         on = Elaborations(Texts(vocabulary((self.scene,))))
         told += ["--", *words] if words else []
-        found = module.search(on, self.scene, parser.parse_args(told), self.pool)
-        return [self._state(self._id(question, ""), one) for one in found]
+        asked = parser.parse_args(told)
+
+        def answered(scene: Scene) -> tuple[Scene, list[Finding], str]:
+            return scene, *found(module.search(on, scene, asked, self.pool), self.seconds)
+
+        ((scene, findings, unfinished),) = each(answered, [self.scene])
+        if unfinished:
+            print(f"find {question}: {unfinished}", file=sys.stderr)
+        here = (replace(one, on=self.scene) if one.on is scene else one for one in findings)
+        return [self._state(self._id(question, ""), one) for one in here]
 
     # -- formulas ----------------------------------------------------------------
 
     def read(self, tex: str) -> Formula:
         """A formula in the names of the system; raises ``NotationError`` for any other name."""
         return read(tex, vocabulary((self.scene,)))
-
-    def _listed(self, formulas: Sequence[Tex]) -> str:
-        return ", ".join(f"${self._tex(one)}$" for one in formulas)
 
     def _formulas(self, display: Display) -> list[Formula]:
         return [s.formula for s in read_display(display.tex, vocabulary((self.scene,)))]
@@ -310,13 +268,24 @@ class System:
         return from_sympy(expression, self._name)
 
     def _name(self, symbol: Any) -> str:
-        """How a symbol of SymPy is printed, as one name."""
-        from sympy import latex
+        """How a symbol of SymPy is printed, as one name.
 
-        formula = read(latex(symbol), Vocabulary(), OpenParser)
-        name = formula.name if isinstance(formula, Name) else rf"\mathrm{{{symbol.name}}}"
-        self.symbols[name] = symbol
-        return name
+        Raises ``ValueError`` if it cannot be, if another symbol is printed so, and if SymPy assumes
+        more of it than that it is real, which nobody here would know.
+        """
+        from sympy import Symbol, latex
+
+        if symbol.assumptions0.items() - Symbol("x", real=True).assumptions0.items():
+            said = "SymPy is to assume more of it than that it is real, which cannot be said here"
+            raise ValueError(f"the symbol {symbol.name}: {said}; leave it out")
+        for tex in (latex(symbol), rf"\mathrm{{{symbol.name}}}"):
+            with suppress(NotationError):
+                formula = read(tex, Vocabulary(), OpenParser)
+                if isinstance(formula, Name):
+                    if self.symbols.setdefault(formula.name, symbol) != symbol:
+                        raise ValueError(f"two symbols are printed {formula.name}: rename one")
+                    return formula.name
+        raise ValueError(f"the symbol {symbol.name!r} cannot be printed as a name: rename it")
 
     def _place(self, id: str, formula: Tex) -> Printed:
         """Where a formula stands: where it was defined, or in a display of its own."""

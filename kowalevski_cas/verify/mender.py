@@ -37,12 +37,14 @@ class Mender(Teller):
 
     def _candidates(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
         """What the derivation accepts, what is recorded, and what is found; true, or not."""
-        known = [tex for place, tex in self.derivation.accepted.items() if place == claim.printed]
+        accepted = self.derivation.accepted
+        known = [tex for place, tex in accepted.items() if place == claim.printed]
         known += [str(self.record.get(claim.id, {}).get("correction"))]
         for tex in known:
-            recorded = recorded_correction(claim, on, tex)
-            if recorded is not None and says_something(recorded, Statement(claim, on)):
-                yield recorded
+            one = recorded_correction(claim, on, tex)
+            if one is not None and says_something(one, Statement(claim, on)):
+                if tex in accepted.values() or self._leaves_true(claim, one):
+                    yield one
         yield from (one for one in corrections(claim, on) if self._leaves_true(claim, one))
 
     def _leaves_true(self, claim: Claim, neighbour: Neighbour) -> bool:

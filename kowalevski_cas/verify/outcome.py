@@ -36,6 +36,12 @@ class Verdict(StrEnum):
         return self.green or self in (Verdict.PROBABLE, Verdict.ENCLOSED)
 
 
+WORST = (
+    Verdict.ERROR, Verdict.REFUTED, Verdict.TIMEOUT, Verdict.UNDECIDED, Verdict.PROBABLE,
+    Verdict.ENCLOSED, Verdict.CONDITIONAL, Verdict.PROVED,
+)  # fmt: skip
+
+
 @dataclass(frozen=True)
 class Point:
     """A point: names, printed roots and levels, each with its value (rationals, i, roots)."""

@@ -35,6 +35,12 @@ def test_an_expression_comes_back_from_its_formula_and_from_print(expression):
     assert sympy.simplify(to_sympy(read(to_latex(formula), WORDS), {}) - expression) == 0
 
 
+def test_what_is_divided_by_stays_where_sympy_would_cancel_it():
+    for sign in (1, -1):
+        written = sympy.Mul(sign, x, sympy.Pow(x, -1), evaluate=False)
+        assert r"\frac{x}{x}" in to_latex(from_sympy(written, str))
+
+
 def test_roots_and_equations_come_back():
     for expression in (sympy.sqrt(x + y), (x + y) ** sympy.Rational(-3, 2), sympy.Eq(x, y**2)):
         assert to_sympy(from_sympy(expression, str), {}) == expression

@@ -37,6 +37,8 @@ def test_jacobi():
         outcome = euler(rf"{MOMENTA},\quad {other}")[0].jacobi().outcome
         assert outcome.verdict == "error" and "is not antisymmetric" in outcome.message
     assert "no Poisson bracket" in euler("A=x")[0].jacobi().outcome.message
+    outcome = euler(rf"{MOMENTA},\quad \{{x,a\}}=1")[0].jacobi().outcome
+    assert outcome.verdict == "error" and "a is no variable" in outcome.message
     plane.define(r"\{x,y\}=x^2")
     assert "of two variables" in plane.jacobi().outcome.message
 
@@ -47,6 +49,7 @@ def test_casimir_functions(mutant):
     assert body.casimir(K).verdict is PROVED
     assert body.casimir(H).verdict is REFUTED
     assert body.casimir(mutant).verdict is REFUTED
+    assert "not an equation" in body.casimir(f"{mutant}=1").outcome.message
 
 
 @pytest.mark.parametrize("mutant", ["G=x^4+4x^2y^2+4u(uy-vx)", "G=x^4+4x^2y-4u(uy-vx)"])
@@ -55,6 +58,7 @@ def test_involution(mutant):
     assert system.involution(H, G).verdict is PROVED
     assert system.involution(H, G, "x").verdict is REFUTED
     assert system.involution(H, mutant.removeprefix("G=")).verdict is REFUTED
+    assert "two functions at least" in system.involution(H).outcome.message
 
 
 def test_integrability_in_the_sense_of_liouville():
@@ -63,6 +67,7 @@ def test_integrability_in_the_sense_of_liouville():
     assert body.integrable(K, casimirs=[H]).verdict is REFUTED  # no Hamiltonian, no Casimir
     assert body.integrable(H, casimirs=["K^2-K"]).verdict is PROVED
     assert "3 variables" in body.integrable(H, K).outcome.message
+    assert "the Hamiltonian: there is none" in body.integrable(casimirs=[H]).outcome.message
     system, H, G = henon_heiles()
     assert system.integrable(H, G).verdict is PROVED
     assert system.integrable(H, "H^2").verdict is REFUTED

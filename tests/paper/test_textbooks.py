@@ -279,15 +279,20 @@ def test_the_index_of_a_sum_is_the_one_of_the_innermost(sum_, value):
     assert str(_of_sums(f"{sum_}={value}").verdict) == "proved"
 
 
-@pytest.mark.parametrize("index", ["2i-1", "i+1i", "ii-1"])
+@pytest.mark.parametrize("index", ["2i-1", "i+1i", "ii-1", "2i", "3i0", "12i"])
 def test_an_index_that_may_be_a_product_is_not_computed(index):
     outcome = _of_sums(rf"\sum_{{i=1}}^2x_{{{index}}}=x_1+x_3")
     assert "write the terms out" in outcome.message
 
 
+def test_two_indices_of_one_sign_each_are_no_product():
+    assert str(_of_sums(r"\sum_{i=0}^1x_{1i}=x_{10}+x_{11}").verdict) == "proved"
+    assert "write the terms out" in _of_sums(r"\sum_{i=10}^{10}x_{1i}=x_1").message
+
+
 def _of_sums(equation):
     section = Section("1", "a textbook")
-    names = ("x_1", "x_2", "x_3", "x_{20}", "x_{21}", "x_{22}", "x_{10}")
+    names = ("x_1", "x_2", "x_3", "x_{20}", "x_{21}", "x_{22}", "x_{10}", "x_{11}")
     scene = Scene("", "", variables=names)
     [outcome] = decide(section, Identity("c", scene, section.display("d", equation)[1], ""))
     return outcome

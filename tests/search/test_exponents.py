@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.scene import vocabulary
 from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.polynomial_fields import PolynomialField
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.exponents import LeadingPart, divided, leading_weights

@@ -78,6 +78,18 @@ def test_what_is_accepted_has_to_be_proved(tex):
     assert own.message == "what the derivation accepts at D.1 has not been proved"
 
 
+def test_a_recorded_correction_leaves_true_what_was_true():
+    """It is looked at again in each run; the other claim is true as it is printed."""
+    section, _, both = scene_with("D = x^3")
+    recorded = {"own": {"correction": "D = x^2"}}
+    own, _ = decide(section, *both, record=recorded)
+    assert in_latex(own.correction.formulas) == "D = x^2"
+    cube = section.inline("cube", "D - x^3 = 0")
+    section.claim(Identity("cube", both[0].scene, cube[1], ""))
+    own, _, other = verify(derivation(section), ["flint"], record=recorded).outcomes
+    assert (own.verdict, own.correction, other.verdict) == ("refuted", None, "proved")
+
+
 def test_what_is_accepted_in_place_of_what_is_right():
     section, printed, both = scene_with("D = x^2")
     section.accept(printed[1], "D = x^2")

@@ -1,6 +1,6 @@
 """Methods to follow a motion, one file each; its library is imported when it is asked for.
 
-Each module has one function ``states(motion, times)``: the states (ω, α, β) at the times, an
+Each module has a function ``states(motion, times)``: the states (ω, α, β) at the times, an
 array of shape (N, 9). The integrators start from the state of the closed form at t = 0, or
 from any other; see :mod:`~kowalevski_cas.motion.methods.integrators`.
 """
@@ -8,6 +8,7 @@ from any other; see :mod:`~kowalevski_cas.motion.methods.integrators`.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -26,6 +27,8 @@ METHODS = {
     "taylor": "heyoka's Taylor method (an extra)",
 }
 
+_SCIPY = {"dop853": "DOP853", "radau": "Radau", "lsoda": "LSODA"}
+
 
 class MethodError(RuntimeError):
     """A method that gave up; the message says why."""
@@ -35,6 +38,6 @@ def load(name: str) -> Callable[[AnyMotion, NDArray[np.float64]], NDArray[np.flo
     """The function ``states`` of the method with this name."""
     if name not in METHODS:
         raise ValueError(f"unknown method “{name}”; there are {', '.join(METHODS)}")
-    states: Callable[[AnyMotion, NDArray[np.float64]], NDArray[np.float64]]
-    states = import_module(f"{__name__}.{name}").states
-    return states
+    states: Callable[..., NDArray[np.float64]]
+    states = import_module(f"{__name__}.{'integrators' if name in _SCIPY else name}").states
+    return partial(states, method=_SCIPY[name]) if name in _SCIPY else states

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion.frame import turned
-from kowalevski_cas.motion.jacobi import Quadruple, jacobi
+from kowalevski_cas.motion.jacobi import jacobi
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.closed import ClosedO4
 from kowalevski_cas.motion.o4.motion import MotionO4
@@ -52,26 +52,14 @@ class Closed:
         states = np.empty((9, len(first)))
         for start in range(0, len(first), BLOCK):
             block = slice(start, start + BLOCK)
-            states[:, block] = self.states(*self.quadruples(first[block], second[block]))
+            straight = self._point(*self.variables(first[block], second[block]), _select)
+            states[:, block] = turned(straight, self._cos, -self._sin) if self._sin else straight
         return states
-
-    def quadruples(self, first: Array, second: Array) -> tuple[Quadruple, Quadruple]:
-        """What is proportional to sn, cn, dn, 1 of either variable, each at times of its own."""
-        jacobi_1, jacobi_2 = self._jacobi
-        return jacobi_1(first), jacobi_2(second)
 
     def variables(self, first: Array, second: Array) -> tuple[Solved, Solved]:
         """The two solved variables, each at times of its own."""
-        return self._solved(*self.quadruples(first, second))
-
-    def states(self, first: Quadruple, second: Quadruple) -> Array:
-        """The states (9, N) by the quadruples of the two variables."""
-        states = self._point(*self._solved(first, second), _select)
-        return np.array(turned(states, self._cos, -self._sin) if self._sin else states)
-
-    def _solved(self, first: Quadruple, second: Quadruple) -> tuple[Solved, Solved]:
-        variable_1, variable_2 = self._variables
-        return variable_1(first), variable_2(second)
+        (jacobi_1, jacobi_2), (variable_1, variable_2) = self._jacobi, self._variables
+        return variable_1(jacobi_1(first)), variable_2(jacobi_2(second))
 
 
 def states(motion: Motion | MotionO4, times: Array) -> Array:

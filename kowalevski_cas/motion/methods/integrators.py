@@ -1,4 +1,4 @@
-"""What SciPy's integrators share: the nine equations from an initial state, both ways in time."""
+"""SciPy's integrators: the nine equations from an initial state, both ways in time."""
 
 from __future__ import annotations
 
@@ -19,6 +19,13 @@ TOLERANCE = 1e-12
 """The relative and absolute tolerance unless another is asked for."""
 
 
+def states(
+    motion: AnyMotion, times: Array, tolerance: float = TOLERANCE, method: str = "DOP853"
+) -> Array:
+    """The states at these times, an array of shape (N, 9), by the SciPy method of this name."""
+    return integrate(method, initial_state(motion), times, tolerance)
+
+
 def initial_state(motion: AnyMotion) -> Array:
     """The state at t = 0 from which integrators start."""
     if motion.point is not None:
@@ -28,21 +35,13 @@ def initial_state(motion: AnyMotion) -> Array:
     return start
 
 
-def integrate(
-    method: str,
-    start: Array,
-    times: Array,
-    tolerance: float = TOLERANCE,
-    rates: Function | None = None,
-) -> Array:
+def integrate(method: str, start: Array, times: Array, tolerance: float = TOLERANCE) -> Array:
     """The states at these times, in any order, of the motion with this state at t = 0.
 
-    ``rates`` are those of the nine equations, unless another autonomous system is meant.
     Raises :class:`~kowalevski_cas.motion.methods.MethodError` if the integrator gives up.
     """
     from scipy.integrate import solve_ivp
 
-    right = formulas.equations() if rates is None else rates
     states = np.empty((len(times), len(start)))
     for sign in (1.0, -1.0):
         chosen = np.flatnonzero(times >= 0 if sign > 0 else times < 0)
@@ -54,7 +53,7 @@ def integrate(
             states[chosen] = start
             continue
         solution = solve_ivp(
-            _towards(sign, right),
+            _towards(sign, formulas.equations()),
             (0.0, forward[-1]),
             start,
             method=method,
@@ -63,8 +62,8 @@ def integrate(
             atol=tolerance,
         )
         if not solution.success:
-            raise MethodError(f"{method} stopped at t = {sign * solution.t[-1]:g}: "
-                              f"{solution.message}")  # fmt: skip
+            reached = sign * solution.t[-1]
+            raise MethodError(f"{method} stopped at t = {reached:g}: {solution.message}")
         states[chosen] = solution.y.T
     return states
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula, Number
 from kowalevski_cas.paper.claims.claim import Claim
+from kowalevski_cas.paper.claims.forms import function
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
@@ -28,7 +29,7 @@ class AllIntegrals(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        integrals = tuple(space.plain(on.texts.formula(place)) for place in self.integrals)
+        integrals = tuple(space.plain(function(on, space, place)) for place in self.integrals)
         weights = self.weights or (1,) * len(space.own_variables)
         if self.degree < 0 or min(weights) < 1 or len(weights) != len(space.own_variables):
             raise Meaningless("a degree is not negative, and each variable has a positive weight")
@@ -55,7 +56,7 @@ class AllDarboux(AllIntegrals):
 
     def known(self, on: Elaborations, space: Elaboration) -> tuple[Formula, tuple[Formula, ...]]:
         cofactor, *solutions = (
-            space.plain(on.texts.formula(place)) for place in (self.cofactor, *self.solutions)
+            space.plain(function(on, space, place)) for place in (self.cofactor, *self.solutions)
         )
         return cofactor, tuple(solutions)
 

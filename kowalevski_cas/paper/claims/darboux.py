@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Formula, Relation, times, to_latex
+from kowalevski_cas.notation import Formula, times, to_latex
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import members, rate
+from kowalevski_cas.paper.claims.forms import function, rate
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
@@ -19,8 +19,8 @@ from kowalevski_cas.problem.space import Meaningless
 class DarbouxPolynomial(Claim):
     """The printed polynomial F in the variables satisfies F' = KF with a polynomial K.
 
-    K, the ``cofactor``, is printed; F is not constant. Both are a formula, or the first member of
-    the equation that defines it.
+    K, the ``cofactor``, is printed; F is not constant. Both are a formula, or the equation that
+    defines a name for it.
     """
 
     cofactor: Printed
@@ -33,16 +33,15 @@ class DarbouxPolynomial(Claim):
 
 
 def polynomial(on: Elaborations, space: Elaboration, place: Printed) -> Formula:
-    """What stands at a place, or is defined there; raises :class:`Meaningless` for a quotient."""
-    formula = on.texts.formula(place)
-    first = members(formula)[0] if isinstance(formula, Relation) else formula
-    value = space.plain(first)
-    at = space.finder
+    """The polynomial at a place; raises :class:`Meaningless` for a quotient and the like."""
+    formula = function(on, space, place)
+    value = space.plain(formula)
+    variables, at = space.own_variables, space.finder
     element = at.scalar(value)
     used = (bit for bit, _ in enumerate(at.ring.roots) if any(m >> bit & 1 for m in element.parts))
     under = [at.ring.radicands[bit] for bit in used]
     for one in (*at.ring.divided_by([element]), *under):
-        if any(not at.partial(one, name).is_zero for name in space.variables):
-            shown = to_latex(first)
+        if any(not at.partial(one, name).is_zero for name in variables):
+            shown = to_latex(formula)
             raise Meaningless(f"{shown} at {place.place} is no polynomial in the variables")
     return value

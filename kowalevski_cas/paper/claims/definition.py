@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import chain
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.scene import head
+from kowalevski_cas.paper.names import head
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Goal, identity
 

@@ -97,6 +97,16 @@ def expression(on: Elaborations, space: Elaboration, printed: Printed) -> Formul
     return space.plain(formula)
 
 
+def function(on: Elaborations, space: Elaboration, printed: Printed) -> Formula:
+    """A printed function, or the name that is defined there; no other equation is one."""
+    formula = on.texts.formula(printed)
+    if not isinstance(formula, Relation):
+        return formula
+    if printed not in space.scene.definitions.values():
+        raise Meaningless(f"a function is expected at {printed.place}, not an equation")
+    return members(formula)[0]
+
+
 def first_member(on: Elaborations, space: Elaboration, printed: Printed) -> Formula:
     """The first member of a printed chain."""
     return space.plain(members(on.texts.relation(printed))[0])

@@ -15,15 +15,14 @@ from kowalevski_cas.notation import (
     Negative,
     Number,
     PoissonBracket,
-    Relation,
     times,
     total,
 )
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import members, rate, vanishes
+from kowalevski_cas.paper.claims.forms import function, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.scene import BRACKET, head
+from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Goal, Rank, identity
 from kowalevski_cas.problem.space import Equation, Meaningless
@@ -48,9 +47,9 @@ class Casimir(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        (function,) = _functions(on, (self.own,))
-        yield identity(space, *_central(space, [function]))
-        yield Rank(space, (space.plain(function),), (), 1)
+        own = function(on, space, self.own)
+        yield identity(space, *_central(space, [own]))
+        yield Rank(space, (space.plain(own),), (), 1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,8 +59,11 @@ class Involution(Claim):
     functions: tuple[Printed, ...]
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
+        if len(self.functions) < 2:
+            raise Meaningless("two functions at least are in involution")
         space = on(self.scene)
-        yield identity(space, *_commuting(space, _functions(on, self.functions)))
+        functions = [function(on, space, place) for place in self.functions]
+        yield identity(space, *_commuting(space, functions))
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.functions
@@ -82,7 +84,12 @@ class LiouvilleIntegrable(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        integrals, casimirs = _functions(on, self.integrals), _functions(on, self.casimirs)
+        integrals, casimirs = (
+            [function(on, space, place) for place in places]
+            for places in (self.integrals, self.casimirs)
+        )
+        if not integrals:
+            raise Meaningless("the first of the integrals is the Hamiltonian: there is none")
         variables = [Name(name) for name in space.variables]
         size, rank = len(variables), 2 * len(integrals)
         if size != rank + len(casimirs):
@@ -107,12 +114,6 @@ class LiouvilleIntegrable(Claim):
         yield from (*self.integrals, *self.casimirs)
 
 
-def _functions(on: Elaborations, places: Sequence[Printed]) -> list[Formula]:
-    """What stands at each place, or is defined there."""
-    formulas = (on.texts.formula(place) for place in places)
-    return [members(f)[0] if isinstance(f, Relation) else f for f in formulas]
-
-
 def _bracket(space: Elaboration, left: Formula, right: Formula) -> Formula:
     return space.plain(PoissonBracket(left, right))
 
@@ -131,8 +132,8 @@ def _jacobi(space: Elaboration) -> Iterator[Goal]:
 
 def _central(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equation]:
     """That functions commute with every variable."""
-    for function in functions:
-        yield from (vanishes(_bracket(space, function, Name(x))) for x in space.variables)
+    for f in functions:
+        yield from (vanishes(_bracket(space, f, Name(x))) for x in space.variables)
 
 
 def _commuting(space: Elaboration, functions: Sequence[Formula]) -> Iterator[Equation]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce
-from math import gcd, lcm
+from math import gcd, isqrt, lcm, prod
 
 from .reading import BITS, DEGREE, NAMES, Budget, need
 
@@ -107,7 +107,9 @@ class Element:
         return Element(ring, out, self.below * other.below).reduced()
 
     def __pow__(self, exponent: int) -> Element:
-        return reduce(Element.__mul__, [self] * exponent) if exponent else self.ring.number(1)
+        if not exponent:
+            return self * self.ring.number(0) + self.ring.number(1)
+        return reduce(Element.__mul__, [self] * exponent)
 
     def degree(self) -> int:
         """The total degree."""
@@ -185,6 +187,19 @@ class Element:
     def differs(self) -> bool:
         """Whether a number is certainly not zero, whatever the signs of its roots."""
         return bool(self.normed()[1].terms)
+
+    def is_negative(self) -> bool:
+        """Whether a number is negative, or may be; its roots are the positive ones."""
+        squares = {name: self.ring.roots[name].value() or 0 for name in self.generators()}
+        if not self.terms or min(squares.values(), default=1) < 1:
+            return bool(self.terms)
+        low = 0
+        self.ring.spend(len(self.terms) << 4)
+        for m, c in self.terms.items():
+            square = prod(squares[n].numerator for n in squares if m >> self.ring.at[n] & MASK)
+            root = isqrt(c * c * square << 2 * BITS)  # rounded off; that of a square is exact
+            low += root if c > 0 else -root - (root * root < c * c * square << 2 * BITS)
+        return low < 0
 
     def value(self) -> Fraction | None:
         """The number that it is, if it is one."""

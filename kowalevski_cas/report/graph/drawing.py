@@ -9,7 +9,7 @@ from typing import Final
 from kowalevski_cas.notation import to_plain
 from kowalevski_cas.report.graph.dependencies import dependencies
 from kowalevski_cas.report.graph.layout import WIDTH, layout
-from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.verify.outcome import WORST, Outcome, Verdict
 
 BOX: Final = 5.0
 """The height of a box."""
@@ -19,16 +19,6 @@ LETTER: Final = 1.32
 
 _HEIGHT: Final = 205.0
 _LAYER: Final = 13.0
-_WORST: Final = (
-    Verdict.PROVED,
-    Verdict.CONDITIONAL,
-    Verdict.ENCLOSED,
-    Verdict.PROBABLE,
-    Verdict.TIMEOUT,
-    Verdict.UNDECIDED,
-    Verdict.REFUTED,
-    Verdict.ERROR,
-)
 
 
 @dataclass(frozen=True)
@@ -97,7 +87,7 @@ def picture(outcomes: Sequence[Outcome], labels: Mapping[str, str]) -> Picture:
             cell.name,
             labels[cell.name],
             says[cell.name],
-            max((verdicts[c] for c in members[cell.name]), key=_WORST.index),
+            min((verdicts[c] for c in members[cell.name]), key=WORST.index),
             cell.x - left,
             y(k),
             cell.width,

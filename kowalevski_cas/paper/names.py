@@ -1,0 +1,54 @@
+"""Printed names: of what they are made, and what one name can be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+
+def is_bold(name: str) -> bool:
+    """Whether a name is printed in bold, that is, denotes a vector or a matrix."""
+    return name.startswith((r"\boldsymbol", r"\mathbf", r"\vec"))
+
+
+BRACKET, EPSILON = r"\{", r"\varepsilon_{ijk}"
+"""The Poisson bracket as a function, and the sign of a permutation."""
+
+
+def is_indexed(name: str) -> bool:
+    """Whether a coordinate in a printed bracket has an index that stands for each of 1, 2, 3."""
+    return name.endswith(("_i", "_j"))
+
+
+def head(name: str) -> tuple[str, tuple[str, ...]]:
+    r"""The function and its arguments in a head like ``\varphi(s)``; a bare name has none.
+
+    >>> head("f(s)"), head("H"), head(r"\{M_i,M_j\}")[1]
+    (('f', ('s',)), ('H', ()), ('M_i', 'M_j'))
+    """
+    if name.startswith(BRACKET):
+        return BRACKET, tuple(name[2:-2].split(","))
+    function, _, arguments = name.partition("(")
+    return function, tuple(arguments.removesuffix(")").split(",")) if arguments else ()
+
+
+FREE = (
+    {"a variable", "a root"},  # a coordinate, by an equation for its square
+    {"a constant", "a root"},
+    {"a variable", "a component"},
+    {"a constant", "a component"},
+    {"a root", "a component"},
+    {"defined", "a component"},
+)
+"""What a name may be at the same time."""
+
+
+def check_names(owner: str, given: Iterable[tuple[str, str]]) -> None:
+    """Refuse a name that is given twice, each time with what it is; raises ``ValueError``."""
+    known: dict[str, str] = {}
+    for kind, name in given:
+        if name in known and {kind, known[name]} not in FREE:
+            raise ValueError(
+                f"{owner}: {name} has a meaning already, {known[name]}: "
+                f"it cannot be {kind} as well; choose another name, or leave one out"
+            )
+        known[name] = kind

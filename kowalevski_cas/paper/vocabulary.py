@@ -1,0 +1,31 @@
+"""The names that scenes know, as the readers of formulas take them."""
+
+from __future__ import annotations
+
+from kowalevski_cas.notation.macros import FUNCTIONS
+from kowalevski_cas.notation.vocabulary import Vocabulary
+from kowalevski_cas.paper.names import BRACKET, head, is_bold
+from kowalevski_cas.paper.scene import Scene
+
+
+def vocabulary(scenes: tuple[Scene, ...]) -> Vocabulary:
+    """The names of all these scenes; bold capitals that are no declared vectors are matrices."""
+    times = frozenset({"t", *(scene.time for scene in scenes)})
+    bold = {n for s in scenes for n in (*s.vectors, *s.definitions) if is_bold(n)}
+    vectors = {name for scene in scenes for name in scene.vectors}
+    capitals = {n for n in bold if n.startswith(r"\mathbf{") and n[8].isupper()}
+    printed = {head(n)[0] for s in scenes for n, p in s.definitions.items() if p.heads.matrix}
+    matrices = frozenset((capitals | printed) - vectors)
+    still = {n for s in scenes for n in (*s.constants, *s.undefined)}
+    moving = {n for s in scenes for n in (*s.variables, *s.definitions)} - still
+    parts = ((name, parts) for scene in scenes for name, parts in scene.vectors.items())
+    return Vocabulary(
+        scalars=times.union(name for scene in scenes for name in scene.names()),
+        vectors=frozenset(bold) - matrices,
+        matrices=matrices,
+        functions=frozenset(
+            head(n)[0] for s in scenes for n in s.definitions if head(n)[1] and n[:2] != BRACKET
+        ).union(FUNCTIONS),
+        times=times,
+        moving=frozenset(moving.union(n for n, own in parts if not moving.isdisjoint(own))),
+    )

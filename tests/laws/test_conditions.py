@@ -1,0 +1,34 @@
+"""What is printed below a line is a condition wherever it stands, also where it cancels."""
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kowalevski_cas import System
+from kowalevski_cas.notation import to_latex
+from kowalevski_cas.verify.outcome import Verdict
+
+SYSTEM = System(r"\dot x=y,\quad \dot y=z+c,\quad \dot z=x")
+for definition in (
+    r"F=\frac1y", r"G(x)=\frac{x}{y}", r"\{x,z\}=1",
+    r"{\bf A}=\begin{pmatrix}F&1\\0&x\end{pmatrix}",
+):  # fmt: skip
+    SYSTEM.define(definition)
+
+LEAVES = (
+    r"\frac1y", "F", "G(x)", "G(0)", r"\frac{x-x}{y}", r"\frac{y^2}{y}", "y^{-1}", r"\det{\bf A}",
+    r"\operatorname{tr}{\bf A}", "F-F", "Fy",
+)  # fmt: skip
+AROUND = (
+    "0(%s)", "(%s)-(%s)", "(%s)^0", "(%s)^2", "-(%s)", "x+(%s)", r"z\cdot(%s)", r"\frac{(%s)}{2}",
+    r"\frac{d}{dt}\left(%s\right)", r"\frac{\partial}{\partial z}\left(%s\right)",
+    r"\{x,(%s)\}", r"\{(%s),1\}", r"\sum_{i=0}^1i\cdot(%s)", r"\sum_{i=0}^0i\cdot(%s)",
+)  # fmt: skip
+
+
+@given(st.sampled_from(LEAVES), st.lists(st.sampled_from(AROUND), max_size=3))
+def test_what_is_divided_by_is_named(formula, around):
+    for one in around:
+        formula = one.replace("%s", formula)
+    outcome = SYSTEM.identity(f"{formula}={formula}").outcome
+    assert outcome.verdict is Verdict.CONDITIONAL
+    assert "y" in [to_latex(condition.expression) for condition in outcome.conditions]
