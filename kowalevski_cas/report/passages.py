@@ -29,8 +29,8 @@ from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 _ROLES: Final = {
     "vector field": "Equations of motion",
-    "definition": "Notation",
-    "unit": "Notation",
+    "definition": "We put",
+    "unit": "We put",
     "condition": "We consider",
 }
 

@@ -178,7 +178,7 @@ class TestWrong:
         words = said(document(*chosen).blocks[0]).replace(",", "").replace(".", "").lower().split()
         names = "no one two three four five six seven eight nine".split()
         numbers = [names.index(word) for word in words if word in names[1:]]
-        assert numbers[0] == len(verdicts) == sum(numbers[1:])
+        assert numbers[0] == len(verdicts) == sum(numbers[1:] or numbers)
 
 
 class TestEvidence:
