@@ -111,7 +111,7 @@ def _branch(formula: Formula, scene: Scene, texts: Texts) -> Formula | None:
         return None
     found = formula
     for index in path:
-        found = tuple(found.children())[index]
+        found = found.children()[index]
     return replace(formula, path, Negative(found))
 
 

@@ -4,48 +4,83 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from dataclasses import dataclass
 from fractions import Fraction
+from math import gcd, lcm
 
 # SymPy counts with FLINT's numbers where it finds them, and would be no opinion of its own.
 os.environ.setdefault("SYMPY_GROUND_TYPES", "python")
 
-from sympy import QQ
+from sympy import ZZ
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement, PolyRing
 
 from kowalevski_cas.algebra.polynomials import Polynomials, Terms
 
 
+@dataclass(frozen=True, slots=True)
+class Scaled:
+    """A polynomial with whole coefficients over a positive number.
+
+    Rational coefficients would be put in lowest terms one by one, which takes most of the time.
+    """
+
+    whole: PolyElement
+    below: int = 1
+
+    def __add__(self, other: Scaled) -> Scaled:
+        if self.below == other.below:
+            return Scaled(self.whole + other.whole, self.below)
+        below = lcm(self.below, other.below)
+        left, right = below // self.below, below // other.below
+        return Scaled(self.whole * left + other.whole * right, below)
+
+    def __neg__(self) -> Scaled:
+        return Scaled(-self.whole, self.below)
+
+    def __sub__(self, other: Scaled) -> Scaled:
+        return self + -other
+
+    def __mul__(self, other: Scaled) -> Scaled:
+        whole, below = self.whole * other.whole, self.below * other.below
+        common = below if below == 1 else gcd(below, *map(int, whole.values()))
+        return (
+            Scaled(whole.quo_ground(common), below // common)
+            if common > 1
+            else Scaled(whole, below)
+        )
+
+
 class Arithmetic(Polynomials):
-    """``PolyElement`` over ``QQ`` in lexicographic order."""
+    """``PolyElement`` over ``ZZ`` in lexicographic order, over a number."""
 
     name = "sympy"
 
     def __init__(self, generators: tuple[str, ...]) -> None:
         super().__init__(generators)
-        self.ring = PolyRing([f"g{index}" for index in range(len(generators))], QQ, lex)
-        self.zero = self.ring.zero
-        self.one = self.ring.one
+        self.ring = PolyRing([f"g{index}" for index in range(len(generators))], ZZ, lex)
+        self.zero = Scaled(self.ring.zero)
+        self.one = Scaled(self.ring.one)
 
-    def generator(self, index: int) -> PolyElement:
-        return self.ring.gens[index]
+    def generator(self, index: int) -> Scaled:
+        return Scaled(self.ring.gens[index])
 
-    def constant(self, value: Fraction) -> PolyElement:
-        return self.ring.ground_new(QQ(value.numerator, value.denominator))
+    def constant(self, value: Fraction) -> Scaled:
+        return Scaled(self.ring.ground_new(value.numerator), value.denominator)
 
-    def derivative(self, polynomial: PolyElement, index: int) -> PolyElement:
-        return polynomial.diff(index)
+    def derivative(self, polynomial: Scaled, index: int) -> Scaled:
+        return Scaled(polynomial.whole.diff(index), polynomial.below)
 
-    def is_zero(self, polynomial: PolyElement) -> bool:
-        return bool(polynomial == 0)
+    def is_zero(self, polynomial: Scaled) -> bool:
+        return not polynomial.whole
 
-    def terms(self, polynomial: PolyElement) -> Terms:
+    def terms(self, polynomial: Scaled) -> Terms:
         return {
-            exponents: Fraction(int(value.numerator), int(value.denominator))
-            for exponents, value in polynomial.terms()
+            exponents: Fraction(int(value), polynomial.below)
+            for exponents, value in polynomial.whole.terms()
         }
 
-    def from_terms(self, terms: Mapping[tuple[int, ...], Fraction]) -> PolyElement:
-        return self.ring.from_dict(
-            {e: QQ(value.numerator, value.denominator) for e, value in terms.items()}
-        )
+    def from_terms(self, terms: Mapping[tuple[int, ...], Fraction]) -> Scaled:
+        below = lcm(*(value.denominator for value in terms.values()))
+        whole = {e: value.numerator * (below // value.denominator) for e, value in terms.items()}
+        return Scaled(self.ring.from_dict(whole), below)

@@ -39,7 +39,7 @@ class Ring:
         self.products = 0
         self._divisor_index: dict[frozenset[Any], int] = {}
         self._squares: dict[int, Parts] = {}
-        self._numbers: dict[int, Element] = {}
+        self._numbers: dict[int | Fraction, Element] = {}
         self.zero = Element(self, {}, {})
         self.one = self.number(1)
 
@@ -49,14 +49,11 @@ class Ring:
         return (*self.polynomials.generators, *self.roots)
 
     def number(self, value: int | Fraction) -> Element:
-        """A rational number; whole ones are made once."""
-        if value.denominator != 1:
-            return Element(self, {0: self.polynomials.constant(Fraction(value))}, {})
-        whole = value.numerator
-        if whole not in self._numbers:
-            constant = self.polynomials.constant(Fraction(whole))
-            self._numbers[whole] = self.element({0: constant}, {})
-        return self._numbers[whole]
+        """A rational number, which is made once."""
+        if value not in self._numbers:
+            constant = self.polynomials.constant(Fraction(value))
+            self._numbers[value] = self.element({0: constant}, {})
+        return self._numbers[value]
 
     def generator(self, name: str) -> Element:
         """The generator or root with this name; raises ``ValueError`` if there is none."""
@@ -89,6 +86,9 @@ class Ring:
     def multiply(self, left: Polynomial, right: Polynomial) -> Polynomial:
         """The product of two polynomials, counted."""
         self.products += 1
+        one = self.polynomials.one
+        if left is one or right is one:
+            return right if left is one else left
         return self._product(left, right)
 
     def add_parts(self, left: Parts, right: Parts) -> Parts:

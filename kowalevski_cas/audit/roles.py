@@ -63,7 +63,7 @@ class Roles:
 def undefined(role: Role, formula: Formula) -> list[str]:
     """The names that a place should define, and does not print as a member of its equation."""
     is_equality = isinstance(formula, Relation) and formula.is_equality
-    members = tuple(formula.children()) if is_equality else ()
+    members = formula.children() if is_equality else ()
     printed = {member.name for member in members if isinstance(member, Name)}
     return sorted(role.defines - printed)
 

@@ -45,13 +45,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     for name, summary in QUESTIONS.items():
         module = import_module(f"kowalevski_cas.cli.questions.{name}")
         one = questions.add_parser(name, help=summary, description=module.__doc__)
-        one.set_defaults(search=module.search)
+        one.set_defaults(search=module.search, question=name)
         one.add_argument("derivation", metavar="DERIVATION", help="name in the library, or folder")
         one.add_argument("--scene", metavar="NAME", help="the scene, by its name")
         module.add_arguments(one)
         one.add_argument("--format", choices=("pretty", "json"), default="pretty")
         one.add_argument(
-            "--write", action="store_true", help="append what is proved to the file, as claims"
+            "--write", action="store_true", help="append what is proved of the motion to the file"
         )
         session.add_timeout(one, 60.0, "for the search, and for each claim")
         session.add_pool(one)
@@ -61,7 +61,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     ((_, derivation),) = session.derivations([arguments.derivation])
     scene = _scene(derivation, arguments.scene)
-    forecast(scene, getattr(arguments, "degree", 0))
+    forecast(scene, arguments.question, getattr(arguments, "degree", 0))
     file, name = _owner(scene) if arguments.write else (None, "")
     pool = session.pool(arguments)
     (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments, name, pool), [None])
@@ -106,10 +106,11 @@ def _answer(
     claims = with_findings(derivation, findings)
     run = verify(claims, ["flint"], timeout=arguments.timeout)
     both = zip(findings, run.outcomes, strict=True)
-    kept = [one for one, outcome in both if outcome.verdict.green and one.on is scene]
-    kinds = ", ".join(sorted({one.kind.__name__ for one in kept}))
+    green = (one for one, outcome in both if outcome.verdict.green)
+    kept = {line: one.kind.__name__ for one in green if (line := one.python(name, scene))}
+    kinds = ", ".join(sorted({*kept.values()}))
     lines = [f"from kowalevski_cas.paper.claims import {kinds}"] if kept else []
-    lines += [one.python(name) for one in kept]
+    lines += kept
     return _Answer(run, unfinished, "\n".join(["", *lines, ""]))
 
 
@@ -139,13 +140,15 @@ def _owner(scene: Scene) -> tuple[Path, str]:
     return found
 
 
-def forecast(scene: Scene, degree: int) -> None:
-    """Say beforehand that a question is too large to be answered."""
-    from kowalevski_cas.problem.kernel import LARGEST
+def forecast(scene: Scene, question: str, degree: int) -> None:
+    """Say beforehand that a question about polynomials up to a degree is too large."""
     from kowalevski_cas.problem.polynomial_fields import number_of_monomials
 
+    if not degree:
+        return
+    largest = import_module(f"kowalevski_cas.search.{question}").LARGEST
     width = len(scene.variables)
-    if (size := number_of_monomials((1,) * width, degree)) > LARGEST:
+    if (size := number_of_monomials((1,) * width, degree)) > largest:
         large = f"{width} variables have {size} monomials up to degree {degree}"
         print(f"{large}: the search ends before, with what it has found", file=sys.stderr)
 

@@ -132,7 +132,7 @@ def edits(
 def subtree(formula: Formula, path: Path) -> Formula:
     """The node at the end of the path."""
     for index in path:
-        formula = tuple(formula.children())[index]
+        formula = formula.children()[index]
     return formula
 
 
@@ -141,7 +141,7 @@ def replace(formula: Formula, path: Path, new: Formula) -> Formula:
     if not path:
         return new
     first, *rest = path
-    if first >= len([*formula.children()]):
+    if first >= len(formula.children()):
         raise IndexError(f"no child {first} in {type(formula).__name__}")
     places = count()
     return formula.mapped(
@@ -174,7 +174,7 @@ def is_small_change(before: Formula, after: Formula) -> bool:
     [False, True, False]
     """
     while type(before) is type(after):
-        old, new = tuple(before.children()), tuple(after.children())
+        old, new = before.children(), after.children()
         different = [k for k, pair in enumerate(zip(old, new, strict=False)) if pair[0] != pair[1]]
         if len(old) != len(new) or len(different) != 1:
             break

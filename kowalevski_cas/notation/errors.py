@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import cache
 
 _WIDTH = 70
 _LETTER = re.compile(r"(?:[^_{]|\{[^{}]*\}|\{)*")
@@ -110,6 +111,7 @@ def nearest(name: str, declared: Iterable[str], limit: int = 3) -> list[str]:
     return found
 
 
+@cache
 def closeness(name: str, other: str) -> float:
     """How easily one name is printed for another: 5 and more for a slip, 0 for no likeness."""
     letter, index = letter_and_index(name)

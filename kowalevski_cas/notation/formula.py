@@ -9,9 +9,9 @@ and of a scene.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, fields
-from functools import cache
-from typing import Any
+from dataclasses import dataclass, replace
+from operator import is_
+from typing import Any, ClassVar
 
 EQUALITIES = frozenset({"=", r"\equiv"})
 """The signs that say that two members are equal."""
@@ -21,14 +21,21 @@ EQUALITIES = frozenset({"=", r"\equiv"})
 class Formula:
     """A node of the tree. Children are formulas or tuples of formulas."""
 
-    def children(self) -> Iterator[Formula]:
+    _below: ClassVar[tuple[tuple[str, bool], ...]] = ()
+    """The attributes with children, and whether there is a tuple of them."""
+
+    def __init_subclass__(cls) -> None:
+        kinds = {"Formula": False, "tuple[Formula, ...]": True}
+        attributes = cls.__annotations__.items()
+        cls._below = tuple((name, kinds[kind]) for name, kind in attributes if kind in kinds)
+
+    def children(self) -> tuple[Formula, ...]:
         """The subformulas directly below this node, from left to right."""
-        for name in self._attributes():
+        found: tuple[Formula, ...] = ()
+        for name, several in self._below:
             value = getattr(self, name)
-            if isinstance(value, Formula):
-                yield value
-            elif isinstance(value, tuple):
-                yield from (item for item in value if isinstance(item, Formula))
+            found += value if several else (value,)
+        return found
 
     def nodes(self) -> Iterator[Formula]:
         """The formula and all its subformulas, each before those below it, from left to right."""
@@ -36,7 +43,7 @@ class Formula:
         while waiting:
             one = waiting.pop()
             yield one
-            waiting += reversed([*one.children()])
+            waiting += reversed(one.children())
 
     def names(self) -> set[str]:
         """The names that stand in the formula."""
@@ -44,25 +51,13 @@ class Formula:
 
     def mapped(self, change: Callable[[Formula], Formula]) -> Formula:
         """The formula with its children changed; itself, if no child is another one."""
-        old = [getattr(self, name) for name in self._attributes()]
-        values = [_mapped(value, change) for value in old]
-        same = all(a is b for a, b in zip(values, old, strict=True))
-        return self if same else type(self)(*values)
-
-    @classmethod
-    @cache
-    def _attributes(cls) -> tuple[str, ...]:
-        return tuple(field.name for field in fields(cls))
-
-
-def _mapped(value: Any, change: Callable[[Formula], Formula]) -> Any:
-    """An attribute of a formula, after the change of what is a formula in it."""
-    if isinstance(value, Formula):
-        return change(value)
-    if isinstance(value, tuple):
-        items = tuple(change(item) if isinstance(item, Formula) else item for item in value)
-        return value if all(a is b for a, b in zip(items, value, strict=True)) else items
-    return value
+        changed = {}
+        for name, several in self._below:
+            old: Any = getattr(self, name)
+            new: Any = tuple(map(change, old)) if several else change(old)
+            if not (all(map(is_, old, new)) if several else old is new):
+                changed[name] = new
+        return replace(self, **changed) if changed else self
 
 
 @dataclass(frozen=True)

@@ -291,7 +291,7 @@ def _is_applied(left: Formula, right: Formula) -> bool:
     """Whether a factor begins with a bracket that looks like the argument of the one before it."""
     left, inner, raised = _bare(left), _bare(right), False
     while isinstance(inner, Power) or (isinstance(inner, Derivative) and inner.mark == "prime"):
-        raised, inner = True, _bare(next(inner.children()))
+        raised, inner = True, _bare(inner.children()[0])
         if isinstance(inner, Name):
             return False
     opened = isinstance(inner, (*COMPOUND, Vector)) or (raised and not is_base(inner))

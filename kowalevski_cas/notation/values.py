@@ -70,7 +70,7 @@ def applies(left: Formula, right: Formula, raised: bool = False) -> bool:
     whatever is no name or number.
     """
     while isinstance(left, Derivative | Power | Conjugate):
-        left = next(left.children())
+        left = left.children()[0]
     needed = (*_SUMS, Product, Quotient, Power, Root) if raised else _SUMS
     return isinstance(left, Name) and not isinstance(right, needed)
 

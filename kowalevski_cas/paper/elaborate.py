@@ -84,7 +84,7 @@ class Elaboration(Moving):
             if not name.startswith(r"\sqrt"):
                 names.append(name)
             elif printed is None:
-                number = root_of_number(next(self.texts.expression(name).children()))
+                number = root_of_number(self.texts.expression(name).children()[0])
                 primes |= dict.fromkeys(rf"\sqrt{{{p}}}" for p in number[1]) if number else {}
                 names += [] if number else [name]
         yield from (*primes, *names)

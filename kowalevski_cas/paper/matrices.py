@@ -20,6 +20,7 @@ from kowalevski_cas.notation import (
     Sum,
     Vector,
     to_latex,
+    total,
 )
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import MATRIX
@@ -140,14 +141,14 @@ def determinant(matrix: Rows) -> Formula:
         minor = determinant(tuple((*row[:k], *row[k + 1 :]) for row in matrix[1:]))
         term = Product((entry, minor))
         terms.append(Negative(term) if k % 2 else term)
-    return Sum(tuple(terms)) if terms else Number(0)
+    return total(terms)
 
 
 def trace(matrix: Rows) -> Formula:
     """The sum of the diagonal; raises :class:`Meaningless` without one."""
     if len(matrix) != len(matrix[0]):
         raise Meaningless("the trace of a matrix that is not square")
-    return Sum(tuple(row[k] for k, row in enumerate(matrix)))
+    return total(row[k] for k, row in enumerate(matrix))
 
 
 OF_MATRICES = {r"\det": determinant, r"\mathrm{tr}": trace}
@@ -178,9 +179,6 @@ def _product(left: Rows, right: Rows) -> Rows:
         raise Meaningless("matrices are multiplied whose sizes do not fit")
     columns = tuple(zip(*right, strict=True))
     return tuple(
-        tuple(
-            Sum(tuple(Product(pair) for pair in zip(row, column, strict=True)))
-            for column in columns
-        )
+        tuple(total(Product(pair) for pair in zip(row, column, strict=True)) for column in columns)
         for row in left
     )

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 from functools import cache, cached_property
+from typing import Any
 
 from kowalevski_cas.algebra.derivation import Field, along
 from kowalevski_cas.algebra.polynomials import Polynomials, Terms
@@ -48,6 +49,8 @@ class Evaluation(Fold):
         self._open: set[tuple[str, bool]] = set()
         self._rates: Field | None = None
         self._moving = False
+        self.places: dict[Hashable, Any] = {}
+        """What is known of points, by their values."""
         self.roots: dict[str, Element] = {}
         """Radicands, by the names of their roots."""
         given = {n: self.ring.generator(n) for n in self.names} if own else dict(values or {})

@@ -114,7 +114,10 @@ class Examiner:
 
     def _point(self, at: Evaluation, point: Point | None, known: Sequence[Element]) -> Place:
         """The point, where known elements vanish and nothing that the goal divides by does."""
-        place = Place(at, need_point(point))
+        key = tuple(need_point(point).values.items())
+        if key not in at.places:
+            at.places[key] = Place(at, need_point(point))
+        place: Place = at.places[key]
         if place.point.values.keys() != {*self.names(at.setting)}:
             raise Unproved("the point leaves a value out, or has one too many")
         if not place.vanish(known):

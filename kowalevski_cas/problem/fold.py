@@ -208,6 +208,9 @@ def _inverse(element: Element, formula: Formula) -> Element:
 def _quotient(formula: Quotient, at: Fold, bar: bool) -> Value:
     value = at(formula.numerator, bar)
     for divisor, exponent in divisors_of(formula.denominator):
+        if isinstance(divisor, Number) and divisor.value:
+            value = multiply(value, at.ring.number(Fraction(1, divisor.value**exponent)))
+            continue
         below = at(divisor, bar)
         if isinstance(below, Triple):
             inverse: Value = Triple(_inverse(entry, divisor) for entry in below)

@@ -70,18 +70,19 @@ def decode(tree: Tree) -> Formula:
     >>> decode(["D", "x_1"]) == Derivative(Name("x_1"), MARK)
     True
     """
-    if type(tree) is str and tree:
+    kind = type(tree)
+    if kind is str and tree:
         return _name(tree)
-    if type(tree) is int:
-        return Number(tree) if tree >= 0 else Negative(Number(-tree))
-    if type(tree) is not list or len(tree) < 2 or type(tree[0]) is not str:
+    if kind is int:
+        return _number(tree) if tree >= 0 else Negative(_number(-tree))
+    if kind is not list or len(tree) < 2 or type(tree[0]) is not str:
         raise FormatError("a formula is expected")
-    op, *parts = tree
+    op = tree[0]
+    if op == "^" and len(tree) == 3:
+        return _power(tree[1], tree[2])
     if op in _KINDS and op not in ("/", "D"):
-        return _made(op, tuple(map(decode, parts)))
+        return _made(op, tuple(map(decode, tree[1:])))
     match tree:
-        case ["^", base, exponent]:
-            return _power(base, exponent)
         case ["d", str(name), argument]:
             return Partial(decode(argument), name)
         case ["D", argument]:
@@ -102,6 +103,8 @@ def whole(data: Tree) -> int:
 
 
 def _power(base: Tree, exponent: Tree) -> Formula:
+    if type(base) is str and base:
+        return _power_of_name(base, whole(exponent))
     formula = decode(base)
     if whole(exponent) * _size(base) > LARGEST_POWER:
         raise FormatError("a power is too large")
@@ -119,7 +122,12 @@ def _size(tree: Tree) -> int:
     return max(sizes, default=0) if op == "+" else sum(sizes)
 
 
-_name = cache(Name)
+_name, _number = cache(Name), cache(Number)
+
+
+@cache
+def _power_of_name(name: str, exponent: int) -> Formula:
+    return Power(_name(name), _number(exponent))
 
 
 def _made(op: str, parts: tuple[Formula, ...]) -> Formula:

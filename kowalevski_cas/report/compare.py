@@ -43,7 +43,7 @@ def _compared(old: Formula, new: Formula, within: Formula | None) -> tuple[Formu
         factors = _factors(old), _factors(new)
         if len(factors[0]) != len(factors[1]) and set(factors[0]) & set(factors[1]):
             return _lone(old, factors[0], factors[1], True), _lone(new, *factors[::-1], False)
-    before, after = list(old.children()), list(new.children())
+    before, after = old.children(), new.children()
     same = len(before) == len(after) and old.mapped(_Next(after)) == new
     if same and isinstance(old, _TAKEN_APART):
         pairs = [_compared(*pair, old) for pair in zip(before, after, strict=True)]

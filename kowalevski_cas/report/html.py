@@ -27,7 +27,7 @@ from kowalevski_cas.report.document import (
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
-from kowalevski_cas.report.plates import SUFFIX, for_a_page
+from kowalevski_cas.report.plates import for_a_page
 from kowalevski_cas.report.setting import Setter
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Verdict
@@ -194,7 +194,7 @@ class HtmlWriter(Writer):
         return f'<div class="graph" tabindex="0">{svg(block.picture)}</div>'
 
     def shown(self, block: Shown) -> str:
-        picture = for_a_page(self.beside / f"{block.plate.place}{SUFFIX}")
+        picture = for_a_page(block.plate.file(self.beside))
         image = b64encode(picture).decode()
         caption = self.text(block.caption)
         return (

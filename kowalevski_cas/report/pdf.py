@@ -10,6 +10,7 @@ import sys
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from hashlib import sha256
 from importlib.util import find_spec
 from pathlib import Path
 from types import MappingProxyType
@@ -78,7 +79,8 @@ def write_report(
     """Write a report into a folder, as HTML, LaTeX and PDF, and the facts behind it as JSON.
 
     Each file appears whole or not at all: a failure or an interrupt leaves an earlier one as it
-    was. With ``engine="auto"`` LaTeX makes the PDF where it is installed and complete, else Typst.
+    was, and a PDF that was made of the same source and pictures is left alone.
+    With ``engine="auto"`` LaTeX makes the PDF where it is installed and complete, else Typst.
     Pictures of the derivation that are in a folder below are shown (:mod:`.plates`), and so is
     which programs confirmed its certificates (:mod:`.witnesses`).
 
@@ -95,16 +97,32 @@ def write_report(
     write(tex, source)
     notes: tuple[str, ...] = ()
     if engine == "latex" or (engine == "auto" and latex_command()):
+        made = _made("latex", source, shown, folder)
         try:
-            write(pdf, latex_pdf(source, shown, folder))
+            if not _ends(pdf, made):
+                write(pdf, latex_pdf(source, shown, folder) + made)
             return Written(html, tex, pdf, "latex")
         except ReportError as error:
             if engine == "latex":
                 raise
             notes = (f"{error} The PDF was made by Typst instead.",)
-    picture = svg(drawing(document))
-    write(pdf, typst_pdf(render_typst(document), picture, shown, folder))
+    source, picture = render_typst(document), svg(drawing(document))
+    made = _made("typst", source + picture, shown, folder)
+    if not _ends(pdf, made):
+        write(pdf, typst_pdf(source, picture, shown, folder) + made)
     return Written(html, tex, pdf, "typst", notes)
+
+
+def _made(engine: str, source: str, shown: tuple[Plate, ...], folder: Path) -> bytes:
+    """A comment behind the end of a PDF, which binds what it was made of."""
+    parts = [source.encode(), *(plate.file(folder).read_bytes() for plate in shown)]
+    digests = "".join(sha256(part).hexdigest() for part in parts)
+    return f"%{engine} {sha256(digests.encode()).hexdigest()}\n".encode()
+
+
+def _ends(file: Path, end: bytes) -> bool:
+    """Whether there is a file that ends so."""
+    return file.is_file() and file.read_bytes().endswith(end)
 
 
 # ------------------------------------------------------------------------ LaTeX

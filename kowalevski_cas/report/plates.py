@@ -37,6 +37,10 @@ class Plate:
     place: str
     caption: str
 
+    def file(self, folder: Path) -> Path:
+        """The picture below the folder of the report."""
+        return folder / f"{self.place}{SUFFIX}"
+
 
 def plates(folder: Path, derivation: str) -> tuple[Plate, ...]:
     """The pictures of a derivation that are there, in the folder of its report.
@@ -84,6 +88,6 @@ def for_a_page(file: Path) -> bytes:
 def copy_plates(found: tuple[Plate, ...], source: Path, target: Path) -> None:
     """Copy pictures from the folder of a report to where it is typeset."""
     for plate in found:
-        copy = target / f"{plate.place}{SUFFIX}"
+        copy = plate.file(target)
         copy.parent.mkdir(exist_ok=True)
-        shutil.copyfile(source / f"{plate.place}{SUFFIX}", copy)
+        shutil.copyfile(plate.file(source), copy)

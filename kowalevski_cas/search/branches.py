@@ -7,6 +7,10 @@ from dataclasses import dataclass
 
 from flint import fmpq_mpoly
 
+from kowalevski_cas.algebra.flint import terms_of
+from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.search.squares import sum_of_squares
+
 Solved = tuple[tuple[int, fmpq_mpoly], ...]
 
 
@@ -76,9 +80,7 @@ class _Factor:
         self.key, self.size = str(polynomial), len(polynomial)
         self.degrees = tuple(map(int, polynomial.degrees()))
         terms = polynomial.to_dict()
-        even = not any(int(e) % 2 for exponents in terms for e in exponents)
-        signs = {value > 0 for value in terms.values()}
-        self._definite = even and len(signs) == 1 and any(not any(e) for e in terms)
+        self._definite = _is_positive(terms_of(polynomial))
         products = [exponents for exponents in terms if sum(exponents) > 1]
         places = [k for k, degree in enumerate(self.degrees) if degree == 1]
         self.linear = [k for k in places if not any(exponents[k] for exponents in products)]
@@ -93,6 +95,14 @@ class _Factor:
 
     def __hash__(self) -> int:
         return hash(self.key)
+
+
+def _is_positive(terms: Terms) -> bool:
+    """Whether a polynomial is seen to be a sum of squares of which one is a number."""
+    if min(terms) != (0,) * len(min(terms)):
+        return False
+    squares = sum_of_squares(terms) or ()
+    return any(not any(exponents) for _, base in squares for exponents in base if len(base) == 1)
 
 
 _Group = tuple[_Factor, ...]

@@ -17,6 +17,7 @@ from kowalevski_cas.problem.place import Place
 from kowalevski_cas.search.cofactors import cofactors, conditional_cofactors, vanishes_on
 from kowalevski_cas.search.groebner import Combinations, complete
 from kowalevski_cas.search.place import Candidate, PointFinder
+from kowalevski_cas.search.real_cases import proof_by_cases
 
 LARGEST_POWER = 3
 """The largest power of a goal that is combined."""
@@ -46,7 +47,12 @@ class FollowsFinder(PointFinder):
             point = self.point(at, here, divided, holds, 0) if goal.given else None
             if point is None:
                 return None
-        found = rows_of(alternatives(goal, at), known, goal.main)
+        one = len(conclusions) == 1
+        found = rows_of(alternatives(goal, at), known, goal.main) if one else None
+        by_cases = self._at_real_points(conclusions, known, at, found)
+        if by_cases is not None:
+            return Shown(by_cases, point)
+        found = found if one else rows_of(alternatives(goal, at), known, goal.main)
         if found is None:
             return None
         rows, power = found
@@ -60,6 +66,22 @@ class FollowsFinder(PointFinder):
         if not Place(at, point).defines(entries):
             point = self.point(at, here, [*divided, *entries])
         return Shown(proof, point)
+
+    @staticmethod
+    def _at_real_points(
+        conclusions: Sequence[Sequence[Element]],
+        known: Sequence[Element],
+        at: Evaluation,
+        found: tuple[list[list[Element]], int] | None,
+    ) -> Proof | None:
+        """A proof by cases where all are polynomials, if none was found that divides by nothing."""
+        entries = [entry for row in found[0] for entry in row] if found else []
+        whole = found is not None and not any(entry.denominator for entry in entries)
+        everything = (*known, *(one for conclusion in conclusions for one in conclusion))
+        plain = not any(one.denominator for one in everything) and not at.ring.roots
+        if whole or not plain or not known or not is_real(at.setting):
+            return None
+        return proof_by_cases(conclusions, known)
 
     def _divides(self, shown: Shown, goal: Follows) -> bool:
         """Whether a proof divides by something, and so shows nothing where that vanishes."""

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from heapq import heapify, heappop, heappush
 from itertools import combinations
 from math import prod
+from typing import TypeVar
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -27,6 +28,9 @@ POWERS = 3
 Monomial = tuple[int, ...]
 Made = dict[int, fmpq_mpoly]
 """How a polynomial is combined from elements of a basis, by their places."""
+
+
+Row = TypeVar("Row")
 
 
 class Basis:
@@ -169,9 +173,26 @@ class Combinations:
 
     def rows(self, power: int = 1) -> list[list[Element]] | None:
         """The rows for powers of the targets, or ``None`` if one is not found."""
-        return complete(self._row(target**power) for target in self.targets)
+        return self.rows_of(self.targets, power)
 
-    def _row(self, target: Element) -> list[Element] | None:
+    def rows_of(self, targets: Sequence[Element], power: int = 1) -> list[list[Element]] | None:
+        """The rows for powers of other targets that divide by nothing new."""
+        return complete(self.row(target**power) for target in targets)
+
+    def minimal(self) -> list[Element]:
+        """The elements of the reduced basis."""
+        found = [] if self.basis is None else self.basis.minimal()
+        for k, own in enumerate(found):
+            before = None
+            while before != own:
+                before = own
+                for divisor in filter(None, (*found[:k], *found[k + 1 :])):
+                    own = divmod(own, divisor)[1]
+            found[k] = own
+        return [self.flat.element(_in(self.flat.context, one)) for one in found if one]
+
+    def row(self, target: Element) -> list[Element] | None:
+        """The row for an element."""
         if self.basis is None:
             return None
         flat, one = self.flat, self.ring.one
@@ -194,7 +215,7 @@ class Combinations:
         return _in(self.context, self.flat.polynomial(element))
 
 
-def complete(rows: Iterable[list[Element] | None]) -> list[list[Element]] | None:
+def complete(rows: Iterable[Row | None]) -> list[Row] | None:
     """All rows; ``None`` as soon as one is missing."""
     found = []
     for row in rows:

@@ -143,7 +143,7 @@ class Prover:
         group: Row = []
         added: Places = []
         for number, base in squares:
-            parts = [part for part in _four_squares(number) if part]
+            parts = [part for part in four_squares(number) if part]
             added.append((len(group), parts[0]))
             group += [self.ring.number(part) * self.system.element(base) for part in parts]
         return group, Fraction(1), added
@@ -166,10 +166,10 @@ def _longer(row: Row, size: int, zero: Element) -> Row:
     return [*row, *([zero] * (size - len(row)))]
 
 
-def _four_squares(number: Fraction) -> tuple[Fraction, ...]:
+def four_squares(number: Fraction) -> tuple[Fraction, ...]:
     """Four rational numbers, the squares of which add up to a positive number (Lagrange).
 
-    >>> sum(part**2 for part in _four_squares(Fraction(7, 3))) == Fraction(7, 3)
+    >>> sum(part**2 for part in four_squares(Fraction(7, 3))) == Fraction(7, 3)
     True
     """
     whole = number.numerator * number.denominator

@@ -208,7 +208,7 @@ def rooted(scene: Scene, display: Display) -> Scene:
     waiting = [statement.formula for statement in read_display(display.tex, vocabulary((scene,)))]
     for place, formula in zip(display, waiting, strict=True):
         named = {*place.heads.names} & {*scene.definitions}
-        if named and len([*formula.children()]) > len(named) + 1:
+        if named and len(formula.children()) > len(named) + 1:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
     for formula in (node for one in waiting for node in one.nodes()):
         if isinstance(formula, Conjugate):

@@ -152,6 +152,13 @@ class System(Claims):
         special._stand_on(scene)
         return special
 
+    def having(self, *constants: str) -> System:
+        r"""The system with more constants, as ``\rho``, which stand in no equation of motion."""
+        more = copy(self)
+        scene = self.scene.having(constants=constants)
+        more._stand_on(scene.described(f"{scene.name} with {', '.join(constants)}", scene.words))
+        return more
+
     # -- claims ------------------------------------------------------------------
 
     def states(
@@ -221,7 +228,7 @@ class System(Claims):
 
         What is found in time is claimed; if something may be left, that is said.
         """
-        forecast(self.scene, int(options.get("degree", 0)))
+        forecast(self.scene, question, int(options.get("degree", 0)))
         module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
         module.add_arguments(parser)
         told = [f"--{name}={value}" for name, value in options.items() if type(value) is not bool]

@@ -40,8 +40,16 @@ class Finding:
         printed = None if self.tex == "" else place(self.tex)
         return self.kind(id, self.on, printed, self.says, **attributes)
 
-    def python(self, system: str) -> str:
-        """The line that claims it in a file, of a system with this name there."""
+    def python(self, system: str, scene: Scene) -> str:
+        """The line that claims it in a file, of a system with this name there and this scene.
+
+        It is empty if what was found is about no such motion: a file has no words for that.
+        """
+        if self.on.field != scene.field:
+            return ""
+        letters = [repr(name) for name in self.on.constants if name not in scene.constants]
+        if letters:
+            system = f"{system}.having({', '.join(letters)})"
         words = [self.kind.__name__, '"found"', repr(self.says)]
         words += [f"printed={_quoted(self.tex)}"] if self.tex else []
         words += [f"{name}={_quoted(value)}" for name, value in self.attributes.items()]

@@ -72,7 +72,7 @@ def _empty(statement: Statement) -> int:
 def _trivial(formula: Formula) -> bool:
     """Whether two sides, or both arguments of a bracket, are literally the same."""
     paired = (one for one in formula.nodes() if isinstance(one, Relation | PoissonBracket))
-    return any(len({*one.children()}) < len([*one.children()]) for one in paired)
+    return any(len({*one.children()}) < len(one.children()) for one in paired)
 
 
 def _common(formula: Formula) -> set[str]:
@@ -85,7 +85,7 @@ def _common(formula: Formula) -> set[str]:
         case Product():
             return set().union(*map(_common, formula.factors))
         case Negative() | Power():
-            return _common(next(iter(formula.children())))
+            return _common(formula.children()[0])
         case Relation() | Sum():
             parts = [_common(one) for one in formula.children() if one != Number(0)]
             return set.intersection(*parts) if parts else set()

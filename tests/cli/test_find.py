@@ -97,8 +97,31 @@ def test_the_constants_for_which_a_polynomial_divides_its_derivative(capsys, tmp
     assert "with K = −2σ where A = −2σ and b = 2σ" in lines[3]
     assert main(["find", "parameters", str(file), "x+y^2"]) == 0
     assert "only where never" in capsys.readouterr().out
+    file.write_text(
+        "from kowalevski_cas import System\ns = System(r'\\dot x=y,\\quad \\dot y=-x')\n"
+    )
+    assert main(["find", "parameters", str(file), "x^2+y^2"]) == 2
+    assert "nothing is to be determined" in capsys.readouterr().err
     assert main(["find", "parameters", str(file), "A"]) == 2
     assert "no variable stands in the polynomial" in capsys.readouterr().err
+
+
+def test_cases_that_only_real_numbers_exclude(capsys, tmp_path):
+    file = tmp_path / "cycle.py"
+    field = r"\dot x=-y+x(1-x^2-y^2),\quad \dot y=x+y(1-x^2-y^2)"
+    file.write_text(f"from kowalevski_cas import System\ncycle = System(r'{field}')\n")
+    assert main(["find", "parameters", str(file), "x+Ay"]) == 0
+    assert "proved  F' = KF only where never" in capsys.readouterr().out
+
+
+def test_a_large_question_is_said_to_be_large_beforehand(tmp_path, capsys):
+    file = tmp_path / "nahm.py"
+    field = r"\dot x=yz,\quad \dot y=zx,\quad \dot z=xy"
+    file.write_text(f"from kowalevski_cas import System\nnahm = System(r'{field}')\n")
+    assert main(["find", "darboux", str(file), "--degree", "50", "--timeout", "1"]) == 3
+    said = capsys.readouterr()
+    assert "3 variables have 23426 monomials up to degree 50: the search ends before" in said.err
+    assert not said.out.startswith("0 found")
 
 
 @pytest.mark.slow
@@ -210,6 +233,23 @@ def test_what_is_written_to_the_file_is_proved_there(tmp_path, capsys):
     assert "3 claims: " in capsys.readouterr().out
     assert main([*CASE, "--degree", "1", "--write"]) == 2
     assert "--write needs a file in which a System" in capsys.readouterr().err
+
+
+def test_what_has_constants_of_its_own_is_written_and_certified_too(tmp_path, capsys):
+    file = tmp_path / "found.py"
+    field = r"\dot x=y,\quad \dot y=6x^2+c"
+    file.write_text(f"from kowalevski_cas import System\nelliptic = System(r'{field}')\n")
+    assert main(["find", "exponents", str(file), "--write"]) == 0
+    assert (
+        main(["find", "parameters", str(file), "y^2+Ax^3+Bx", "--write", "--scene", "the system"])
+        == 0
+    )
+    lines = file.read_text().splitlines()
+    assert r"elliptic.having('\\rho').states(" in lines[-5]
+    assert "elliptic.having('A', 'B', " in lines[-1]
+    for words in (["verify", "--arithmetic", "flint"], ["record"], ["check"]):
+        assert main([words[0], str(file), *words[1:]]) == 0
+    assert "CERTIFIED 4 of 4" in capsys.readouterr().out
 
 
 def test_what_is_found_is_certified(capsys, tmp_path):

@@ -95,7 +95,7 @@ def statements(request):
 
 
 def names_in(formula):
-    own = {formula.name} if hasattr(formula, "name") and not list(formula.children()) else set()
+    own = {formula.name} if hasattr(formula, "name") and not formula.children() else set()
     return own.union(*map(names_in, formula.children()))
 
 

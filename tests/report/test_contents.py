@@ -136,7 +136,7 @@ class TestWrong:
         assert "has this denominator" in said(marks)
         theta = condition("x_1x_2", "").expression
         formulas = [part for part in parts((marks,)) if isinstance(part, Formula)]
-        assert [next(iter(formula.children())) for formula in formulas] == [theta]
+        assert [formula.children()[0] for formula in formulas] == [theta]
 
     def test_a_hypothesis_that_several_statements_lack_is_one(self) -> None:
         needed = condition("x", "for $x=0$ it fails", witness=counterexample(point({}), "1", "2"))

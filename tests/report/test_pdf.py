@@ -5,6 +5,7 @@ import os
 import re
 import stat
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -50,6 +51,24 @@ def test_typst_makes_the_same_bytes_again(tmp_path: Path) -> None:
         for name in "ab"
     )
     assert first == again
+
+
+def test_a_pdf_is_made_anew_if_what_it_is_made_of_has_changed(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    made: list[str] = []
+
+    def making(source: str, *rest: object) -> bytes:
+        made.append(source)
+        return b"%PDF-"
+
+    monkeypatch.setattr(pdf, "typst_pdf", making)
+    for title in ("A", "A", "B", "B"):
+        one = write_report(replace(run(), title=title), PAPER, tmp_path, engine="typst").pdf
+    assert len(made) == 2
+    one.write_bytes(one.read_bytes()[:-1])
+    write_report(replace(run(), title="B"), PAPER, tmp_path, engine="typst")
+    assert len(made) == 3
 
 
 @needs_latex

@@ -32,6 +32,7 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.prune import mentions
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.parameters import Ansatz, cofactor_monomials
 from kowalevski_cas.verify.found import Finding
 
@@ -49,6 +50,11 @@ def search(
     """What F' = KF asks of the constants, that there are these cases only, and each of them."""
     letters = _letters(on(scene))
     unknown = _unknown(on(scene), arguments.polynomial)
+    if not unknown and not scene.constants:
+        raise Meaningless(
+            "nothing is to be determined: no constant stands in the motion, and none in the "
+            "polynomial; give that coefficients, as in `x+Ay`"
+        )
     scene = scene.having(constants=(*unknown, *letters))
     words = on.texts.vocabulary
     words = replace(words, scalars=words.scalars.union(unknown, letters))
