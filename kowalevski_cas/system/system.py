@@ -210,12 +210,16 @@ class System(Claims):
 
     # -- questions ---------------------------------------------------------------
 
-    def find_integrals(self, degree: int, weighted: bool = False) -> list[Stated]:
+    def find_integrals(
+        self, degree: int, weighted: bool = False, on: Sequence[Tex] = ()
+    ) -> list[Stated]:
         """The polynomial first integrals up to a degree, and that there are no others.
 
-        If it is ``weighted``, variables count by weights for which the motion is homogeneous.
+        If it is ``weighted``, variables count by weights for which the motion is homogeneous. If
+        there are equations ``on`` which the motion is looked at, those on that invariant set.
         """
-        return self._found("integrals", degree=degree, weighted=weighted)
+        given = tuple(map(self._tex, on))
+        return self._found("integrals", degree=degree, weighted=weighted, on=given)
 
     def find_darboux(self, degree: int, special: bool = False, cofactor: Tex = "") -> list[Stated]:
         """The Darboux polynomials up to a degree, perhaps for ``special`` constants too.
@@ -237,16 +241,18 @@ class System(Claims):
         """The balances of the leading terms, and the Kowalevski exponents of each."""
         return self._found("exponents")
 
-    def _found(self, question: str, *words: str, **options: int | str) -> list[Stated]:
+    def _found(self, question: str, *words: str, **options: Any) -> list[Stated]:
         """What the command ``find`` finds, as claims like any other.
 
         What is found in time is claimed; if something may be left, that is said.
         """
-        forecast(self.scene, question, int(options.get("degree", 0)))
+        forecast(self.scene, question, options.get("degree", 0))
         module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
         module.add_arguments(parser)
-        told = [f"--{name}={value}" for name, value in options.items() if type(value) is not bool]
-        told += [f"--{name}" for name, value in options.items() if value is True]
+        each_of = ((n, v if isinstance(v, tuple) else (v,)) for n, v in options.items())
+        single = [(name, value) for name, values in each_of for value in values]
+        told = [f"--{name}={value}" for name, value in single if type(value) is not bool]
+        told += [f"--{name}" for name, value in single if value is True]
         on = Elaborations(Texts(vocabulary((self.scene,))))
         told += ["--", *words] if words else []
         asked = parser.parse_args(told)
@@ -273,13 +279,10 @@ class System(Claims):
         if isinstance(formula, str):
             return formula
         if not isinstance(formula, Function):
-            return to_latex(self._of_sympy(formula))
+            return to_latex(from_sympy(formula, self._name))
         if self.scene.definitions.get(formula.name) != formula.place:
             raise ValueError(f"{formula!r} is defined elsewhere: define it on this system")
         return formula.name
-
-    def _of_sympy(self, expression: Any) -> Formula:
-        return from_sympy(expression, self._name)
 
     def _name(self, symbol: Any) -> str:
         """How a symbol of SymPy is printed, as one name.
