@@ -493,6 +493,10 @@ def test_a_notebook_shows_what_is_said(lorenz):
     assert F._repr_latex_() == r"$F = x^2 - 2\sigma z$"
     assert r"\dot{x} = \sigma(y - x)" in lorenz._repr_latex_()
     assert lorenz.integral(F)._repr_html_().startswith("<p><b>refuted</b>: this is constant")
+    assert re.search(r"; not at x = \S+, y = ", repr(lorenz.integral(F)))
+    special = lorenz.where(r"b=2\sigma")
+    assert repr(special) == "x, y, z move; σ, ρ are constant; b = 2σ"
+    assert special._repr_html_().count("<math>") == 3 + 5 + 1
 
 
 # -- files --------------------------------------------------------------------------

@@ -76,6 +76,8 @@ ONE_READING = {
     r"\frac{\partial L}{\partial\dot{\mathbf r}} + \mathbf p": Sum(
         (Partial(Name("L"), r"\dot{\mathbf{r}}"), Name(r"\mathbf{p}"))
     ),
+    r"\dot q_{r_{0}}": Derivative(Name("q_{r_0}"), "dot"),
+    "p_{O'} x": Product((Name("p_{O'}"), x)),
     "H := x": Relation((H, x), ("=",)),
     r"H \coloneqq x": Relation((H, x), ("=",)),
     r"\nabla U": Partial(Name("U"), r"\mathbf{r}"),
