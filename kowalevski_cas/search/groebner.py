@@ -16,8 +16,9 @@ from typing import TypeVar
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
+from kowalevski_cas.algebra.flat import Flat
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.search.cofactors import Flat, cofactors, conditional_cofactors
+from kowalevski_cas.search.cofactors import cofactors, conditional_cofactors
 
 LONGEST = 500_000
 """How many terms are reduced to make a basis, before it is given up."""

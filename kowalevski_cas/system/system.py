@@ -279,13 +279,10 @@ class System(Claims):
         if isinstance(formula, str):
             return formula
         if not isinstance(formula, Function):
-            return to_latex(self._of_sympy(formula))
+            return to_latex(from_sympy(formula, self._name))
         if self.scene.definitions.get(formula.name) != formula.place:
             raise ValueError(f"{formula!r} is defined elsewhere: define it on this system")
         return formula.name
-
-    def _of_sympy(self, expression: Any) -> Formula:
-        return from_sympy(expression, self._name)
 
     def _name(self, symbol: Any) -> str:
         """How a symbol of SymPy is printed, as one name.
