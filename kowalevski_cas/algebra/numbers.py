@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from math import isqrt
+from math import isqrt, prod
 
 from kowalevski_cas.algebra.polynomials import Polynomial, Polynomials, Terms
 from kowalevski_cas.algebra.present import formula_of
@@ -55,6 +55,25 @@ def rational(element: Element) -> Fraction | None:
         return None
     (value,) = parts[0].values()
     return value
+
+
+def is_negative(number: Element) -> bool:
+    """Whether a real number is negative; the roots that it is made of are the positive ones."""
+    squares = [rational(radicand) or Fraction(0) for radicand in number.ring.radicands]
+    parts = [
+        (value, int(prod(s for bit, s in enumerate(squares) if mask >> bit & 1)))
+        for mask, terms in number.terms().items()
+        for value in terms.values()
+    ]
+    digits = 32
+    while parts:
+        unit = Fraction(1, 10**digits)
+        roots = [isqrt(square * 100**digits) * unit for _, square in parts]
+        found = [(v * root, v * (root + unit)) for (v, _), root in zip(parts, roots, strict=True)]
+        if sum(map(min, found)) > 0 or sum(map(max, found)) < 0:
+            return sum(map(max, found)) < 0
+        digits *= 2
+    return False
 
 
 class Substitution:

@@ -7,7 +7,7 @@ from functools import cache
 from itertools import combinations
 from math import gcd, isqrt
 
-from kowalevski_cas.algebra.numbers import Substitution
+from kowalevski_cas.algebra.numbers import Substitution, is_negative
 from kowalevski_cas.algebra.polynomials import Polynomials
 from kowalevski_cas.algebra.present import multiple
 from kowalevski_cas.algebra.tower import Element
@@ -25,7 +25,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
-from kowalevski_cas.problem.space import Adjoined, Raised, Space
+from kowalevski_cas.problem.space import Adjoined, Raised, Space, Step
 
 MINUS_ONE = Negative(Number(1))
 NUMERIC = (Number, Name, Negative, Sum, Product, Quotient, Power)
@@ -96,22 +96,28 @@ class Place:
         partner = {one: other for pair in setting.conjugates for one, other in (pair, pair[::-1])}
         for name, value in given.items():
             step = setting.step(name)
-            if isinstance(step, Adjoined):
-                own = at.scalar(Name(name))
-                if not (value * value - self(own * own)).is_zero:
-                    raise Misplaced(f"{name} is not a root there")
-                if step.square == MINUS_ONE:
-                    continue
-            if isinstance(step, Raised):
-                one = self.numbers.ring.one
-                if not (value - one).is_zero or not (self(at.scalar(step.base)) - one).is_zero:
-                    raise Misplaced(f"the value of {name} is not known there")
+            self._check_step(step, value)
+            if isinstance(step, Adjoined) and step.square == MINUS_ONE:
+                continue
             bar = given.get(partner.get(name, name))
             if bar is None or not (value.conjugate_root(UNIT) - bar).is_zero:
                 raise Misplaced(f"{name} is not real there")
+            if name.startswith(r"\sqrt") and name not in partner and is_negative(value):
+                raise Misplaced(f"{name} is negative there")
         for element in at.granted:
             if self.knows(element) and self(element).is_zero:
                 raise Misplaced("what is taken for granted not to vanish does")
+
+    def _check_step(self, step: Step | None, value: Element) -> None:
+        """Check that a root, or a power, is one there."""
+        if isinstance(step, Adjoined):
+            own = self.at.scalar(Name(step.name))
+            if not (value * value - self(own * own)).is_zero:
+                raise Misplaced(f"{step.name} is not a root there")
+        elif isinstance(step, Raised):
+            one = self.numbers.ring.one
+            if not (value - one).is_zero or not (self(self.at.scalar(step.base)) - one).is_zero:
+                raise Misplaced(f"the value of {step.name} is not known there")
 
 
 @cache

@@ -72,6 +72,13 @@ class Basis:
         """The elements whose leading monomials no later one divides; they are a basis too."""
         return [self.elements[k] for k in self._kept]
 
+    def reduced(self) -> list[fmpq_mpoly]:
+        """A basis in which no monomial is divisible by the leading one of another element."""
+        found = self.minimal()
+        for k, own in enumerate(found):
+            found[k] = remainder(own, (*found[:k], *found[k + 1 :]))
+        return [one for one in found if one]
+
     def _enter(self, polynomial: fmpq_mpoly, made: Made) -> None:
         """Add an element, with the pairs that are needed (Gebauer and Möller)."""
         place, lead = len(self.elements), _lead(polynomial)
@@ -131,6 +138,16 @@ class Basis:
         return self.context.from_dict({exponents: 1})
 
 
+def remainder(polynomial: fmpq_mpoly, divisors: Sequence[fmpq_mpoly]) -> fmpq_mpoly:
+    """What is left of a polynomial when no leading monomial of a divisor divides one of it."""
+    before = None
+    while before != polynomial:
+        before = polynomial
+        for divisor in filter(None, divisors):
+            polynomial = divmod(polynomial, divisor)[1]
+    return polynomial
+
+
 class Combinations:
     """Rows of elements that combine targets from generators; a basis is made of these once.
 
@@ -181,15 +198,8 @@ class Combinations:
 
     def minimal(self) -> list[Element]:
         """The elements of the reduced basis."""
-        found = [] if self.basis is None else self.basis.minimal()
-        for k, own in enumerate(found):
-            before = None
-            while before != own:
-                before = own
-                for divisor in filter(None, (*found[:k], *found[k + 1 :])):
-                    own = divmod(own, divisor)[1]
-            found[k] = own
-        return [self.flat.element(_in(self.flat.context, one)) for one in found if one]
+        found = [] if self.basis is None else self.basis.reduced()
+        return [self.flat.element(_in(self.flat.context, one)) for one in found]
 
     def row(self, target: Element) -> list[Element] | None:
         """The row for an element."""

@@ -42,15 +42,30 @@ _INDEX = re.compile("[i-n]")
 _PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
 
 
+def bold(vectors: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[str, ...]]:
+    r"""Components by the names of vectors as the reader makes them, ``\mathbf{r}`` of ``\bf r``."""
+    return {heads(f"{name}=0")[0].names[0]: parts for name, parts in vectors.items()}
+
+
+def with_time(tex: str, vectors: Mapping[str, tuple[str, ...]]) -> str:
+    """Equations of motion, with one for the time, :math:`dt/dt=1`, if it stands in them."""
+    display = Display("field", tex, "")
+    words = _vocabulary(display, vectors)
+    formulas = [*_read(display, words).values()]
+    moving = {name for formula in formulas for name in _moving(formula)}
+    for time in words.times - moving:
+        if any(Name(time) in formula.nodes() for formula in formulas):
+            return rf"{tex},\quad \frac{{d{time}}}{{d{time}}}=1"
+    return tex
+
+
 def moving_by(display: Display, name: str, vectors: Mapping[str, tuple[str, ...]]) -> Scene:
     """The scene of equations of motion, and of what is defined and supposed beside them.
 
     Raises ``ValueError`` if they do not say what moves, and how.
     """
-    vectors = {heads(f"{bold}=0")[0].names[0]: parts for bold, parts in vectors.items()}
     words = _vocabulary(display, vectors)
-    one = frozenset(sorted(words.vectors)[:1])  # what a gradient is by, does not matter yet
-    formulas = _read(display, replace(words, moving=one))
+    formulas = _read(display, words)
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
     formulas = _read(display, words)
@@ -65,9 +80,6 @@ def moving_by(display: Display, name: str, vectors: Mapping[str, tuple[str, ...]
         if isinstance(one, Name)
     ]
     _check(display, formulas, laws, moving, defined)
-    if words.times & {*names}:
-        time = min(words.times)
-        raise ValueError(rf"the time {time} stands in the equations: give it a name, with \dot s=1")
     variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
     fixed = [one for one in names if one not in defined and one not in words.matrices]
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
@@ -93,6 +105,7 @@ def _vocabulary(display: Display, vectors: Mapping[str, tuple[str, ...]]) -> Voc
     return replace(
         words, scalars=functions, functions=words.functions | functions, vectors=frozenset(vectors),
         matrices=frozenset(matrices - vectors.keys()), times=frozenset(times),
+        moving=frozenset(sorted(vectors)[:1]),  # by what a gradient is, does not matter yet
     )  # fmt: skip
 
 
@@ -105,7 +118,7 @@ def _check(
 ) -> None:
     """Refuse equations that do not tell what moves, and names that are derived and not defined."""
     if not laws:
-        raise ValueError(f"{display.tex} has no equation of motion: print one with a derivative")
+        raise ValueError(f"“{display.tex}” has no equation of motion: print one with a derivative")
     for place in formulas:
         names = place.heads.names
         if names and place not in laws and {*names} <= {*moving}:

@@ -20,7 +20,9 @@ def answered(published):
     derivation = Derivation("published", published.name, "", "", (system.section,))
     on = Elaborations(derivation.texts(None, scene))
     question = import_module(f"kowalevski_cas.cli.questions.{published.question}")
-    arguments = Namespace(degree=published.degree, special=False, weighted=False, cofactor="")
+    arguments = Namespace(
+        degree=published.degree, special=False, weighted=False, cofactor="", on=()
+    )
     findings = [*question.search(on, scene, arguments)]
     claims = with_findings(derivation, findings)
     session = Session(claims, ["flint"])

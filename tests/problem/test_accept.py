@@ -3,9 +3,14 @@
 from dataclasses import replace
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import load
+from kowalevski_cas.notation import Name
+from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.accept import Judge
+from kowalevski_cas.problem.codec import evidence_data, problem_data
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
     At,
@@ -29,11 +34,14 @@ from kowalevski_cas.problem.goals import (
     Follows,
     Kernel,
     Positive,
+    Problem,
     Rank,
     identity,
 )  # fmt: skip
 from kowalevski_cas.problem.space import Adjoined, Let, Motion, Raised, Space
 from kowalevski_cas.problem.trees import decode
+
+from .tampering import seal
 
 
 def judge(arithmetic="flint"):
@@ -68,6 +76,26 @@ def accepted(goal, evidence, sign=True):
 
 def equations(*pairs):
     return tuple((decode(left), decode(right)) for left, right in pairs)
+
+
+@given(st.lists(st.integers(-30, 30), min_size=4, max_size=4), st.sampled_from(("r", r"\sqrt{x}")))
+def test_a_printed_root_is_not_negative_at_a_point(parts, name):
+    """A name with a square may be either root; so the judge has it, and the checker."""
+    numbers = [1, ["sqrt", 2], ["sqrt", 3], ["*", ["sqrt", 2], ["sqrt", 3]]]
+    value = ["+", *(["*", part, one] for part, one in zip(parts, numbers, strict=True))]
+    size = sum(part * one**0.5 for part, one in zip(parts, (1, 2, 3, 6), strict=True))
+    space = Space(("x",), steps=(Adjoined(name, Name("x")),))
+    found = Point({"x": decode(["^", value, 2]), name: decode(value)})
+    goal, evidence = follows(["x", ["^", name, 2]], space=space), Shown(Proof(), found)
+    data = {"format": checker.FORMAT, "version": 2, "claim": "c", "sign": "holds"}
+    data |= {**problem_data(Problem((goal,))), "evidence": [evidence_data(evidence)]}
+    if name == "r" or size > -1e-9:
+        accepted(goal, evidence)
+        checker.check(seal(data))
+    else:
+        rejected(goal, evidence, "is negative there")
+        with pytest.raises(checker.Rejected, match="is negative there"):
+            checker.check(seal(data))
 
 
 def follows(*conclusion, given=(), space=None):

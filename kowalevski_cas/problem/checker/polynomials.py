@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce
-from math import gcd, lcm
+from math import gcd, isqrt, lcm, prod
 
 from .reading import BITS, DEGREE, NAMES, Budget, need
 
@@ -119,19 +119,19 @@ class Element:
         """The same with each root in the first power at most."""
         ring, value = self.ring, self
         for name in reversed(ring.roots):
-            bits = reduce(int.__or__, value.terms, 0)
-            if not bits & ring.squares:
-                return value
-            shift, square, low, high = ring.at[name], 2 * ring.unit[name], Terms(), Terms()
-            if bits >> shift & MASK < 2:
-                continue
-            for m, c in value.terms.items():
-                if m >> shift & MASK > 1:
-                    high[m - square] = c
-                else:
-                    low[m] = c
-            more = Element(ring, high, value.below) * ring.roots[name]
-            value = Element(ring, low, value.below) + more
+            shift, square, root = ring.at[name], 2 * ring.unit[name], ring.roots[name]
+            while (bits := reduce(int.__or__, value.terms, 0)) & ring.squares:
+                if bits >> shift & MASK < 2:
+                    break
+                high = {m - square: c for m, c in value.terms.items() if m >> shift & MASK > 1}
+                need(max(m & MASK for m in high) + root.degree() <= DEGREE, "a degree is too large")
+                size = 1 + (value.bits * root.bits >> 16)
+                ring.spend(len(value.terms) + len(high) * len(root.terms) * size)
+                out = {m: root.below * c for m, c in value.terms.items() if m - square not in high}
+                for m, c in high.items():
+                    for n, d in root.terms.items():
+                        out[m + n] = out.get(m + n, 0) + c * d
+                value = Element(ring, out, value.below * root.below)
         return value
 
     def generators(self) -> list[str]:
@@ -187,6 +187,19 @@ class Element:
     def differs(self) -> bool:
         """Whether a number is certainly not zero, whatever the signs of its roots."""
         return bool(self.normed()[1].terms)
+
+    def is_negative(self) -> bool:
+        """Whether a number is negative, or may be; its roots are the positive ones."""
+        squares = {name: self.ring.roots[name].value() or 0 for name in self.generators()}
+        if not self.terms or min(squares.values(), default=1) < 1:
+            return bool(self.terms)
+        low = 0
+        self.ring.spend(len(self.terms) << 4)
+        for m, c in self.terms.items():
+            square = prod(squares[n].numerator for n in squares if m >> self.ring.at[n] & MASK)
+            root = isqrt(c * c * square << 2 * BITS)  # rounded off; that of a square is exact
+            low += root if c > 0 else -root - (root * root < c * c * square << 2 * BITS)
+        return low < 0
 
     def value(self) -> Fraction | None:
         """The number that it is, if it is one."""
