@@ -323,6 +323,14 @@ def test_the_time_moves_where_it_stands_in_the_equations(field, moves, identity)
     assert system.integral("x" if "x" in moves else "H").verdict is Verdict.REFUTED
 
 
+def test_several_functions_are_defined_at_once():
+    free = System(r"\ddot q_i=0,\ i=1,2,3")
+    assert free.define(r"p_i=2\dot q_i,\ i=1,2").name == "p_1"
+    assert free.integral("p_2").verdict is free.integral("p_1p_2").verdict is Verdict.PROVED
+    with pytest.raises(NotationError, match="p_3 is not declared here"):
+        free.read("p_3")
+
+
 def test_the_modulus_of_what_is_complex_is_real():
     top = System(
         r"2\dot p=qr,\ 2\dot q=-pr-c\gamma_3,\ \dot r=c\gamma_2,\ i^2=-1,"
