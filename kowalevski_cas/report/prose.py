@@ -198,6 +198,7 @@ class _Article:
             "cite": lambda: self._cite(arguments),
             "footnote": lambda: self._footnote(arguments),
             "par": self.end,
+            "includegraphics": lambda: self._source(node),
             "caption": lambda: self._caption(arguments),
             "texttt": lambda: self.line.append(Code(_verbatim(arguments).replace("\\", ""))),
             "\\": lambda: self.line.append(" "),
