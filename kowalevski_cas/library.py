@@ -58,6 +58,8 @@ def find(name: str) -> Path:
             f"{name} is no derivation: a Python file is expected, or a folder with an __init__.py"
             + ("; a TeX source is for `kowalevski-cas audit`" if path.suffix == ".tex" else "")
         )
+    if path.suffix:
+        raise LibraryError(f"there is no file {name}")
     known = ", ".join(available()) or "none"
     raise LibraryError(f"there is no derivation “{name}”; the library has: {known}")
 

@@ -261,6 +261,10 @@ SPACE = {R: ("x", "y", "z"), P: ("u", "v", "w")}
             r"\dot{\mathbf r}=\frac{\partial H}{\partial\mathbf p},\ \dot{\mathbf p}=-\frac{\partial H}{\partial\mathbf r},\ H(\mathbf r,\mathbf p)=\frac12\mathbf p^2+(\mathbf r^2)^2",
             "H",
         ),
+        (
+            r"\frac{d}{dt}\frac{\partial L}{\partial\dot{\mathbf r}}=\frac{\partial L}{\partial\mathbf r},\ L(\mathbf r,\dot{\mathbf r})=\frac m2\dot{\mathbf r}^2-\frac k4(\mathbf r^2)^2",
+            r"\mathbf r\times\frac{\partial L}{\partial\dot{\mathbf r}}",
+        ),
         (r"\dot{\mathbf r}=\mathbf r\times\mathbf p,\ \dot{\mathbf p}=0", r"\langle\mathbf r,\mathbf p\rangle"),
         (
             r"\mathbf I\dot{\mathbf r}=\mathbf I\mathbf r\times\mathbf r,\ \mathbf I=\operatorname{diag}(a,b,c)",
@@ -296,6 +300,27 @@ def test_matrices_depend_on_a_parameter():
     for constant in (curve, r"P(1)", r"\det L(2)", r"\operatorname{tr}L(\lambda)^2"):
         assert circle.integral(constant).verdict is Verdict.PROVED
     assert circle.integral(r"\det(L(\lambda)-\omega q)").verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("field", "moves", "identity"),
+    [
+        (r"\ddot x=6x^2+t", "x, t move", r"\frac{d}{dt}\left(\frac12\dot x^2-2x^3\right)=t\dot x"),
+        (r"x''=6x^2+t", "x, t move", r"(x'^2-4x^3)'=2tx'"),
+        (r"\frac{dx}{ds}=sx", "x, s move", r"\frac{d}{ds}x^2=2sx^2"),
+        (
+            r"\dot q=\frac{\partial H}{\partial p}, \dot p=-\frac{\partial H}{\partial q}, H(q,p,t)=\frac12p^2-2q^3-tq",
+            "q, p, t move",
+            r"\frac{dH}{dt}=\frac{\partial H}{\partial t}",
+        ),
+        (r"\dot t=1, \dot x=tx", "t, x move", r"\dot x=tx"),
+    ],
+)
+def test_the_time_moves_where_it_stands_in_the_equations(field, moves, identity):
+    system = System(field)
+    assert repr(system) == moves
+    assert system.identity(identity).verdict is Verdict.PROVED
+    assert system.integral("x" if "x" in moves else "H").verdict is Verdict.REFUTED
 
 
 @pytest.mark.parametrize("number", [2, 3, 5, 6, 7])
@@ -355,7 +380,6 @@ def test_vectors_are_given_by_components():
         (r"\dot x=k(t)x", r"a product, or k at this argument\?"),
         (r"\dot x=x-\bar x", "x} is a conjugate, and all is real: rename it"),
         (r"\dot x=F, F=x=1", "F=x=1 gives F twice: leave one side out"),
-        (r"\dot x=t", "the time t stands in the equations"),
         (
             r"\dot{\mathbf{x}}=y",
             r'give its components, as in vectors=\{r"\\mathbf\{x\}": \("a", "b"\)\}',
@@ -422,6 +446,10 @@ def test_expressions_of_sympy_are_as_good_as_latex():
     )
     with pytest.raises(TypeError, match=r"is no sum, product, whole power or square root"):
         lorenz.integral(x**y)
+    with pytest.raises(TypeError, match=r"None is no formula, in LaTeX or of SymPy"):
+        lorenz.integral(None)
+    with pytest.raises(TypeError, match=r"by the variables of SymPy, and not 3"):
+        System(3)
 
 
 NAMES = ("x", "x1", "x_1", "alpha", r"\alpha", "y", "foo", "2", "x y", "x+y", "}", "", "d", "bar x")
@@ -465,6 +493,10 @@ def test_a_notebook_shows_what_is_said(lorenz):
     assert F._repr_latex_() == r"$F = x^2 - 2\sigma z$"
     assert r"\dot{x} = \sigma(y - x)" in lorenz._repr_latex_()
     assert lorenz.integral(F)._repr_html_().startswith("<p><b>refuted</b>: this is constant")
+    assert re.search(r"; not at x = \S+, y = ", repr(lorenz.integral(F)))
+    special = lorenz.where(r"b=2\sigma")
+    assert repr(special) == "x, y, z move; σ, ρ are constant; b = 2σ"
+    assert special._repr_html_().count("<math>") == 3 + 5 + 1
 
 
 # -- files --------------------------------------------------------------------------

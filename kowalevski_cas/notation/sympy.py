@@ -33,7 +33,7 @@ def from_sympy(expression: Any, name: Callable[[Any], str]) -> Formula:
     def of(part: Any) -> Formula:
         return from_sympy(part, name)
 
-    expression = sympy.sympify(expression)
+    expression = _expression(expression)
     if expression.is_Symbol:
         return Name(name(expression))
     if isinstance(expression, sympy.Equality):
@@ -64,6 +64,16 @@ def _operation(expression: Any, of: Callable[[Any], Formula]) -> Formula:
         base = base if expression.exp.q == 1 else Root(base)
         return base if exponent == Number(1) else Power(base, exponent)
     raise TypeError(f"{expression} is no sum, product, whole power or square root: write LaTeX")
+
+
+def _expression(value: Any) -> Any:
+    """A value as an expression of SymPy; raises ``TypeError`` if it is none."""
+    import sympy
+
+    expression = sympy.sympify(value)
+    if not isinstance(expression, sympy.Basic):
+        raise TypeError(f"{value!r} is no formula, in LaTeX or of SymPy")
+    return expression
 
 
 def to_sympy(formula: Formula, symbols: Mapping[str, Any]) -> Any:

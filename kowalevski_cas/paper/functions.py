@@ -25,4 +25,7 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
             if not all(isinstance(one, Name) for one in own):
                 raise Meaningless(f"{name} is used with other velocities: define it anew")
             return substitute(body, values)
-    raise Meaningless(f"the function {formula.function} has no meaning here", formula.function)
+    what = f"the function {formula.function} has no meaning here"
+    if formula.function in (r"\ln", r"\log"):
+        what += ": print the exponential of both sides, a product of powers, as `find darboux` does"
+    raise Meaningless(what, formula.function)

@@ -59,10 +59,15 @@ class Display:
         return (Printed(self, k) for k, _ in enumerate(heads(self.tex), 1))
 
     def reading(self, accepted: Mapping[int, str]) -> str:
-        """The TeX with other statements at some numbers."""
+        """The TeX with other statements at some numbers.
+
+        Raises ``ValueError`` for a statement that is printed with others, by a ± or an index.
+        """
         tex = self.tex
         spans = split_display(tex)
         for number in sorted(accepted, reverse=True):
+            if spans.count(spans[number - 1]) > 1:
+                raise ValueError(f"{self.id}: print the statements of {tex} one by one")
             start, end = spans[number - 1]
             tex = tex[:start] + accepted[number] + tex[end:]
         return tex

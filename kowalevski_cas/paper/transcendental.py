@@ -139,7 +139,7 @@ class Transcendental:
             raise Meaningless(
                 f"{to_latex(formula)} is not known here: its argument has to be made of variables "
                 "that stand under such functions in the equations of motion or in definitions, "
-                "with whole coefficients"
+                r"with whole coefficients; for \omega t print an angle with \dot\varphi=\omega"
             )
         if function in EXPONENTIAL:
             power = self._exponential(terms)

@@ -34,6 +34,7 @@ from kowalevski_cas.report.sentences import listed
 from kowalevski_cas.verify.outcome import Run, Verdict
 
 _CLOSING: Final = {"$": "$", "$$": "$$", "\\[": "\\]", "\\(": "\\)"}
+_TITLE: Final = re.compile(r"\\title\s*(?:\[[^\]]*\])?\s*\{([^{}\\]*)\}")
 _END: Final = re.compile(r"\\end\s*\{document\}")
 
 
@@ -65,10 +66,11 @@ class _Annotated:
         for section in paper:
             waiting: list[Item] = []
             last: list[Item] | None = None
-            first = next((item.display for item in section.items if item.display), "")
+            shown = (i.display for i in section.items if i.display and not i.source)
+            first = next(shown, "")
             self.begins[first] = f"section.{anchor(section.number)}"
             for item in section.items:
-                if item.display:
+                if item.display and not item.source:
                     self.items[item.display] = last = [*waiting, item]
                     waiting = []
                 else:
@@ -83,7 +85,9 @@ class _Annotated:
     def document(self) -> Document:
         """The page: the verdict, the paper, what stands nowhere in it."""
         run, source = self.run, self.audit.source
-        blocks = read_article(self._without_formulas(), self._placed(), self._labels())
+        blocks = read_article(
+            self._without_formulas(), [*map(self._one, self.typed)], self._labels()
+        )
         found = {d.id for d in self.placed.values()}
         lost = [item for id, items in self.items.items() if id not in found for item in items]
         if lost:
@@ -96,13 +100,12 @@ class _Annotated:
             f"kowalevski_cas {__version__}: ",
             Code(f"kowalevski-cas audit {source.path.rpartition('/')[2]} --report DIR"), ".",
         )  # fmt: skip
-        title = f"“{run.title}”, verified formula by formula"
-        return Document(title, title, ((run.author, "."), by), shown)
+        printed = _TITLE.search(self.text)
+        name = run.title if run.author or not printed else printed[1]
+        title = f"“{name}”, verified formula by formula"
+        return Document(title, title, ((run.author, "."), by) if run.author else (by,), shown)
 
     # -- formulas -------------------------------------------------------------------
-
-    def _placed(self) -> list[Placed]:
-        return [self._one(typed) for typed in self.typed]
 
     def _one(self, typed: Typed) -> Placed:
         display = self.placed.get((typed.start, typed.end))
@@ -123,7 +126,10 @@ class _Annotated:
         if display.id in self.begins:
             blocks.insert(0, Paragraph((), anchor=self.begins[display.id]))
         for item in items:
-            if item.stated or not typed.inline:
+            if item.source:
+                said = self.contents.phrases.sentence(item.source, ":")
+                blocks.append(Paragraph(said, "note", leads=True))
+            if item.stated or item.source or not typed.inline:
                 blocks += self.contents.passages.item(item)
         if not typed.inline:
             return Placed((), tuple(blocks))

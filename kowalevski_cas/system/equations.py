@@ -29,7 +29,7 @@ from kowalevski_cas.notation import (
     read_display,
     to_latex,
 )
-from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.notation.errors import letter_and_index, undotted
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.names import BRACKET, head, is_bold
 from kowalevski_cas.paper.plain import half_power, written_out
@@ -37,9 +37,25 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 
-_RATE = re.compile(r"\\dot\{([^{}]*)\}(.*)")
 _INDEX = re.compile("[i-n]")
 _PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
+
+
+def bold(vectors: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[str, ...]]:
+    r"""Components by the names of vectors as the reader makes them, ``\mathbf{r}`` of ``\bf r``."""
+    return {heads(f"{name}=0")[0].names[0]: parts for name, parts in vectors.items()}
+
+
+def with_time(tex: str, vectors: Mapping[str, tuple[str, ...]]) -> str:
+    """Equations of motion, with one for the time, :math:`dt/dt=1`, if it stands in them."""
+    display = Display("field", tex, "")
+    words = _vocabulary(display, vectors)
+    formulas = [*_read(display, words).values()]
+    moving = {name for formula in formulas for name in _moving(formula)}
+    for time in words.times - moving:
+        if any(Name(time) in formula.nodes() for formula in formulas):
+            return rf"{tex},\quad \frac{{d{time}}}{{d{time}}}=1"
+    return tex
 
 
 def moving_by(display: Display, name: str, vectors: Mapping[str, tuple[str, ...]]) -> Scene:
@@ -47,10 +63,8 @@ def moving_by(display: Display, name: str, vectors: Mapping[str, tuple[str, ...]
 
     Raises ``ValueError`` if they do not say what moves, and how.
     """
-    vectors = {heads(f"{bold}=0")[0].names[0]: parts for bold, parts in vectors.items()}
     words = _vocabulary(display, vectors)
-    one = frozenset(sorted(words.vectors)[:1])  # what a gradient is by, does not matter yet
-    formulas = _read(display, replace(words, moving=one))
+    formulas = _read(display, words)
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
     formulas = _read(display, words)
@@ -65,9 +79,6 @@ def moving_by(display: Display, name: str, vectors: Mapping[str, tuple[str, ...]
         if isinstance(one, Name)
     ]
     _check(display, formulas, laws, moving, defined)
-    if words.times & {*names}:
-        time = min(words.times)
-        raise ValueError(rf"the time {time} stands in the equations: give it a name, with \dot s=1")
     variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
     fixed = [one for one in names if one not in defined and one not in words.matrices]
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
@@ -93,6 +104,7 @@ def _vocabulary(display: Display, vectors: Mapping[str, tuple[str, ...]]) -> Voc
     return replace(
         words, scalars=functions, functions=words.functions | functions, vectors=frozenset(vectors),
         matrices=frozenset(matrices - vectors.keys()), times=frozenset(times),
+        moving=frozenset(sorted(vectors)[:1]),  # by what a gradient is, does not matter yet
     )  # fmt: skip
 
 
@@ -105,7 +117,7 @@ def _check(
 ) -> None:
     """Refuse equations that do not tell what moves, and names that are derived and not defined."""
     if not laws:
-        raise ValueError(f"{display.tex} has no equation of motion: print one with a derivative")
+        raise ValueError(f"“{display.tex}” has no equation of motion: print one with a derivative")
     for place in formulas:
         names = place.heads.names
         if names and place not in laws and {*names} <= {*moving}:
@@ -177,8 +189,8 @@ def _moving(formula: Formula) -> list[str]:
     if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector):
         return [one.name for one in formula.argument.nodes() if isinstance(one, Name)]
     found = [name for child in formula.children() for name in _moving(child)]
-    rate = _RATE.fullmatch(formula.by) if isinstance(formula, Partial) else None
-    return [rate[1] + rate[2], *found] if rate else found
+    by = formula.by if isinstance(formula, Partial) else ""
+    return [undotted(by), *found] if undotted(by) != by else found
 
 
 def _derived(formula: Formula) -> list[str]:

@@ -34,6 +34,7 @@ from kowalevski_cas.notation import (
     OpenParser,
     Vocabulary,
     from_sympy,
+    heads,
     read,
     read_display,
     to_latex,
@@ -49,9 +50,16 @@ from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.pool import HERE
 from kowalevski_cas.processes import each
-from kowalevski_cas.system.answers import Function, Stated
+from kowalevski_cas.system.answers import Function, Stated, in_html
 from kowalevski_cas.system.claims import Claims, Tex
-from kowalevski_cas.system.equations import moving_by, restricted, rooted, with_parameters
+from kowalevski_cas.system.equations import (
+    bold,
+    moving_by,
+    restricted,
+    rooted,
+    with_parameters,
+    with_time,
+)
 from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
@@ -91,26 +99,47 @@ class System(Claims):
     ) -> None:
         self.symbols: dict[str, Any] = {}
         """The symbols of SymPy in which the system is written, by their names here."""
+        self.special: tuple[Display, ...] = ()
+        """What is supposed of the constants."""
         self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "")
         MADE.append(self.section)
-        if isinstance(field, str):
-            display = self.section.display(f"{self.prefix}field", field)
-        else:
-            rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
-            display = self.section.display(f"{self.prefix}field", r",\quad ".join(rows))
-            if len([*display]) != len(rows):
-                raise ValueError(f"{display.tex}: give each variable one right side")
-        self._stand_on(moving_by(display, name, vectors or {}))
+        components = bold(vectors or {})
+        tex = with_time(field if isinstance(field, str) else self._rows(field), components)
+        display = self.section.display(f"{self.prefix}field", tex)
+        self._stand_on(moving_by(display, name, components))
         moving, constant = self.scene.variables, self.scene.constants
         self.section.title = _echo(moving, constant, "${}$".format)
 
+    def _rows(self, field: Mapping[Any, Any]) -> str:
+        """Equations of motion by their right sides."""
+        if not isinstance(field, Mapping):
+            raise TypeError(f"LaTeX, or right sides by the variables of SymPy, and not {field!r}")
+        rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
+        tex = r",\quad ".join(rows)
+        if len(heads(tex)) != len(rows):
+            raise ValueError(f"{tex}: give each variable one right side")
+        return tex
+
     def __repr__(self) -> str:
-        return _echo(self.scene.variables, self.scene.constants, lambda n: to_plain(self.read(n)))
+        return self._echoed(to_plain)
 
     def _repr_latex_(self) -> str:
-        display = self.section.displays[0]
-        return f"${in_latex(self._formulas(display))}$"
+        return f"${in_latex(self._formulas(self.section.displays[0]))}$"
+
+    def _repr_html_(self) -> str:
+        equations = self._formulas(self.section.displays[0])
+        return f"<p>{', '.join(map(in_html, equations))}; {self._echoed(in_html)}</p>"
+
+    def _echoed(self, shown: Callable[[Formula], str]) -> str:
+        """What moves, what is constant, and what is special, in words."""
+        echo = _echo(
+            self.scene.variables, self.scene.constants, lambda name: shown(self.read(name))
+        )
+        special = ", ".join(
+            shown(formula) for one in self.special for formula in self._formulas(one)
+        )
+        return f"{echo}; {special}" if special else echo
 
     # -- scenes ------------------------------------------------------------------
 
@@ -149,6 +178,7 @@ class System(Claims):
             place = self._place("where", relation)
             scene = restricted(scene, place)
             scene = rooted(scene, place.display)
+            special.special += (place.display,)
         special._stand_on(scene)
         return special
 
@@ -196,12 +226,16 @@ class System(Claims):
 
     # -- questions ---------------------------------------------------------------
 
-    def find_integrals(self, degree: int, weighted: bool = False) -> list[Stated]:
+    def find_integrals(
+        self, degree: int, weighted: bool = False, on: Sequence[Tex] = ()
+    ) -> list[Stated]:
         """The polynomial first integrals up to a degree, and that there are no others.
 
-        If it is ``weighted``, variables count by weights for which the motion is homogeneous.
+        If it is ``weighted``, variables count by weights for which the motion is homogeneous. If
+        there are equations ``on`` which the motion is looked at, those on that invariant set.
         """
-        return self._found("integrals", degree=degree, weighted=weighted)
+        given = tuple(map(self._tex, on))
+        return self._found("integrals", degree=degree, weighted=weighted, on=given)
 
     def find_darboux(self, degree: int, special: bool = False, cofactor: Tex = "") -> list[Stated]:
         """The Darboux polynomials up to a degree, perhaps for ``special`` constants too.
@@ -223,16 +257,18 @@ class System(Claims):
         """The balances of the leading terms, and the Kowalevski exponents of each."""
         return self._found("exponents")
 
-    def _found(self, question: str, *words: str, **options: int | str) -> list[Stated]:
+    def _found(self, question: str, *words: str, **options: Any) -> list[Stated]:
         """What the command ``find`` finds, as claims like any other.
 
         What is found in time is claimed; if something may be left, that is said.
         """
-        forecast(self.scene, question, int(options.get("degree", 0)))
+        forecast(self.scene, question, options.get("degree", 0))
         module, parser = import_module(f"{QUESTIONS}.{question}"), ArgumentParser(question)
         module.add_arguments(parser)
-        told = [f"--{name}={value}" for name, value in options.items() if type(value) is not bool]
-        told += [f"--{name}" for name, value in options.items() if value is True]
+        each_of = ((n, v if isinstance(v, tuple) else (v,)) for n, v in options.items())
+        single = [(name, value) for name, values in each_of for value in values]
+        told = [f"--{name}={value}" for name, value in single if type(value) is not bool]
+        told += [f"--{name}" for name, value in single if value is True]
         on = Elaborations(Texts(vocabulary((self.scene,))))
         told += ["--", *words] if words else []
         asked = parser.parse_args(told)
@@ -259,13 +295,10 @@ class System(Claims):
         if isinstance(formula, str):
             return formula
         if not isinstance(formula, Function):
-            return to_latex(self._of_sympy(formula))
+            return to_latex(from_sympy(formula, self._name))
         if self.scene.definitions.get(formula.name) != formula.place:
             raise ValueError(f"{formula!r} is defined elsewhere: define it on this system")
         return formula.name
-
-    def _of_sympy(self, expression: Any) -> Formula:
-        return from_sympy(expression, self._name)
 
     def _name(self, symbol: Any) -> str:
         """How a symbol of SymPy is printed, as one name.

@@ -1,6 +1,7 @@
 """Find the polynomial first integrals of a scene of a derivation, up to a degree.
 
-What is a polynomial in those found before is left out. That there are no others is claimed too.
+What is a polynomial in those found before is left out. That there are no others is claimed too; not
+so on the set of given relations (--on), where some polynomials vanish.
 """
 
 from __future__ import annotations
@@ -19,11 +20,20 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.found import Finding
 
+EVERYWHERE = "it is constant along every motion"
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the question."""
     parser.add_argument(
         "--degree", type=natural, default=2, metavar="N", help="the highest degree (2)"
+    )
+    parser.add_argument(
+        "--on",
+        action="append",
+        default=[],
+        metavar="RELATION",
+        help="on the invariant set of this equation, in LaTeX, and of others given likewise",
     )
     parser.add_argument(
         "--weighted",
@@ -38,11 +48,14 @@ def search(
     """The integrals, the lowest degrees first, and that these are all."""
     from kowalevski_cas.search.integrals import first_integrals
 
+    if arguments.on:
+        yield from _on_a_set(on, scene, arguments)
+        return
     at, degree, found = on(scene).finder, arguments.degree, list[str]()
     weights = _weights(at) if arguments.weighted else ()
     for element in first_integrals(at, degree, weights, pool):
         found.append(to_latex(formula_of(element, on.texts.vocabulary)))
-        yield Finding(FirstIntegral, scene, "it is constant along every motion", found[-1])
+        yield Finding(FirstIntegral, scene, EVERYWHERE, found[-1])
     known = "a polynomial in these" if found else "a constant"
     words = f"each polynomial first integral up to degree {degree} is {known}"
     if scene.constants:
@@ -52,6 +65,22 @@ def search(
         words += f", where {', '.join(f'${name}$ counts {weight}' for name, weight in counted)}"
     attributes = {"integrals": tuple(found), "degree": degree, "weights": weights}
     yield Finding(AllIntegrals, scene, words, attributes=attributes)
+
+
+def _on_a_set(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+    """The integrals on an invariant set."""
+    from kowalevski_cas.search.restricted import integrals_on
+
+    space, relations = on(scene), tuple(arguments.on)
+    given = space.finder.differences(space.equations(relations))
+    for element in integrals_on(space.finder, given, arguments.degree):
+        tex = to_latex(formula_of(element, on.texts.vocabulary))
+        if space.finder.derivative(element).is_zero:
+            yield Finding(FirstIntegral, scene, EVERYWHERE, tex)
+        else:
+            where = ", ".join(f"${one}$" for one in relations)
+            says = f"it is constant along the motions with {where}"
+            yield Finding(FirstIntegral, scene, says, tex, {"given": relations})
 
 
 def _weights(at: Evaluation) -> tuple[int, ...]:

@@ -119,19 +119,19 @@ class Element:
         """The same with each root in the first power at most."""
         ring, value = self.ring, self
         for name in reversed(ring.roots):
-            bits = reduce(int.__or__, value.terms, 0)
-            if not bits & ring.squares:
-                return value
-            shift, square, low, high = ring.at[name], 2 * ring.unit[name], Terms(), Terms()
-            if bits >> shift & MASK < 2:
-                continue
-            for m, c in value.terms.items():
-                if m >> shift & MASK > 1:
-                    high[m - square] = c
-                else:
-                    low[m] = c
-            more = Element(ring, high, value.below) * ring.roots[name]
-            value = Element(ring, low, value.below) + more
+            shift, square, root = ring.at[name], 2 * ring.unit[name], ring.roots[name]
+            while (bits := reduce(int.__or__, value.terms, 0)) & ring.squares:
+                if bits >> shift & MASK < 2:
+                    break
+                high = {m - square: c for m, c in value.terms.items() if m >> shift & MASK > 1}
+                need(max(m & MASK for m in high) + root.degree() <= DEGREE, "a degree is too large")
+                size = 1 + (value.bits * root.bits >> 16)
+                ring.spend(len(value.terms) + len(high) * len(root.terms) * size)
+                out = {m: root.below * c for m, c in value.terms.items() if m - square not in high}
+                for m, c in high.items():
+                    for n, d in root.terms.items():
+                        out[m + n] = out.get(m + n, 0) + c * d
+                value = Element(ring, out, value.below * root.below)
         return value
 
     def generators(self) -> list[str]:

@@ -1,0 +1,42 @@
+"""Integrals on invariant sets: the classical ones are found, and nothing that follows from them."""
+
+import pytest
+
+from kowalevski_cas import System
+from kowalevski_cas.verify.outcome import Verdict
+
+CHAPLYGIN = (
+    r"4\dot p=3qr,\quad 4\dot q=-3pr-cn,\quad \dot r=cm,\quad "
+    r"\dot l=rm-qn,\quad \dot m=pn-rl,\quad \dot n=ql-pm"
+)
+
+
+def found(motion, degree, *relations):
+    system = System(motion)
+    answers = system.find_integrals(degree, on=relations)
+    assert all(one.verdict in (Verdict.PROVED, Verdict.CONDITIONAL) for one in answers)
+    return [repr(one).partition("; ")[2] for one in answers]
+
+
+def test_goryachev_and_chaplygin():
+    *general, own = found(CHAPLYGIN, 3, "4pl+4qm+rn=0")
+    assert general == ["l² + m² + n²", "4p² + 4q² + r² − 2lc"]
+    assert own == "p²r + pnc + q²r"
+
+
+@pytest.mark.parametrize(
+    ("motion", "relations", "expected"),
+    [
+        (r"\dot x=x,\quad \dot y=xy+z,\quad \dot z=-y", ["x=0"], ["y² + z²"]),
+        (r"\dot x=y,\quad \dot y=-x,\quad \dot z=z(x^2+y^2-a)", ["x^2+y^2=a"], ["z"]),
+        (r"\dot x=yz,\quad \dot y=zx,\quad \dot z=xy", ["x=y"], ["y² − z²"]),
+        (r"\dot x=x(1-y),\quad \dot y=y(x-1)", ["x=0"], []),
+    ],
+)
+def test_what_is_constant_on_a_set_only(motion, relations, expected):
+    assert found(motion, 2, *relations) == expected
+
+
+def test_a_set_that_is_not_invariant_is_refused():
+    with pytest.raises(ValueError, match="are no combinations of them"):
+        found(CHAPLYGIN, 2, "p=0")
