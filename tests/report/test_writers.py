@@ -12,11 +12,11 @@ import pytest
 
 from kowalevski_cas.notation import Negative, Number, Relation, to_mathml
 from kowalevski_cas.notation.formula import Changed
-from kowalevski_cas.report import contents, render_html, render_latex, render_typst
+from kowalevski_cas.report import contents
 from kowalevski_cas.report.document import Code, Document, Emphasis, Sign, Text
-from kowalevski_cas.report.html import HtmlWriter
-from kowalevski_cas.report.latex import LatexWriter
-from kowalevski_cas.report.typst import TypstWriter
+from kowalevski_cas.report.html import HtmlWriter, render_html
+from kowalevski_cas.report.latex import LatexWriter, render_latex
+from kowalevski_cas.report.typst import TypstWriter, render_typst
 from kowalevski_cas.verify.outcome import Verdict
 from tests.report.fixtures import claim, document, in_order, outcomes, read, run
 
@@ -62,7 +62,7 @@ def html() -> str:
 def test_same_bytes_from_run_to_run(render: Renders) -> None:
     code = (
         "import sys; from tests.report.fixtures import document; "
-        f"from kowalevski_cas.report import {render.__name__} as render; "
+        f"from {render.__module__} import {render.__name__} as render; "
         "sys.stdout.buffer.write(render(document()).encode())"
     )
     for seed in ("1", "2"):
