@@ -45,8 +45,8 @@ test: $(VENV)/.dev ## Run the tests (SLOW=1: also the slow ones; JUNIT=file: res
 lint: $(VENV)/.dev ## Check style and types
 	@$(PY) -m ruff check . && $(PY) -m ruff format --check . && $(PY) -m mypy
 
-docs: $(VENV)/.dev ## Write the documentation as a site, build/site/index.html
-	@$(INSTALL) --editable ".[docs]" && $(PY) -m mkdocs build --quiet --strict
+docs: $(VENV)/.dev ## Draw the pictures of the README; write the documentation as a site, build/site/index.html
+	@$(PY) docs/pictures.py && $(INSTALL) --editable ".[docs]" && $(PY) -m mkdocs build --quiet --strict
 
 rocq: $(VENV)/.installed ## Let Rocq confirm the certificates (DERIVATION=: of this one only)
 	@$(RUN) witness rocq $(DERIVATION)

@@ -12,7 +12,7 @@ from typing import cast
 
 from study.step import Measured, Row, Step, Task
 
-STEPS = ("speed-accuracy", "growth", "failures", "work-precision", "leaving")
+STEPS = ("speed-accuracy", "growth", "failures", "work-precision", "leaving", "searches")
 """The steps in the order of the study; each is a module of that name below this package."""
 
 

@@ -20,6 +20,10 @@ _NAMES = {
     "floating": "floating point",
     "checker": "certificate checker",
     "python-flint": "python-flint alone",
+    "search": "the whole search",
+    "blocks": "residues by blocks, lifted",
+    "cases": "one factor after another",
+    "basis": "basis with cofactors",
     "closed": "closed form",
     "dop853": "DOP853",
     "radau": "Radau",
@@ -28,8 +32,8 @@ _NAMES = {
 }
 
 _MARKS = (
-    ("flint", "closed"),
-    ("symengine", "dop853"),
+    ("flint", "closed", "search", "cases"),
+    ("symengine", "dop853", "blocks", "basis"),
     ("sympy", "radau"),
     ("modular", "lsoda"),
     ("python-flint", "taylor"),

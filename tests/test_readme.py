@@ -1,10 +1,29 @@
 """What the README shows can be pasted."""
 
 import re
+import subprocess
+import sys
 from itertools import takewhile
 from pathlib import Path
 
-README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+import pytest
+from PIL import Image, ImageChops, ImageStat
+
+README_PATH = Path(__file__).parents[1] / "README.md"
+README = README_PATH.read_text(encoding="utf-8")
+
+
+@pytest.mark.slow
+def test_its_pictures_are_of_this_version(tmp_path):
+    script = README_PATH.parent / "docs" / "pictures.py"
+    subprocess.run([sys.executable, script, tmp_path], check=True, capture_output=True)
+    made = sorted(file.name for file in tmp_path.iterdir())
+    assert "erratum.png" in made and all(f"docs/{name}" in README for name in made)
+    for name in made:
+        now, then = Image.open(tmp_path / name), Image.open(script.parent / name)
+        assert now.size == then.size
+        differences = ImageChops.difference(now.convert("L"), then.convert("L"))
+        assert ImageStat.Stat(differences).mean[0] < 1, f"{name} is old: make docs"
 
 
 def test_the_lines_of_python_follow_a_motion():

@@ -8,13 +8,14 @@ from itertools import islice
 from time import perf_counter
 
 from kowalevski_cas.audit.audited import Audited
+from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.displays import Typed, find_formulas
 from kowalevski_cas.audit.limits import excess
 from kowalevski_cas.audit.macros import Expanded, expand
 from kowalevski_cas.audit.places import Place, find_places
 from kowalevski_cas.audit.sentences import Sentences
-from kowalevski_cas.audit.session import AuditSession, AuthorSession, formulas
+from kowalevski_cas.audit.session import AuditSession, formulas
 from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import words
 from kowalevski_cas.paper.texts import Display

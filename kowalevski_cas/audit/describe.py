@@ -13,11 +13,11 @@ from kowalevski_cas.audit.audited import (
     WRONG,
     Audited,
 )
+from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.macros import Expanded
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.roles import Role, Roles, undefined, unused
-from kowalevski_cas.audit.session import AuthorSession
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.notation import Formula, NotationError, split_display, to_latex
 from kowalevski_cas.paper.texts import Display, Printed

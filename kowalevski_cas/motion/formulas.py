@@ -39,9 +39,7 @@ def source(kind: type = ClosedForm) -> Derivation:
     raise LibraryError(f"no derivation in the library offers motions: {kind.__name__}")
 
 
-@cache
-def _loaded(name: str) -> Derivation:
-    return load(name)
+_loaded = cache(load)
 
 
 @cache

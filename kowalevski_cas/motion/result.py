@@ -107,7 +107,7 @@ class Result:
         values = motion.constants
         p_square = values["a"] ** 2 + values["b"] ** 2
         r_square = np.hypot(values["a"] ** 2 - values["b"] ** 2, 2 * values["c"])
-        longer, shorter = np.sqrt([(p_square + r_square) / 2, (p_square - r_square) / 2])
+        longer, shorter = np.sqrt([(p_square + r_square) / 2, max(p_square - r_square, 0.0) / 2])
         if self.critical_sets["on"] != ["M4"] or not 0 < shorter < longer:
             return {}
         fields = Fields(Fraction(longer), Fraction(shorter))

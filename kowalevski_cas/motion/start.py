@@ -26,6 +26,8 @@ def arc_of(oscillation: Oscillation, values: Values) -> Arc | None:
         return None
     if S == 0 and f == 0:
         if abs(s - oscillation.root(p)) < abs(s - oscillation.root(q)):
+            if oscillation.kind == "separatrix":
+                return None  # at a simple root S or f is not zero: no motion has these values
             p, q, u, v = q, p, v, u
         return Arc((q, u, v, p), infinite=False)
     if oscillation.kind == "exponential" and S * f * oscillation.orientation < 0:
@@ -48,6 +50,8 @@ def start(oscillation: Oscillation, values: Values) -> tuple[Fraction, int]:
     # sn carries the product of both signs, the other functions are positive from −K to K.
     sign = f_sign if 0 in oscillation.field_roots else S_sign
     argument = _argument(oscillation, first, second)
+    if not argument.is_finite():  # no motion is ever at the double root to which it tends
+        argument = arb(0)
     if oscillation.kind != "exponential":
         argument *= S_sign * f_sign
     return as_fraction(-argument / oscillation.rate), sign

@@ -83,7 +83,9 @@ class _Annotated:
     def document(self) -> Document:
         """The page: the verdict, the paper, what stands nowhere in it."""
         run, source = self.run, self.audit.source
-        blocks = read_article(self._without_formulas(), self._placed(), self._labels())
+        blocks = read_article(
+            self._without_formulas(), [*map(self._one, self.typed)], self._labels()
+        )
         found = {d.id for d in self.placed.values()}
         lost = [item for id, items in self.items.items() if id not in found for item in items]
         if lost:
@@ -100,9 +102,6 @@ class _Annotated:
         return Document(title, title, ((run.author, "."), by), shown)
 
     # -- formulas -------------------------------------------------------------------
-
-    def _placed(self) -> list[Placed]:
-        return [self._one(typed) for typed in self.typed]
 
     def _one(self, typed: Typed) -> Placed:
         display = self.placed.get((typed.start, typed.end))

@@ -51,7 +51,7 @@ def _loosened(pieces: Sequence[Piece], room: float, part: float, apart: Apart) -
     loose = []
     for piece in pieces:
         bracket = piece.inner and not piece.below and piece.width > part * room
-        wide = piece.below and piece.width > 0.9 * room and measured(piece.below) < 0.6 * room
+        wide = piece.below and piece.width > 0.9 * room and measured(piece.below) < room - 2
         if bracket or wide:
             before, behind = apart(piece)
             inner = piece.inner[1:-1] if bracket else piece.inner

@@ -29,10 +29,13 @@ from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 _ROLES: Final = {
     "vector field": "Equations of motion",
-    "definition": "Notation",
-    "unit": "Notation",
+    "definition": "We put",
+    "unit": "We put",
     "condition": "We consider",
 }
+
+
+_CLAIMED: Final = ("It is claimed that",)
 
 
 class Passages:
@@ -100,7 +103,7 @@ class Passages:
                     bool(own and own.verdict is Verdict.REFUTED),
                 )
             )
-        head = self.phrases.sentence(*words) if len(words) == 1 else ()
+        head = self.phrases.sentence(*words) if len(words) == 1 else _CLAIMED * bool(words)
         if len(where) == 1:
             head = (*head, *_valid(*where))
         return self._claim(None, "", head, stated.number, shown, outcomes)

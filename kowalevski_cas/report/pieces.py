@@ -7,7 +7,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from kowalevski_cas.notation import (
+    Derivative,
     Formula,
+    Name,
     Negative,
     Power,
     Product,
@@ -25,6 +27,7 @@ _BRACKET, _TALL_BRACKET = 0.39, 0.7
 _SIGN, _AROUND = 0.78, 0.44
 _RELATION = 1.36
 _SCRIPT = 0.72
+_RATE = 1.4
 _ADDED = tuple(kind for kind in SIGNED if kind is not Negative)
 
 
@@ -69,6 +72,8 @@ def _pieces(formula: Formula, printer: Printer) -> Iterator[Piece]:
                     first = replace(first, text=printer.times + first.text)
                 yield first
                 yield from others
+        case Derivative():
+            yield from _rate(formula, printer)
         case _:
             yield _piece(formula, printer)
 
@@ -78,6 +83,16 @@ def _chain(relation: Relation, printer: Printer) -> Iterator[Piece]:
         if sign is not None:
             yield Piece(printer.sign(sign), _RELATION, "relation")
         yield from _pieces(member, printer)
+
+
+def _rate(formula: Derivative, printer: Printer) -> Iterator[Piece]:
+    """A derivative; one of a sum as what differentiates and a bracket."""
+    if formula.mark in ("dot", "prime") or not isinstance(formula.argument, COMPOUND):
+        yield _piece(formula, printer)
+        return
+    below = printer.joined([printer.d, printer(Name(formula.mark))])
+    yield Piece(printer.fraction(printer.d, below), _RATE, tall=True)
+    yield _bracket(formula.argument, printer)
 
 
 def _piece(formula: Formula, printer: Printer) -> Piece:

@@ -3,10 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from math import prod
 
 from kowalevski_cas.algebra.present import name_formula, product_of
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Derivative, Formula, Name, NotationError, Vocabulary
+from kowalevski_cas.notation import (
+    Derivative,
+    Formula,
+    Name,
+    NotationError,
+    Number,
+    Product,
+    Root,
+    Vocabulary,
+)
+from kowalevski_cas.notation.formula import times
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.problem.trees import MARK
@@ -26,7 +37,19 @@ def named(name: str, setting: Setting) -> Formula:
 
 def point(values: Mapping[str, Formula], setting: Setting) -> Point:
     """A point of a setting."""
-    return Point({named(name, setting): value for name, value in values.items()})
+    return Point({named(name, setting): _one_root(value) for name, value in values.items()})
+
+
+def _one_root(formula: Formula) -> Formula:
+    """A formula in which roots of numbers that are multiplied are one root."""
+    formula = formula.mapped(_one_root)
+    if isinstance(formula, Product):
+        inside = [f.argument for f in formula.factors if isinstance(f, Root)]
+        numbers = [one.value for one in inside if isinstance(one, Number)]
+        if len(numbers) == len(inside) > 1:
+            others = (f for f in formula.factors if not isinstance(f, Root))
+            return times(*others, Root(Number(prod(numbers))))
+    return formula
 
 
 def written(formula: Formula, setting: Setting) -> Formula:

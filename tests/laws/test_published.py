@@ -10,7 +10,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.found import with_findings
 from kowalevski_cas.verify.run import Session
-from tests.laws.published import PUBLISHED
+from study.published import PUBLISHED
 
 
 def answered(published):

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 
 from kowalevski_cas.motion import General, Inadmissible, Motion, load, through
 from kowalevski_cas.motion.diagram import Fields
@@ -21,11 +22,15 @@ from tests.motion.test_critical import states
 closed, dop853 = load("closed"), load("dop853")
 T = np.linspace(0.0, 3.0, 7)
 
+whole = arrays(float, 9, elements=st.integers(-2, 2).map(float))
 lengths = st.fractions(0, 2, max_denominator=50)
 
 
-@given(states)
+@given(states | whole)
 @example(np.zeros(9))
+@example(np.array([0, -1.0, -2, 0, 1, 2, -1, 0, 0]))  # x1x2 = 0, and two roots coincide
+@example(np.array([-1.0, 1, 0, -1.5, 0, 1, 0, -1.5, 1]))  # the same, c ≠ 0
+@example(np.array([-1.0, 1, 0, -1, 1, -1, 1, -1, 1]))  # parallel fields on M⁴
 @example(np.array([0, 0, 0, 1.0, 0, 0, 0, 1, 0]))  # r = 0
 @example(np.array([0, 0, 0, 1.0, 0, 0, 0, 1, 0.5]))  # m = 0
 @example(np.array([0, 0, 1.0, 1, 0, 0, 2, 0, 0]))  # parallel fields

@@ -468,7 +468,7 @@ def outcomes() -> tuple[Outcome, ...]:
             C,
             rests_on=("eq19",),
             scene="classical",
-            conditions=(condition(r"\alpha_1^2+\alpha_2^2", ""),),
+            conditions=(condition(r"\alpha_1", ""),),
         ),
         claim(
             "eq21",

@@ -10,7 +10,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.polynomial_fields import PolynomialField
 from kowalevski_cas.search.cofactor_relations import exponential_factors, relations
 from kowalevski_cas.search.darboux import darboux_polynomials
-from tests.laws.published import PUBLISHED
+from study.published import PUBLISHED
 
 KNOWN = {
     "Lotka and Volterra": {("integral", ("−n/b", "−a/b"), "(xm + yb)/b"), ("multiplier", ("−1", "−1"), "0")},

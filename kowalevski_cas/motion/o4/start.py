@@ -20,13 +20,14 @@ from numpy.typing import NDArray
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.critical import TOLERANCE, residuals
 from kowalevski_cas.motion.formulas import exactly
-from kowalevski_cas.motion.frame import BITS, turn_of, turned
+from kowalevski_cas.motion.frame import BITS, given_state, turn_of, turned
 from kowalevski_cas.motion.methods.closed import states
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.point import PhasePoint
+from kowalevski_cas.motion.o4.regimes import LEAST_GAP
 from kowalevski_cas.motion.o4.variable import Variable
-from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root, usable
+from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.point import distance
 
@@ -45,9 +46,7 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if the state is not on O⁴, or the
     tori of its constants degenerate. What is left of the distance is the ``off`` of the motion.
     """
-    given = [usable(value) for value in state]
-    if len(given) != 9:
-        raise ValueError(f"a state has nine numbers, ω, α, β; {len(given)} are given")
+    given = given_state(state)
     residual = float(residuals(np.array([given], dtype=float))["O4"][0])
     if not residual <= TOLERANCE:
         raise Inadmissible(
@@ -69,7 +68,7 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
     if not off <= TOLERANCE:
         raise Inadmissible(
             f"the closed form with the constants of the state is {off:.3g} of its size away "
-            "from it: the state is not on O⁴"
+            "from it: the state is not on O⁴, or two roots are too close for it to tell the motion"
         )
     return replace(motion, off=off)
 
@@ -83,6 +82,10 @@ def _separated(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb
     s, tau, X, total = map(as_fraction, found)
     _, _, a_square, b_square, *_ = exactly(formulas.integrals(), state)
     constants = ParametersO4(root(a_square), root(b_square), s, tau)
+    largest = abs(tau) + constants.r_square
+    for name, square in (("σ", constants.sigma), ("k", constants.kappa_square)):
+        if abs(square) <= LEAST_GAP * largest**2:  # two roots are its roots, which rounding parts
+            raise Inadmissible(f"{name} = 0 at the state, but for rounding: the tori degenerate")
     xi = total - tau
     given = [X, xi, tau, constants.sigma]
     variables = formulas.hyperelliptic("variables")
@@ -113,7 +116,9 @@ def _fitted(motion: MotionO4, angles: Array, state: Array) -> MotionO4:
     for _ in range(STEPS):
         columns = missing(signs, found[:, None] + STEP * np.array([[0, 1, 0], [0, 0, 1]]))
         if not np.isfinite(columns).all():
-            raise Inadmissible("the state is not on O⁴: no phase point with its constants is near")
+            raise Inadmissible(
+                "no phase point with the constants of the state is near: it is not on O⁴"
+            )
         slopes = (columns[:, :1] - columns[:, 1:]) / STEP
         found = found + np.linalg.lstsq(slopes, columns[:, 0], rcond=None)[0]
     first, second = map(Fraction, found.tolist())

@@ -1,4 +1,4 @@
-"""Systems of textbooks and papers of which the integrals or the Darboux polynomials are published."""
+"""Systems of textbooks and papers of which integrals or Darboux polynomials are published."""
 
 from dataclasses import dataclass
 
@@ -24,10 +24,12 @@ class Published:
 
 
 def integrals(name: str, motion: str, degree: int, *known: str) -> Published:
+    """A field of which these are the integrals up to a degree."""
     return Published(name, motion, "integrals", degree, known)
 
 
 def darboux(name: str, motion: str, degree: int, *known: str) -> Published:
+    """A field of which these are the Darboux polynomials up to a degree."""
     return Published(name, motion, "darboux", degree, known)
 
 

@@ -1,0 +1,50 @@
+"""Make the pictures that the README shows: the erratum to (14), and those of the example motion.
+
+``python docs/pictures.py [DIR]`` writes them into a folder, by default this one.
+"""
+
+import sys
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+import typst
+
+from kowalevski_cas.cli import main
+from kowalevski_cas.library import load
+from kowalevski_cas.report import Contents, render_typst, sections
+from kowalevski_cas.report.document import Document, Link
+from kowalevski_cas.report.places import names
+from kowalevski_cas.report.plates import for_a_page
+from kowalevski_cas.verify.run import verify
+
+MOTION = {"hodographs": "hodographs.png", "traces": "motion.png", "sections": "diagram.png"}
+PAGE = "#set page(width: 150mm, height: auto, margin: (x: 4mm, y: 3mm), header: none)\n"
+
+
+def erratum(folder: Path) -> bytes:
+    """Equation (14) as printed and as it was meant, as the report has it."""
+    derivation = load("kharlamov2002")
+    run = verify(derivation, ("flint",), only=["eq14"])
+    paper = sections(run, derivation, derivation.texts())
+    _, slip, *_ = Contents(run, paper, names(paper), {}, ()).findings.blocks()
+    flat = [part.text if isinstance(part, Link) else (part,) for part in slip.head]
+    alone = replace(slip, head=tuple(part for text in flat for part in text))
+    source = render_typst(Document("", "", (), (alone,)))
+    title = source.index("#block(below: 1.2em, text(1.6em")
+    file = folder / "erratum.typ"
+    file.write_text(source[:title] + PAGE + source[source.index("\n", title) :], encoding="utf-8")
+    return typst.compile(file, format="png", ppi=160, ignore_system_fonts=True)
+
+
+def pictures(target: Path) -> None:
+    """Write all of them."""
+    with tempfile.TemporaryDirectory() as folder:
+        main(["pictures", *MOTION, "--output", folder])
+        for picture, name in MOTION.items():
+            (target / name).write_bytes(for_a_page(Path(folder, f"{picture}.png")))
+        (target / "erratum.png").write_bytes(erratum(Path(folder)))
+
+
+if __name__ == "__main__":
+    pictures(Path(*sys.argv[1:]) if sys.argv[1:] else Path(__file__).parent)

@@ -1,0 +1,302 @@
+"""How fast searches are, by several methods, against the share of published systems they finish."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from functools import partial
+from itertools import count
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from flint import (
+    Ordering,
+    fmpq_mat,
+    fmpq_mpoly,
+    fmpq_mpoly_ctx,
+    fmpz_mpoly_ctx,
+    fmpz_mpoly_vec,
+    nmod_mat,
+)
+
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint
+from kowalevski_cas.algebra.kernels import PRIME, kernel, residue
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.pictures import new_figure
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.polynomial_fields import (
+    Exponents,
+    PolynomialField,
+    Terms,
+    derivative,
+    monomials,
+    primitive,
+)
+from kowalevski_cas.processes import each, time_limit
+from kowalevski_cas.search.branches import branches
+from kowalevski_cas.search.groebner import Basis
+from kowalevski_cas.search.integrals import first_integrals
+from kowalevski_cas.search.parameters import Ansatz, cofactor_monomials
+from kowalevski_cas.tools import TOOLS
+from study.charts import look, seconds, shown
+from study.published import PUBLISHED, Published
+from study.step import Measured, Row, Task
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+TITLE = "searches"
+
+SECONDS = 5.0
+
+QUICK = ("the oscillator", "Nahm", "logistic growth")
+"""The systems of a quick study."""
+
+LEFT = [one for one in PUBLISHED if one.question == "integrals"]
+RIGHT = [one for one in PUBLISHED if one.question == "darboux"]
+
+CAPTION = (
+    f"The share of systems that a search finishes within a time, up to {SECONDS:g} s. On the "
+    f"left the polynomials without a derivative along {len(LEFT)} published fields, up to the "
+    "degree of the published integrals: the kernel of one matrix over the rational numbers, by "
+    "python-flint and SymPy; modulo a prime of 61 bits as a whole, which is its rank only, and by "
+    "blocks, lifted and checked; and the whole search of this program, for all values of "
+    "constants, which the others have as numbers. On the right the equations for quadratic $F$ "
+    f"with $F'=KF$ in {len(RIGHT)} published fields, where constants are unknown too: solved by "
+    "cases, one factor after another, and by Gröbner bases of four programs, of which the one with "
+    "cofactors is this one's."
+)
+
+
+def measure(quick: bool) -> Iterator[Task]:
+    """Each method on each system; methods take turns."""
+    for published, methods in ((LEFT, LINEAR), (RIGHT, POLYNOMIAL)):
+        for one in published:
+            if one.name in QUICK or not quick:
+                for name, method in methods.items():
+                    yield Task(name, f"{one.question}: {one.name}", partial(_timed, method, one))
+
+
+def _timed(method: Callable[[Published], Callable[[], int]], one: Published) -> Measured:
+    """How long it takes, without the preparation, and how many solutions or cases there are."""
+
+    def measured(work: Callable[[], int]) -> Measured:
+        start = perf_counter()
+        try:
+            with time_limit(SECONDS):
+                size = work()
+        except TimeoutError:
+            return {"seconds": SECONDS, "verdict": "timeout", "reason": f"{SECONDS:g} s"}
+        return {"seconds": perf_counter() - start, "verdict": "finished", "size": size}
+
+    (found,) = each(measured, [method(one)])
+    return found
+
+
+# -- kernels -------------------------------------------------------------------------
+
+
+def _finder(one: Published, scene: Scene | None = None) -> Evaluation:
+    system = one.system()
+    scene = scene or system.scene
+    derivation = Derivation("published", one.name, "", "", (system.section,))
+    return Elaborations(derivation.texts(None, scene))(scene).finder
+
+
+def _columns(one: Published) -> list[Terms]:
+    """The derivatives of all monomials up to the degree, with primes for the constants."""
+    field = PolynomialField(_finder(one))
+    primes = dict(zip(field.names[field.size :], (101, 103, 107, 109, 113, 127), strict=False))
+    rates: list[Terms] = []
+    for rate in field.rates:
+        rates.append({})
+        for exponents, value in rate.items():
+            for base, exponent in zip(primes.values(), exponents[field.size :], strict=True):
+                value *= base**exponent
+            own = exponents[: field.size]
+            rates[-1][own] = rates[-1].get(own, 0) + value
+    degrees = range(1, one.degree + 1)
+    every = (e for degree in degrees for e in monomials((1,) * field.size, degree))
+    return [derivative(exponents, rates, {}) for exponents in every]
+
+
+def _entries(
+    columns: Sequence[Terms],
+) -> tuple[int, Iterator[tuple[int, int, Fraction]]]:
+    """The number of rows of a matrix, and its entries with their places."""
+    rows: dict[Exponents, int] = {}
+    for column in columns:
+        for key in column:
+            rows.setdefault(key, len(rows))
+    places = ((rows[e], k, v) for k, column in enumerate(columns) for e, v in column.items())
+    return max(1, len(rows)), places
+
+
+def _by_blocks(one: Published) -> Callable[[], int]:
+    columns = _columns(one)
+    return lambda: len(kernel(columns))
+
+
+def _modulo_a_prime(one: Published) -> Callable[[], int]:
+    columns = _columns(one)
+
+    def work() -> int:
+        height, places = _entries(columns)
+        matrix = nmod_mat(height, len(columns), PRIME)
+        for row, k, value in places:
+            matrix[row, k] = residue(value)
+        return len(columns) - int(matrix.rank())
+
+    return work
+
+
+def _rational(one: Published) -> Callable[[], int]:
+    columns = _columns(one)
+
+    def work() -> int:
+        height, places = _entries(columns)
+        matrix = fmpq_mat(height, len(columns))
+        for row, k, value in places:
+            matrix[row, k] = to_flint(value)
+        return len(columns) - int(matrix.rref()[1])
+
+    return work
+
+
+def _rational_by_sympy(one: Published) -> Callable[[], int]:
+    from sympy import QQ
+    from sympy.polys.matrices import DomainMatrix
+
+    columns = _columns(one)
+
+    def work() -> int:
+        height, places = _entries(columns)
+        rows: dict[int, dict[int, object]] = {}
+        for row, k, value in places:
+            rows.setdefault(row, {})[k] = QQ(value.numerator, value.denominator)
+        return int(DomainMatrix(rows, (height, len(columns)), QQ).nullspace().shape[0])
+
+    return work
+
+
+def _search(one: Published) -> Callable[[], int]:
+    at = _finder(one)
+    return lambda: len([*first_integrals(at, one.degree)])
+
+
+LINEAR = {
+    "search": _search,
+    "blocks": _by_blocks,
+    "modular": _modulo_a_prime,
+    "python-flint": _rational,
+    "sympy": _rational_by_sympy,
+}
+
+
+# -- polynomial equations ------------------------------------------------------------
+
+
+def _equations(one: Published) -> tuple[list[fmpq_mpoly], range]:
+    """Those for a quadratic F that begins with the square of the first variable, and for K."""
+    at = _finder(one)
+    size = len(at.setting.variables)
+    powers = [e for degree in range(3) for e in monomials((1,) * size, degree)]
+    first = (2, *(0,) * (size - 1))
+    names = [rf"\mathrm{{c{k}}}" for k in range(len(powers))]
+    letters = [rf"\mathrm{{k{k}}}" for k, _ in enumerate(cofactor_monomials(at))]
+    scene = one.system().scene.having(constants=(*names, *letters))
+    at = _finder(one, scene)
+    ring, value = at.ring, at.ring.zero
+    for name, exponents in zip(names, powers, strict=True):
+        term = ring.one if exponents == first else ring.generator(name)
+        for variable, exponent in zip(at.setting.variables, exponents, strict=True):
+            term = term * ring.generator(variable) ** exponent
+        value = value + term
+    found = [c.terms()[0] for _, c in Ansatz(at, value, letters).equations() if not c.is_zero]
+    moving = [ring.polynomials.generators.index(name) for name in at.setting.variables]
+    width = len(ring.polynomials.generators)
+    kept = [k for k in range(width) if k not in moving]
+    context = fmpq_mpoly_ctx.get([f"g{k}" for k in kept], Ordering.degrevlex)
+    own = [{tuple(e[k] for k in kept): v for e, v in terms.items()} for terms in found]
+    return [polynomial_of(context, terms) for terms in own], range(len(kept))
+
+
+def _by_cases(one: Published) -> Callable[[], int]:
+    equations, places = _equations(one)
+    return lambda: len([*branches(equations, places)])
+
+
+def _with_cofactors(one: Published) -> Callable[[], int]:
+    equations, _ = _equations(one)
+    return lambda: len(Basis(equations, ()).minimal())
+
+
+def _by_flint(one: Published) -> Callable[[], int]:
+    equations, places = _equations(one)
+    context = fmpz_mpoly_ctx.get([f"g{k}" for k in places], Ordering.degrevlex)
+    whole = [
+        context.from_dict({e: int(v) for e, v in primitive(terms_of(equation)).items()})
+        for equation in equations
+    ]
+    return lambda: len([*fmpz_mpoly_vec(whole, context).buchberger_naive().autoreduction()])
+
+
+def _by_sympy(one: Published) -> Callable[[], int]:
+    from sympy import Poly, groebner, symbols
+
+    equations, places = _equations(one)
+    names = symbols([f"g{k}" for k in places])
+    polynomials = [Poly(terms_of(equation), *names) for equation in equations]
+    return lambda: len(groebner(polynomials, *names, order="grevlex").exprs)
+
+
+def _by_singular(one: Published) -> Callable[[], int]:
+    equations, places = _equations(one)
+    names = ",".join(equations[0].context().names() if equations else (f"g{k}" for k in places))
+    ideal = ",".join(map(str, equations))
+    text = f"ring r=0,({names}),dp; ideal i={ideal}; option(redSB); size(std(i)); quit;"
+    call = TOOLS["singular"].call()
+
+    def work() -> int:
+        done = subprocess.run([*call, "-q"], input=text, capture_output=True, text=True, check=True)
+        return int(done.stdout.split()[-1])
+
+    return work
+
+
+POLYNOMIAL = {
+    "cases": _by_cases,
+    "basis": _with_cofactors,
+    "python-flint": _by_flint,
+    "sympy": _by_sympy,
+    "singular": _by_singular,
+}
+
+
+# -- the chart -----------------------------------------------------------------------
+
+
+def draw(rows: Sequence[Row]) -> Figure:
+    """The share of systems that are finished, against time: integrals, and equations."""
+    from matplotlib.ticker import FuncFormatter
+
+    figure = new_figure(height=4.6)
+    panels = figure.subplots(1, 2, sharey=True)
+    sides = ((LINEAR, "integrals"), (POLYNOMIAL, "darboux"))
+    for axes, (methods, question) in zip(panels, sides, strict=True):
+        here = [row for row in rows if row["case"].startswith(question)]
+        for method in methods:
+            own = [row for row in here if row["method"] == method]
+            times = sorted(row["seconds"] for row in own if row["verdict"] == "finished")
+            shares = [100 * k / len(own) for k, _ in zip(count(1), times, strict=False)]
+            axes.plot(times, shares, label=shown(method), **look(method).line)
+        axes.set(xscale="log", xlabel="time for a system", ylim=(0, 104))
+        axes.xaxis.set_major_formatter(FuncFormatter(seconds))
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2))
+    panels[0].set_title("first integrals: kernels", size=8.5)
+    panels[1].set_title("$F'=KF$: quadratic equations", size=8.5)
+    panels[0].set_ylabel("systems finished, %")
+    return figure

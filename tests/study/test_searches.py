@@ -1,0 +1,21 @@
+"""Searches by several methods: those that answer the same question agree."""
+
+import shutil
+
+import pytest
+
+from study.searches import LEFT, LINEAR, POLYNOMIAL, QUICK, RIGHT
+
+SYSTEMS = [one for one in (*LEFT, *RIGHT) if one.name in QUICK]
+
+
+@pytest.mark.parametrize("one", SYSTEMS, ids=lambda one: f"{one.question}: {one.name}")
+def test_methods_agree(one):
+    if one.question == "integrals":
+        sizes = {name: LINEAR[name](one)() for name in LINEAR if name != "search"}
+    else:
+        names = ("python-flint", "sympy", *(["singular"] if shutil.which("Singular") else []))
+        sizes = {name: POLYNOMIAL[name](one)() for name in names}
+        assert POLYNOMIAL["basis"](one)() >= max(sizes.values())
+        assert POLYNOMIAL["cases"](one)() > 0
+    assert len({*sizes.values()}) == 1
