@@ -261,6 +261,10 @@ SPACE = {R: ("x", "y", "z"), P: ("u", "v", "w")}
             r"\dot{\mathbf r}=\frac{\partial H}{\partial\mathbf p},\ \dot{\mathbf p}=-\frac{\partial H}{\partial\mathbf r},\ H(\mathbf r,\mathbf p)=\frac12\mathbf p^2+(\mathbf r^2)^2",
             "H",
         ),
+        (
+            r"\frac{d}{dt}\frac{\partial L}{\partial\dot{\mathbf r}}=\frac{\partial L}{\partial\mathbf r},\ L(\mathbf r,\dot{\mathbf r})=\frac m2\dot{\mathbf r}^2-\frac k4(\mathbf r^2)^2",
+            r"\mathbf r\times\frac{\partial L}{\partial\dot{\mathbf r}}",
+        ),
         (r"\dot{\mathbf r}=\mathbf r\times\mathbf p,\ \dot{\mathbf p}=0", r"\langle\mathbf r,\mathbf p\rangle"),
         (
             r"\mathbf I\dot{\mathbf r}=\mathbf I\mathbf r\times\mathbf r,\ \mathbf I=\operatorname{diag}(a,b,c)",
@@ -489,6 +493,10 @@ def test_a_notebook_shows_what_is_said(lorenz):
     assert F._repr_latex_() == r"$F = x^2 - 2\sigma z$"
     assert r"\dot{x} = \sigma(y - x)" in lorenz._repr_latex_()
     assert lorenz.integral(F)._repr_html_().startswith("<p><b>refuted</b>: this is constant")
+    assert re.search(r"; not at x = \S+, y = ", repr(lorenz.integral(F)))
+    special = lorenz.where(r"b=2\sigma")
+    assert repr(special) == "x, y, z move; σ, ρ are constant; b = 2σ"
+    assert special._repr_html_().count("<math>") == 3 + 5 + 1
 
 
 # -- files --------------------------------------------------------------------------

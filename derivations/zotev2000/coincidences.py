@@ -13,7 +13,7 @@ common = (
     Scene(
         "M⁴ and O⁴",
         "the constants of a motion on both, where $s$ and $\\tau_3$ are not zero",
-        constants=("s", r"\tau_3", "r"),
+        constants=("s", r"\tau_3", "r", "u"),
         nonzero=("s", r"\tau_3"),
     )
     .adjoining(
@@ -37,7 +37,7 @@ section.states(
 
 section.identity(
     "double",
-    r"R(\tau_3) = 0, \quad 4\tau_3(r^4-\tau_3^2)-4hj^2\tau_3+2j^4 = 0",
+    r"R(u) = -(u-\tau_3)^2\left[(u+\tau_3)^2+\frac{j^4}{\tau_3}\right]",
     on=common,
-    says=(r"$\tau_3$ is a root of $R$", "it is a double root"),
+    says=r"$\tau_3$ is a double root of $R$",
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import takewhile
 
@@ -11,7 +12,7 @@ from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.audit.tokens import scanned
 from kowalevski_cas.notation import NotationError, Vocabulary, read_display
-from kowalevski_cas.notation.cursor import BOLD
+from kowalevski_cas.notation.cursor import BOLD, Cursor
 from kowalevski_cas.notation.macros import FUNCTIONS, GREEK
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
@@ -81,7 +82,7 @@ def guessed(formulas: Iterable[Typed], capitals: int = MATRIX) -> Vocabulary:
     bold = {name for name in names if name.startswith(BOLD)}
     upper = {name for name in bold if name[name.index("{") + 1].isupper()}
     matrices = upper if capitals == MATRIX else set()
-    functions = (functions & names - bold) | (names & FUNCTIONS)
+    functions = functions & names | names & FUNCTIONS
     return Vocabulary(
         scalars=frozenset(names - bold - FUNCTIONS),
         vectors=frozenset(bold - matrices),
@@ -131,16 +132,8 @@ def _index(tokens: Sequence[Token], at: int) -> str:
     """The index that begins here, as the reader of formulas writes it."""
     if at + 1 >= len(tokens) or tokens[at].kind != "_":
         return ""
-    first = tokens[at + 1]
-    if first.kind == "number":
-        return f"_{first.text[0]}"
-    if first.kind != "{":
-        text = first.text
-    else:
-        text = ""
-        for token in tokens[at + 2 :]:
-            if token.kind == "}":
-                break
-            gap = " " if text[-1:].isalpha() and "\\" in text and token.text[:1].isalpha() else ""
-            text += gap + token.text
-    return f"_{text}" if len(text) == 1 else f"_{{{text}}}"
+    cursor = Cursor("", [*tokens], Vocabulary())
+    cursor.at = at
+    with suppress(NotationError):
+        return cursor.index()
+    return ""

@@ -57,11 +57,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--list", action="store_true", help="only list the formulas, and whether they can be read"
     )
-    parser.add_argument("--format", choices=FORMATS, default="pretty", help="how to print results")
-    parser.add_argument(
-        "-v", "--verbose", action="store_const", dest="format", const="verbose",
-        help="show the results formula by formula",
-    )  # fmt: skip
+    session.add_format(parser, FORMATS, "formula")
     parser.add_argument(
         "--patch",
         action="store_true",

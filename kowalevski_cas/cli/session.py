@@ -141,6 +141,15 @@ def add_timeout(
     )
 
 
+def add_format(parser: argparse.ArgumentParser, formats: Iterable[str], each: str) -> None:
+    """The arguments by which a command is told how to print results."""
+    parser.add_argument("--format", choices=formats, default="pretty", help="how to print results")
+    parser.add_argument(
+        "-v", "--verbose", action="store_const", dest="format", const="verbose",
+        help=f"show the results {each} by {each}",
+    )  # fmt: skip
+
+
 def add_output(
     parser: argparse.ArgumentParser,
     says: str,

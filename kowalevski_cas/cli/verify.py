@@ -61,11 +61,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--seed", type=int, default=1, metavar="N", help="chooses the points of a screening (1)"
     )
-    parser.add_argument("--format", choices=FORMATS, default="pretty", help="how to print results")
-    parser.add_argument(
-        "-v", "--verbose", action="store_const", dest="format", const="verbose",
-        help="show the results claim by claim",
-    )  # fmt: skip
+    session.add_format(parser, FORMATS, "claim")
     parser.add_argument("--report", type=Path, metavar="DIR", help="write the report there as well")
     session.add_timeout(parser, 60)
     parser.add_argument(

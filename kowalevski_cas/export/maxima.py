@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from fractions import Fraction
 from pathlib import Path
 
 from kowalevski_cas.export.polynomials import Polynomials
@@ -56,9 +55,6 @@ class Program(Polynomials):
     def comment(self, words: str) -> str:
         return f"/* {words} */"
 
-    def number(self, value: Fraction) -> str:
-        return f"({value})"
-
     def define(self, name: str, text: str) -> str:
         return f"{name} : red({text})$"
 
@@ -67,9 +63,6 @@ class Program(Polynomials):
 
     def divisors(self, name: str, pairs: Sequence[tuple[str, str]]) -> str:
         return f"{name} : [{', '.join(f'[{v}, {n}]' for v, n in pairs)}]$"
-
-    def derivative(self, text: str, generator: str) -> str:
-        return f"diff({text}, {generator})"
 
     def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
         pairs = ", ".join(f"{old} = {new}" for old, new in images.items())

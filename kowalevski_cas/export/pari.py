@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from fractions import Fraction
 from pathlib import Path
 
 from kowalevski_cas.export.polynomials import Polynomials
@@ -54,9 +53,6 @@ class Program(Polynomials):
 
     def comment(self, words: str) -> str:
         return rf"\\ {words}"
-
-    def number(self, value: Fraction) -> str:
-        return f"({value})"
 
     def define(self, name: str, text: str) -> str:
         return f"{name} = red({text});"

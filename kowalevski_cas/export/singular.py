@@ -69,9 +69,6 @@ class Program(Polynomials):
     def divisors(self, name: str, pairs: Sequence[tuple[str, str]]) -> str:
         return f"list {name} = list({', '.join(f'{v}, {n}' for v, n in pairs)});"
 
-    def derivative(self, text: str, generator: str) -> str:
-        return f"diff({text}, {generator})"
-
     def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
         values = ", ".join(images.get(name, name) for name in reversed(generators))
         return f"map {name} = R, {values};"

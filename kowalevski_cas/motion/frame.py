@@ -14,11 +14,19 @@ from typing import Any
 
 from flint import arb
 
-from kowalevski_cas.motion.parameters import Inadmissible, ball, precision, root
+from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root, usable
 from kowalevski_cas.motion.phases import as_fraction
 
 BITS = 320
 """To how many bits constants and phases are found where they are irrational."""
+
+
+def given_state(state: Sequence[Real]) -> list[Fraction]:
+    """The nine numbers of a state (ω, α, β); raises ``ValueError`` for what is none."""
+    given = [usable(value) for value in state]
+    if len(given) != 9:
+        raise ValueError(f"a state has nine numbers, ω, α, β; {len(given)} are given")
+    return given
 
 
 def turned(state: Sequence[Any], cos: Any, sin: Any) -> list[Any]:

@@ -21,7 +21,7 @@ from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.critical import LEAST_THETA, TOLERANCE, bounds
 from kowalevski_cas.motion.fit import nearest
 from kowalevski_cas.motion.formulas import exactly
-from kowalevski_cas.motion.frame import BITS, turn_of, turned
+from kowalevski_cas.motion.frame import BITS, given_state, turn_of, turned
 from kowalevski_cas.motion.methods.closed import states
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import (
@@ -32,7 +32,6 @@ from kowalevski_cas.motion.parameters import (
     extreme_ell,
     precision,
     root,
-    usable,
 )
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.regimes import NOISE, regime_of, without_rounding
@@ -52,9 +51,7 @@ def on_N4(state: Sequence[Real]) -> Motion:
     the distance, from rounding or because the state is only almost on N⁴, is the ``off`` of the
     motion.
     """
-    given = [usable(value) for value in state]
-    if len(given) != 9:
-        raise ValueError(f"a state has nine numbers, ω, α, β; {len(given)} are given")
+    given = given_state(state)
     infinite = _check(given)
     with precision(BITS):
         _, _, a_square, b_square, c, *_ = exactly(formulas.integrals(), given)

@@ -16,7 +16,7 @@ END = "end of formula"
 STARTS = frozenset("""letter number open frac sqrt accent operator const dots begin sum""".split())
 BOLD = ("\\mathbf{", "\\boldsymbol{", "\\vec{")
 _UNFINISHED = frozenset({"sign", "relation", "times", "slash", "open", "{", "comma"})
-_INDEX = frozenset({"letter", "number", "sign", "comma", "star"})
+_INDEX = frozenset({"letter", "number", "sign", "comma", "star", "prime", "_"})
 
 
 class Cursor:
@@ -93,10 +93,11 @@ class Cursor:
             self.at += 1
             text = ""
             while self.tokens[self.at].kind in _INDEX:
-                more = self.take().text
+                below = self.tokens[self.at].kind == "_"
+                more = self.index() if below and text else self.take().text
                 gap = " " if text[-1:].isalpha() and "\\" in text and more[:1].isalpha() else ""
                 text += gap + more
-            if not text or self.tokens[self.at].kind != "}":
+            if not text or text[0] in "_'" or self.tokens[self.at].kind != "}":
                 raise self.error("an index is a row of letters and digits")
             self.at += 1
         else:

@@ -154,6 +154,18 @@ def dotted(name: str) -> str:
     return marked + name[len(letter) :]
 
 
+def undotted(name: str) -> str:
+    r"""The variable of which a name is the derivative; the name itself, if it is no such one.
+
+    >>> undotted(r"\dot{\omega}_1"), undotted(r"\dot{\mathbf{r}}"), undotted("x_1")
+    ('\\omega_1', '\\mathbf{r}', 'x_1')
+    """
+    letter = letter_and_index(name)[0]
+    if not letter.startswith(r"\dot{"):
+        return name
+    return letter[len(r"\dot{") : -1] + name[len(letter) :]
+
+
 def plain(letter: str) -> str:
     r"""The letter without its font: ``\boldsymbol{\alpha}`` gives ``\alpha``."""
     return letter[letter.index("{") + 1 : -1] if letter.endswith("}") else letter

@@ -51,9 +51,9 @@ ACTIONS: dict[str, str] = _table(
     times="cdot times",
     dots="ldots dots cdots dotsb dotsc dotsm",
     prime="prime",
-    relation="""equiv ne neq leq le leqslant leqq lt geq ge geqslant geqq gt ll gg approx simeq sim
-    cong propto in notin subset to perp parallel rightarrow longrightarrow mapsto Rightarrow
-    Longrightarrow Leftrightarrow Longleftrightarrow iff implies""",
+    relation="""coloneqq eqqcolon equiv ne neq leq le leqslant leqq lt geq ge geqslant geqq gt ll gg
+    approx simeq sim cong propto in notin subset to perp parallel rightarrow longrightarrow mapsto
+    Rightarrow Longrightarrow Leftrightarrow Longleftrightarrow iff implies""",
     open="lbrace lbrack langle lgroup lvert lVert",
     close="rbrace rbrack rangle rgroup rvert rVert",
     operator="Re Im diag",
@@ -102,7 +102,8 @@ MARKS: dict[str, str] = {
 
 # Signs of Unicode, as TeX writes them.
 TYPED: dict[str, str] = {letter: macro for macro, letter in GREEK.items()} | {
-    "−": "-", "′": "'", "·": r"\cdot", "⋅": r"\cdot", "×": r"\times", "±": r"\pm", "∓": r"\mp",
+    ":=": "=", "=:": "=", "−": "-", "′": "'",
+    "·": r"\cdot", "⋅": r"\cdot", "×": r"\times", "±": r"\pm", "∓": r"\mp",
     "≠": r"\ne", "≡": r"\equiv", "≤": r"\le", "⩽": r"\le", "≥": r"\ge", "⩾": r"\ge",
     "≈": r"\approx", "≪": r"\ll", "≫": r"\gg", "∼": r"\sim", "≃": r"\simeq", "∝": r"\propto",
     "∈": r"\in", "→": r"\to", "∂": r"\partial", "…": r"\ldots", "⋯": r"\cdots", "∑": r"\sum",
@@ -111,6 +112,8 @@ TYPED: dict[str, str] = {letter: macro for macro, letter in GREEK.items()} | {
 
 # The canonical spelling of a sign, a font or a bracket that has several.
 SPELLING: dict[str, str] = {
+    r"\coloneqq": "=",
+    r"\eqqcolon": "=",
     r"\neq": r"\ne",
     r"\leq": r"\le",
     r"\leqslant": r"\le",

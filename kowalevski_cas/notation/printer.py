@@ -6,6 +6,7 @@ import re
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 
+from kowalevski_cas.notation.errors import undotted
 from kowalevski_cas.notation.formula import (
     Application,
     Changed,
@@ -93,9 +94,9 @@ class Printer(ABC):
     def fraction(self, above: str, below: str) -> str:
         """A fraction of two texts that need no brackets."""
 
-    @abstractmethod
     def quotient(self, formula: Quotient) -> str:
         """A fraction."""
+        return self.fraction(self(formula.numerator), self(formula.denominator))
 
     @abstractmethod
     def raised(self, base: str, exponent: str) -> str:
@@ -220,7 +221,9 @@ class Printer(ABC):
 
     def rate(self, d: str, argument: Formula, by: str) -> str:
         """A derivative as a fraction of differentials, or applied to what stands behind it."""
-        below = self.joined([d, self(Name(by))])
+        variable = undotted(by)
+        moved = Name(by) if variable == by else Derivative(Name(variable), "dot")
+        below = self.joined([d, self(moved)])
         if isinstance(argument, Name):
             return self.fraction(self.joined([d, self(argument)]), below)
         return self.joined([self.fraction(d, below), self.bracketed(self(argument))])

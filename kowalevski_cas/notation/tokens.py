@@ -15,7 +15,7 @@ TOKEN = re.compile(
       | (?P<row>\\\\\s*\*?(?:\s*\[\s*[-+]?[\d.]+\s*[a-z]{2}\s*\])?)
       | (?P<macro>\\(?:(?:operatorname|hspace|vspace|tag)\*|[A-Za-z]+|.|$))
       | (?P<dots>\.\.\.)
-      | (?P<mark>.)""",
+      | (?P<mark>:=|=:|.)""",
     re.VERBOSE | re.DOTALL,
 )
 BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)

@@ -17,7 +17,7 @@ SIGNS = {
 }  # fmt: skip
 """The signs of relations, also of those that only words state."""
 
-_LETTERS = GREEK | {r"\pm": "±", r"\infty": "∞"}
+_LETTERS = GREEK | {r"\pm": "±", r"\infty": "∞", "'": "′"}
 
 _STYLES = {
     r"\mathbf": "BOLD", r"\boldsymbol": "BOLD", r"\mathcal": "SCRIPT", r"\mathscr": "SCRIPT",
@@ -66,7 +66,7 @@ def _letter(tex: str) -> str:
 
 def _index(tex: str) -> tuple[str, ...]:
     return tuple(
-        found[1] or _letter(found[0]) for found in _PIECE.finditer(tex) if found[0].strip()
+        found[1] or _letter(found[0]) for found in _PIECE.finditer(tex) if found[0].strip(" _")
     )
 
 

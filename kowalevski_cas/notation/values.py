@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from kowalevski_cas.notation.errors import undotted
 from kowalevski_cas.notation.formula import (
     Application,
     Commutator,
@@ -53,7 +54,7 @@ def rank(formula: Formula, vocabulary: Vocabulary) -> int:
             found = rank(inner, vocabulary)
             return SCALAR if found == VECTOR else found
         case Partial(inner, by):
-            return max(rank(inner, vocabulary), rank(Name(by), vocabulary))
+            return max(rank(inner, vocabulary), vocabulary.rank(undotted(by)))
         case Summation(_, _, _, inner) | Quotient(inner, _):
             return rank(inner, vocabulary)
         case Vector(components):

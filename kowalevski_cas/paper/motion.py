@@ -29,7 +29,7 @@ from kowalevski_cas.notation import (
     Quotient,
     Vector,
 )
-from kowalevski_cas.notation.errors import dotted
+from kowalevski_cas.notation.errors import dotted, undotted
 from kowalevski_cas.paper.components import component
 from kowalevski_cas.paper.inverse import inverse
 from kowalevski_cas.paper.matrices import by_rows
@@ -63,9 +63,8 @@ def _orders(formula: Formula, above: int = 0) -> Iterator[tuple[str, int]]:
     """The names in a formula, and how often they are derived by the time, there and above it."""
     if isinstance(formula, Name):
         yield formula.name, above
-    elif isinstance(formula, Partial) and formula.by.startswith(r"\dot{"):
-        letter, index = formula.by[len(r"\dot{") :].split("}", 1)
-        yield letter + index, above + 1
+    elif isinstance(formula, Partial) and (name := undotted(formula.by)) != formula.by:
+        yield name, above + 1
     for child in formula.children():
         yield from _orders(child, above + isinstance(formula, Derivative))
 

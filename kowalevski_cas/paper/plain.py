@@ -34,7 +34,7 @@ from kowalevski_cas.notation import (
     to_latex,
     total,
 )
-from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.notation.errors import dotted, letter_and_index, undotted
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.brackets import Brackets
 from kowalevski_cas.paper.components import applied
@@ -109,9 +109,11 @@ class Plain:
                 return self(Root(square))
             case Partial(argument, by):
                 inner, derived = self(argument), self.setting.partial
-                names = self.setting.scene.vectors.get(by)
+                names = self.setting.scene.vectors.get(undotted(by))
                 if names is None:
                     return derived(inner, by)
+                if undotted(by) != by:
+                    names = tuple(map(dotted, names))
                 return Vector(tuple(derived(inner, name) for name in names))
         return None
 

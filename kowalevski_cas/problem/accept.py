@@ -9,17 +9,17 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
-from itertools import combinations, product
+from itertools import product
 from operator import mul
 from types import MappingProxyType
 from typing import Any
 
-from kowalevski_cas.algebra.linear import determinant
 from kowalevski_cas.algebra.numbers import rank, rational
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
 from kowalevski_cas.problem.count import check_roots, check_solutions, square
+from kowalevski_cas.problem.differentials import chosen, differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
     At,
@@ -137,9 +137,9 @@ class Judge(Examiner):
     # -- ranks ---------------------------------------------------------------------
 
     def _rows(self, goal: Rank, at: Evaluation) -> list[list[Element]]:
-        chosen = [at.scalar(f) for f in goal.functions] + at.differences(goal.given)
-        self.accepted.divides(chosen)
-        return [[at.partial(f, name) for name in goal.space.variables] for f in chosen]
+        functions = chosen(goal, at)
+        self.accepted.divides(functions)
+        return differentials(functions, at)
 
     def _rank(self, goal: Rank, evidence: At, at: Evaluation, sign: bool) -> None:
         rows = self._rows(goal, at)
@@ -150,13 +150,10 @@ class Judge(Examiner):
             raise Unproved(f"there are {len(rows)} independent differentials")
 
     def _minors(self, goal: Rank, evidence: Minors, at: Evaluation, sign: bool) -> None:
-        rows = self._rows(goal, at)
-        known = at.differences(goal.given)
-        columns = combinations(range(len(goal.space.variables)), len(rows))
-        minors = [determinant([[row[k] for k in chosen] for row in rows]) for chosen in columns]
-        if len(evidence.rows) != len(minors):
+        all_minors, known = minors(self._rows(goal, at)), at.differences(goal.given)
+        if len(evidence.rows) != len(all_minors):
             raise Unproved("there is not a row for each minor")
-        used = list(self._settle(minors, known, Proof(evidence.rows), at))
+        used = list(self._settle(all_minors, known, Proof(evidence.rows), at))
         self.accepted.uses(used)
         self._unconditional(at)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
 
@@ -127,18 +127,24 @@ def _roots_of_solutions(found: Roots, at: Evaluation, known: list[Element]) -> l
     return used
 
 
-def _solutions_of_roots(
-    goal: Count, found: Roots, inner: Evaluation, at: Evaluation, known: list[Element]
-) -> Iterator[Element]:
-    """Check that roots are solutions; one over what the evidence divides by is yielded."""
+def solved_rests(
+    found: Roots, inner: Evaluation, at: Evaluation, known: Sequence[Element]
+) -> tuple[dict[str, Element], list[Element]]:
+    """The unknowns through the root, and what is left of the equations and of the form by them."""
     solved = {n: inner.scalar(a) / inner.scalar(b) for n, a, b in found.solved}
 
     def value(name: str) -> Element:
         return solved[name] if name in solved else inner.scalar(Name(name))
 
-    rests = [inner.image(element, value) for element in known]
-    form = inner.image(at.scalar(found.form), value)
-    rests.append(form - inner.scalar(Name(found.root)))
+    form = inner.image(at.scalar(found.form), value) - inner.scalar(Name(found.root))
+    return solved, [*(inner.image(element, value) for element in known), form]
+
+
+def _solutions_of_roots(
+    goal: Count, found: Roots, inner: Evaluation, at: Evaluation, known: list[Element]
+) -> Iterator[Element]:
+    """Check that roots are solutions; one over what the evidence divides by is yielded."""
+    solved, rests = solved_rests(found, inner, at, known)
     equation = eliminant_value(found, inner)
     quotients = [inner.scalar(quotient) for quotient in found.quotients]
     for rest, quotient in zip(rests, quotients, strict=True):

@@ -20,6 +20,7 @@ from kowalevski_cas.problem.space import (
     Motion,
     Raised,
     Setting,
+    Step,
     generators,
 )
 
@@ -89,6 +90,10 @@ class Evaluation(Fold):
         step = self.setting.step(name)
         if isinstance(step, Let):
             return self(step.formula, conjugated)
+        return self._given(name, step, conjugated)
+
+    def _given(self, name: str, step: Step | None, conjugated: bool) -> Value:
+        """The value of a name that stands for itself."""
         if conjugated:
             return self._conjugate(name)
         if isinstance(step, Adjoined):

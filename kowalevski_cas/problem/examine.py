@@ -95,7 +95,7 @@ class Examiner:
             for group, case in zip(groups, proof.cases, strict=True):
                 yield from group
                 yield from self._settle(goals, [*known, *group], case, at)
-            goals = [reduce(mul, (_group(group) for group in groups))]
+            goals = [reduce(mul, (value_of(group) for group in groups))]
         if not 1 <= proof.power <= LARGEST_POWER:
             raise Unproved("it is no power that is taken")
         rows = proof.rows or ((),) * len(goals)
@@ -135,7 +135,7 @@ def need_point(point: Point | None) -> Point:
     return point
 
 
-def _group(group: Sequence[Element]) -> Element:
+def value_of(group: Sequence[Element]) -> Element:
     """What the checker makes of a group: its one element, or the sum of squares."""
     if len(group) == 1:
         return group[0]

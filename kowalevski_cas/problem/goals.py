@@ -12,8 +12,23 @@ Main = tuple[tuple[str, ...], ...]
 """Sets of variables in which a division is tried: a hint to the search, no part of a statement."""
 
 
+class Theorem:
+    """What all goals over a space have."""
+
+    def formulas(self) -> Iterator[Formula]:
+        """Every formula of the statement."""
+        yield from _formulas(tuple(vars(self).values()))
+
+
+def _formulas(value: object) -> Iterator[Formula]:
+    if isinstance(value, Formula):
+        yield value
+    for one in value if isinstance(value, tuple) else ():
+        yield from _formulas(one)
+
+
 @dataclass(frozen=True, eq=False)
-class Follows:
+class Follows(Theorem):
     """Wherever the ``given`` equations hold, all equations of one of the ``conclusions`` do.
 
     One conclusion is the ordinary case, and an identity if nothing is given; no conclusion
@@ -25,12 +40,6 @@ class Follows:
     given: tuple[Equation, ...] = ()
     main: Main = ()
 
-    def formulas(self) -> Iterator[Formula]:
-        """Every formula of the statement."""
-        for equations in (*self.conclusions, self.given):
-            for sides in equations:
-                yield from sides
-
 
 @dataclass(frozen=True, eq=False)
 class Fails(Follows):
@@ -38,7 +47,7 @@ class Fails(Follows):
 
 
 @dataclass(frozen=True, eq=False)
-class Rank:
+class Rank(Theorem):
     """At a real point of the ``given`` equations ``rank`` differentials are independent.
 
     They are those of the functions and of the given equations, and so many in number.
@@ -49,30 +58,18 @@ class Rank:
     given: tuple[Equation, ...]
     rank: int
 
-    def formulas(self) -> Iterator[Formula]:
-        """Every formula of the statement."""
-        yield from self.functions
-        for sides in self.given:
-            yield from sides
-
 
 @dataclass(frozen=True, eq=False)
-class Positive:
+class Positive(Theorem):
     """The formula is positive wherever the given equations hold."""
 
     space: Setting
     formula: Formula
     given: tuple[Equation, ...] = ()
 
-    def formulas(self) -> Iterator[Formula]:
-        """Every formula of the statement."""
-        yield self.formula
-        for sides in self.given:
-            yield from sides
-
 
 @dataclass(frozen=True, eq=False)
-class Count:
+class Count(Theorem):
     """For all constants for which there is a solution there are exactly ``number`` real ones.
 
     The equations are for the variables in ``names``; no other variable stands in them.
@@ -83,14 +80,9 @@ class Count:
     names: tuple[str, ...]
     number: int
 
-    def formulas(self) -> Iterator[Formula]:
-        """Every formula of the statement."""
-        for sides in self.equations:
-            yield from sides
-
 
 @dataclass(frozen=True, eq=False)
-class Kernel:
+class Kernel(Theorem):
     """The polynomials f in the variables with D f = ``factor`` f, up to a degree, are known.
 
     For almost all values of the constants they are the linear combinations of products of one of
@@ -104,12 +96,6 @@ class Kernel:
     integrals: tuple[Formula, ...]
     weights: tuple[int, ...]
     degree: int
-
-    def formulas(self) -> Iterator[Formula]:
-        """Every formula of the statement."""
-        yield self.factor
-        yield from self.solutions
-        yield from self.integrals
 
 
 Simple = Follows | Rank | Positive | Count | Kernel

@@ -12,7 +12,7 @@ from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, Sum
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.fold import Value
-from kowalevski_cas.problem.space import Let
+from kowalevski_cas.problem.space import Step
 
 
 class Sampled(Evaluation):
@@ -58,13 +58,8 @@ class Sampled(Evaluation):
         assert isinstance(value, Element)
         return value
 
-    def _defined(self, name: str, conjugated: bool) -> Value:
-        step = self.setting.step(name)
-        if isinstance(step, Let):
-            return self(step.formula, conjugated)
-        if conjugated:
-            return self.carry(self.exact.scalar(Name(name), True))
-        return self.carry(self.exact.scalar(Name(name)))
+    def _given(self, name: str, step: Step | None, conjugated: bool) -> Value:
+        return self.carry(self.exact.scalar(Name(name), conjugated))
 
     @property
     def rates(self) -> Field:

@@ -34,6 +34,7 @@ from kowalevski_cas.report.sentences import listed
 from kowalevski_cas.verify.outcome import Run, Verdict
 
 _CLOSING: Final = {"$": "$", "$$": "$$", "\\[": "\\]", "\\(": "\\)"}
+_TITLE: Final = re.compile(r"\\title\s*(?:\[[^\]]*\])?\s*\{([^{}\\]*)\}")
 _END: Final = re.compile(r"\\end\s*\{document\}")
 
 
@@ -65,10 +66,11 @@ class _Annotated:
         for section in paper:
             waiting: list[Item] = []
             last: list[Item] | None = None
-            first = next((item.display for item in section.items if item.display), "")
+            shown = (i.display for i in section.items if i.display and not i.source)
+            first = next(shown, "")
             self.begins[first] = f"section.{anchor(section.number)}"
             for item in section.items:
-                if item.display:
+                if item.display and not item.source:
                     self.items[item.display] = last = [*waiting, item]
                     waiting = []
                 else:
@@ -98,8 +100,10 @@ class _Annotated:
             f"kowalevski_cas {__version__}: ",
             Code(f"kowalevski-cas audit {source.path.rpartition('/')[2]} --report DIR"), ".",
         )  # fmt: skip
-        title = f"“{run.title}”, verified formula by formula"
-        return Document(title, title, ((run.author, "."), by), shown)
+        printed = _TITLE.search(self.text)
+        name = run.title if run.author or not printed else printed[1]
+        title = f"“{name}”, verified formula by formula"
+        return Document(title, title, ((run.author, "."), by) if run.author else (by,), shown)
 
     # -- formulas -------------------------------------------------------------------
 
@@ -122,7 +126,10 @@ class _Annotated:
         if display.id in self.begins:
             blocks.insert(0, Paragraph((), anchor=self.begins[display.id]))
         for item in items:
-            if item.stated or not typed.inline:
+            if item.source:
+                said = self.contents.phrases.sentence(item.source, ":")
+                blocks.append(Paragraph(said, "note", leads=True))
+            if item.stated or item.source or not typed.inline:
                 blocks += self.contents.passages.item(item)
         if not typed.inline:
             return Placed((), tuple(blocks))

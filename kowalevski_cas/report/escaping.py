@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from typing import Final
 
+from kowalevski_cas.notation.macros import TYPED
+
 _SPECIAL: Final = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#",
     "%": r"\%", "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}",
@@ -12,24 +14,14 @@ _SPECIAL: Final = {
     "–": "--", "—": "---", "…": r"\dots{}", "“": "``", "”": "''", "‘": "`", "’": "'",
     "§": r"\S{}", "\u00a0": "~", "\u202f": r"\,", "\u2009": r"\,",
 }  # fmt: skip
-_GREEK: Final = dict(
-    zip(
-        "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ",
-        "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma "
-        "tau upsilon varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi "
-        "Omega".split(),
-        strict=True,
-    )
-)
 _SIGNS: Final = {
-    "−": "-", "×": r"\times ", "·": r"\cdot ", "′": "'", "″": "''", "≠": r"\ne ", "≤": r"\le ",
-    "≥": r"\ge ", "≡": r"\equiv ", "≈": r"\approx ", "→": r"\to ", "∈": r"\in ", "∞": r"\infty ",
-    "√": r"\surd ", "∂": r"\partial ", "±": r"\pm ", "∓": r"\mp ", "°": r"^\circ ",
-    "½": r"\tfrac12 ", "¼": r"\tfrac14 ", "⟨": r"\langle ", "⟩": r"\rangle ", "ℓ": r"\ell ",
-    "⇒": r"\Rightarrow ", "⇔": r"\Leftrightarrow ", "∧": r"\land ", "∨": r"\lor ",
-    "∪": r"\cup ", "∩": r"\cap ", "⊂": r"\subset ", "∅": r"\emptyset ", "∇": r"\nabla ",
-    "ℝ": r"\mathbf{R}", "ℂ": r"\mathbf{C}", "ℚ": r"\mathbf{Q}", "ℤ": r"\mathbf{Z}",
-    "✓": r"\checkmark ", "✗": r"\times ",
+    letter: f"{macro} " if macro[0] == "\\" else macro for letter, macro in TYPED.items()
+} | {
+    "″": "''", "∞": r"\infty ", "√": r"\surd ", "°": r"^\circ ", "½": r"\tfrac12 ",
+    "¼": r"\tfrac14 ", "⇒": r"\Rightarrow ", "⇔": r"\Leftrightarrow ", "∧": r"\land ",
+    "∨": r"\lor ", "∪": r"\cup ", "∩": r"\cap ", "⊂": r"\subset ", "∅": r"\emptyset ",
+    "∇": r"\nabla ", "ℝ": r"\mathbf{R}", "ℂ": r"\mathbf{C}", "ℚ": r"\mathbf{Q}",
+    "ℤ": r"\mathbf{Z}", "✓": r"\checkmark ", "✗": r"\times ",
 }  # fmt: skip
 _RAISED: Final = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺ⁿ", "0123456789-+n")
 _LOWERED: Final = str.maketrans("₀₁₂₃₄₅₆₇₈₉₋₊ₙᵢⱼₖ", "0123456789-+nijk")
@@ -48,8 +40,6 @@ def escaped(text: str) -> str:
 def _letter(letter: str) -> str:
     if letter in _SPECIAL:
         return _SPECIAL[letter]
-    if letter in _GREEK:
-        return f"$\\{_GREEK[letter]} $"
     if letter in _SIGNS:
         return f"${_SIGNS[letter]}$"
     if (digit := letter.translate(_RAISED)) != letter:

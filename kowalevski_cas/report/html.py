@@ -82,7 +82,7 @@ class HtmlWriter(Writer):
 
     page = "page.html"
     setter = HtmlSetter()
-    room = 38.0
+    room = 39.5
 
     def __init__(self, beside: Path) -> None:
         self.beside = beside

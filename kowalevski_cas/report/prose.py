@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
+from kowalevski_cas.report.counters import THEOREM, numbers
 from kowalevski_cas.report.document import (
     Block,
     Code,
@@ -20,6 +21,7 @@ from kowalevski_cas.report.document import (
     Items,
     Link,
     Paragraph,
+    Table,
     Text,
 )
 from kowalevski_cas.report.names import anchor
@@ -38,13 +40,12 @@ _SILENT: Final = frozenset(
     """maketitle title author date thanks label noindent indent smallskip medskip bigskip vspace
     hspace newpage clearpage pagebreak thispagestyle pagestyle centering raggedright
     small large normalsize footnotesize protect looseness sloppy hfill tableofcontents
-    bibliographystyle""".split()
+    bibliographystyle toprule midrule bottomrule hline""".split()
 )
 _SPECIALS: Final = {"--": "–", "---": "—", "``": "“", "''": "”", "~": "\u00a0", "&": " "}
 _LISTS: Final = {"itemize": False, "enumerate": True, "description": False}
-_PLAIN: Final = frozenset("document abstract center quote quotation flushleft minipage".split())
-_THEOREM: Final = re.compile(
-    r"(theorem|lemma|proposition|corollary|definition|remark|example|claim|proof)\*?", re.IGNORECASE
+_PLAIN: Final = frozenset(
+    "document abstract center quote quotation flushleft minipage table figure".split()
 )
 
 
@@ -87,7 +88,7 @@ def read_article(tex: str, placed: Sequence[Placed], labels: Mapping[str, Link])
     known = get_default_latex_context_db()
     known.add_context_category(
         "literature",
-        macros=[std_macro("bibitem", "[{")],
+        macros=[std_macro("bibitem", "[{"), std_macro("caption", "[{")],
         environments=[std_environment("thebibliography", "{")],
         prepend=True,
     )
@@ -108,6 +109,8 @@ class _Article:
         self.tex, self.placed, self.labels = tex, placed, labels
         keys = re.findall(r"\\bibitem\s*(?:\[[^\]]*\])?\s*\{([^{}]*)\}", tex)
         self.cited = {key: number for number, key in enumerate(keys, 1)}
+        self.numbers = numbers(tex)
+        self.theorems = 0
         self.blocks: list[Block] = []
         self.line: list[Inline] = []
         self.after: list[Block] = []
@@ -118,7 +121,7 @@ class _Article:
 
     def end(self) -> None:
         """The paragraph ends, and what its formulas bring with them follows."""
-        if any(not isinstance(one, str) or one.strip() for one in self.line):
+        if _says(self.line):
             self.blocks.append(Paragraph(tuple(self.line), anchor=self.place))
             self.place = ""
         self.blocks += self.after
@@ -195,6 +198,9 @@ class _Article:
             "cite": lambda: self._cite(arguments),
             "footnote": lambda: self._footnote(arguments),
             "par": self.end,
+            "includegraphics": lambda: self._source(node),
+            "caption": lambda: self._caption(arguments),
+            "texttt": lambda: self.line.append(Code(_verbatim(arguments).replace("\\", ""))),
             "\\": lambda: self.line.append(" "),
         }
         if name in _LEVELS and arguments:
@@ -226,7 +232,7 @@ class _Article:
             before, _, behind = form.partition("{}")
             self.line += [before, self.labels[label], behind]
         else:
-            self.line.append(Code(label))
+            self.line.append(self.numbers.get(label) or Code(label))
 
     def _cite(self, arguments: Sequence[Any]) -> None:
         parts: list[Inline] = []
@@ -235,6 +241,15 @@ class _Article:
             shown: Inline = Link(f"bib.{anchor(key)}", (str(number),)) if number else Code(key)
             parts += [", " if parts else "[", shown]
         self.line += [*parts, "]"]
+
+    def _counted(self) -> str:
+        self.theorems += 1
+        return f"\u00a0{self.theorems}"
+
+    def _caption(self, arguments: Sequence[Any]) -> None:
+        self.end()
+        self.line.append(Emphasis(self._inner(arguments)))
+        self.end()
 
     def _footnote(self, arguments: Sequence[Any]) -> None:
         self.line += [" (", Emphasis(self._inner(arguments)), ")"]
@@ -246,17 +261,38 @@ class _Article:
         if name in _PLAIN:
             if name == "abstract":
                 self._heading(2, ("Abstract",))
+            elif name in ("table", "figure"):
+                self.end()
             self._apart(node.nodelist)
+        elif name == "tabular":
+            self._table(node)
         elif name.rstrip("*") in _LISTS or name == "thebibliography":
             self._list(node)
-        elif _THEOREM.fullmatch(name):
+        elif name == "proof" or THEOREM.fullmatch(name):
             self.end()
-            self.line.append(Emphasis((f"{name.rstrip('*').capitalize()}. ",), strong=True))
+            number = "" if name == "proof" or name.endswith("*") else self._counted()
+            self.line.append(Emphasis((f"{name.rstrip('*').capitalize()}{number}. ",), strong=True))
             self._apart(node.nodelist)
         else:
             self.end()
             self._source(node)
             self.end()
+
+    def _table(self, node: Any) -> None:
+        """A table; its first row is the head."""
+        self.end()
+        cells: list[list[list[Any]]] = [[[]]]
+        for inner in node.nodelist:
+            if getattr(inner, "macroname", "") == "\\":
+                cells.append([[]])
+            elif getattr(inner, "specials_chars", "") == "&":
+                cells[-1].append([])
+            else:
+                cells[-1][-1].append(inner)
+        rows = [tuple(map(self._inner, row)) for row in cells]
+        head, *others = [row for row in rows if any(map(_says, row))] or [((),)]
+        self.blocks.append(Table((1 / len(head),) * len(head), head, tuple(others)))
+        self.end()
 
     def _apart(self, nodes: Iterable[Any]) -> None:
         self.read(nodes)
@@ -284,6 +320,11 @@ class _Article:
         self.blocks = kept
         numbered = _LISTS.get(node.environmentname.rstrip("*"), True)
         self.blocks.append(Items(tuple(items), numbered))
+
+
+def _says(text: Sequence[Inline]) -> bool:
+    """Whether there is more in a text than spaces."""
+    return any(not isinstance(one, str) or one.strip() for one in text)
 
 
 def _arguments(node: Any) -> list[Any]:

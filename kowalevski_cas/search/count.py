@@ -14,7 +14,7 @@ from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in, fraction_formula, polynomial_formula
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Product
-from kowalevski_cas.problem.count import eliminant_value
+from kowalevski_cas.problem.count import eliminant_value, solved_rests
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Factor, Point, Roots
 from kowalevski_cas.problem.goals import Count
@@ -138,14 +138,7 @@ class Builder:
     def _quotients(self, draft: Roots) -> tuple[Formula, ...] | None:
         """What shows that a root gives a solution."""
         inner = self.inner
-        solved = {n: inner.scalar(a) / inner.scalar(b) for n, a, b in draft.solved}
-
-        def of(name: str) -> Element:
-            return solved[name] if name in solved else inner.scalar(Name(name))
-
-        rests = [inner.image(element, of) for element in self.known]
-        form = inner.image(self.at.scalar(draft.form), of)
-        rests.append(form - inner.scalar(Name(draft.root)))
+        _, rests = solved_rests(draft, inner, self.at, self.known)
         equation = eliminant_value(draft, inner).parts[0]
         found = []
         for rest in rests:

@@ -6,15 +6,14 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
 from itertools import chain, product
-from operator import add, mul
+from operator import mul
 
 from kowalevski_cas.algebra.factors import irreducible_factors
-from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evidence import Proof
+from kowalevski_cas.problem.examine import value_of
 from kowalevski_cas.search.groebner import Combinations, complete
-from kowalevski_cas.search.splits import four_squares
+from kowalevski_cas.search.splits import four_squares, written
 from kowalevski_cas.search.squares import sum_of_squares
 
 DEPTH = 12
@@ -37,16 +36,16 @@ def proof_by_cases(
     for k, conclusion in enumerate(conclusions or [[one]]):
         rows = complete(map(combinations.row, conclusion))
         if rows is not None:
-            return Proof(_written([*_alternatives(conclusions, k, rows)]))
+            return Proof(written([*_alternatives(conclusions, k, rows)]))
     best = min(_products(combinations), key=lambda one: one[0], default=None)
     if best is None or not depth:
         return None
     _, groups, power = best
-    rows = combinations.rows_of([reduce(mul, map(_total, groups))], power)
+    rows = combinations.rows_of([reduce(mul, map(value_of, groups))], power)
     cases = complete(proof_by_cases(conclusions, [*known, *one], depth - 1) for one in groups)
     if rows is None or cases is None:
         return None
-    return Proof(_written(rows), _written(groups), tuple(cases), power)
+    return Proof(written(rows), written(groups), tuple(cases), power)
 
 
 def _alternatives(
@@ -85,12 +84,3 @@ def _products(
         one = all(len(group) == 1 for group in groups)
         if not one or len(groups) > 1:
             yield (one, len(terms)), groups, max(exponent for _, exponent in factors)
-
-
-def _total(group: Group) -> Element:
-    """One element stands for itself, several for the sum of their squares."""
-    return group[0] if len(group) == 1 else reduce(add, (one * one for one in group))
-
-
-def _written(rows: Sequence[Sequence[Element]]) -> tuple[tuple[Formula, ...], ...]:
-    return tuple(tuple(map(formula_in, row)) for row in rows)

@@ -13,6 +13,7 @@ from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evidence import Proof
+from kowalevski_cas.problem.examine import value_of
 from kowalevski_cas.search.cases import Case, Powers, Reduction
 from kowalevski_cas.search.squares import Squares
 
@@ -73,7 +74,7 @@ class Prover:
                 self._divided(self._known(r, size, places), goal, r.unit)
                 for goal, r in zip(self.system.goals, sorted(case.reductions), strict=True)
             ]
-            return Proof(_written(rows))
+            return Proof(written(rows))
         (first, *_) = case.reductions
         row = self._known(first, size, places)
         if case.kind == "empty":
@@ -89,7 +90,7 @@ class Prover:
         ]
         left, number = self.ring.one, 1 / content
         for group, times, _ in groups:
-            left, number = left * self._total(group), number * times
+            left, number = left * value_of(group), number * times
         row = [self.ring.number(number) * entry for entry in row]
         row = self._divided(row, left, first.dropped)
         if not groups:
@@ -99,7 +100,7 @@ class Prover:
             inside = places + [(size + k, factor) for k, factor in added]
             cases.append(self.proof(child, size + len(group), inside))
         split = [group for group, _, _ in groups]
-        return Proof(_written([row]), _written(split), tuple(cases))
+        return Proof(written([row]), written(split), tuple(cases))
 
     def _known(self, reduction: Reduction, size: int, places: Places) -> Row:
         """The quotients of a reduction, each at the place of its equation."""
@@ -127,7 +128,7 @@ class Prover:
     def _contradiction(self, row: Row) -> Proof:
         """Every goal, from a row that gives 1."""
         rows = [[goal * entry for entry in row] for goal in self.system.goals]
-        return Proof(_written(rows))
+        return Proof(written(rows))
 
     def _group(
         self, factor: Terms, exponent: int, squares: Squares
@@ -148,17 +149,9 @@ class Prover:
             group += [self.ring.number(part) * self.system.element(base) for part in parts]
         return group, Fraction(1), added
 
-    def _total(self, group: Row) -> Element:
-        """What the checker makes of a group."""
-        if len(group) == 1:
-            return group[0]
-        total = self.ring.zero
-        for entry in group:
-            total = total + entry * entry
-        return total
 
-
-def _written(rows: Sequence[Row]) -> tuple[tuple[Formula, ...], ...]:
+def written(rows: Sequence[Sequence[Element]]) -> tuple[tuple[Formula, ...], ...]:
+    """Rows of elements as formulas."""
     return tuple(tuple(map(formula_in, row)) for row in rows)
 
 

@@ -91,18 +91,25 @@ class Stated(Shown):
         return self._said(to_plain, str, "{}").strip()
 
     def _repr_html_(self) -> str:
-        return f"<p>{self._said(_math, escape, '<b>{}</b>')}</p>"
+        return f"<p>{self._said(in_html, escape, '<b>{}</b>')}</p>"
 
     def _said(self, shown: Callable[[Formula], str], said: Callable[[str], str], mark: str) -> str:
-        """The verdict, its conditions, what is claimed, and why it is not decided."""
+        """The verdict and its conditions, what is claimed, where it fails, what is not decided."""
         own = self.outcome
         words = read_prose(own.words, vocabulary((self.claim.scene,)))
         where = ", ".join(f"{shown(formula)} ≠ 0" for formula in self.conditions)
         found = [f"where {where}"] if where else []
         found += [print_prose(words, said, shown), ", ".join(map(shown, self.formulas))]
+        values = own.counterexample.point.values.items() if own.counterexample else ()
+        at = ", ".join(
+            f"{shown(name)} = {said(value) if isinstance(value, str) else shown(value)}"
+            for name, value in values
+        )
+        found += [f"not at {at}"] if at else []
         found += [said(own.message)] if own.message else []
         return f"{mark.format(own.verdict)}: {'; '.join(filter(None, found))}"
 
 
-def _math(formula: Formula) -> str:
+def in_html(formula: Formula) -> str:
+    """A formula in a page."""
     return f"<math>{to_mathml(formula)}</math>"

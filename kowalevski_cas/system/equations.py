@@ -29,7 +29,7 @@ from kowalevski_cas.notation import (
     read_display,
     to_latex,
 )
-from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.notation.errors import letter_and_index, undotted
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.names import BRACKET, head, is_bold
 from kowalevski_cas.paper.plain import half_power, written_out
@@ -37,7 +37,6 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 
-_RATE = re.compile(r"\\dot\{([^{}]*)\}(.*)")
 _INDEX = re.compile("[i-n]")
 _PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
 
@@ -190,8 +189,8 @@ def _moving(formula: Formula) -> list[str]:
     if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector):
         return [one.name for one in formula.argument.nodes() if isinstance(one, Name)]
     found = [name for child in formula.children() for name in _moving(child)]
-    rate = _RATE.fullmatch(formula.by) if isinstance(formula, Partial) else None
-    return [rate[1] + rate[2], *found] if rate else found
+    by = formula.by if isinstance(formula, Partial) else ""
+    return [undotted(by), *found] if undotted(by) != by else found
 
 
 def _derived(formula: Formula) -> list[str]:

@@ -50,7 +50,7 @@ from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.pool import HERE
 from kowalevski_cas.processes import each
-from kowalevski_cas.system.answers import Function, Stated
+from kowalevski_cas.system.answers import Function, Stated, in_html
 from kowalevski_cas.system.claims import Claims, Tex
 from kowalevski_cas.system.equations import (
     bold,
@@ -99,6 +99,8 @@ class System(Claims):
     ) -> None:
         self.symbols: dict[str, Any] = {}
         """The symbols of SymPy in which the system is written, by their names here."""
+        self.special: tuple[Display, ...] = ()
+        """What is supposed of the constants."""
         self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "")
         MADE.append(self.section)
@@ -120,11 +122,24 @@ class System(Claims):
         return tex
 
     def __repr__(self) -> str:
-        return _echo(self.scene.variables, self.scene.constants, lambda n: to_plain(self.read(n)))
+        return self._echoed(to_plain)
 
     def _repr_latex_(self) -> str:
-        display = self.section.displays[0]
-        return f"${in_latex(self._formulas(display))}$"
+        return f"${in_latex(self._formulas(self.section.displays[0]))}$"
+
+    def _repr_html_(self) -> str:
+        equations = self._formulas(self.section.displays[0])
+        return f"<p>{', '.join(map(in_html, equations))}; {self._echoed(in_html)}</p>"
+
+    def _echoed(self, shown: Callable[[Formula], str]) -> str:
+        """What moves, what is constant, and what is special, in words."""
+        echo = _echo(
+            self.scene.variables, self.scene.constants, lambda name: shown(self.read(name))
+        )
+        special = ", ".join(
+            shown(formula) for one in self.special for formula in self._formulas(one)
+        )
+        return f"{echo}; {special}" if special else echo
 
     # -- scenes ------------------------------------------------------------------
 
@@ -163,6 +178,7 @@ class System(Claims):
             place = self._place("where", relation)
             scene = restricted(scene, place)
             scene = rooted(scene, place.display)
+            special.special += (place.display,)
         special._stand_on(scene)
         return special
 

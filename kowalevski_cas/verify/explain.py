@@ -24,7 +24,7 @@ from kowalevski_cas.paper.claims.forms import ZERO
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.collect import collect
-from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.differentials import chosen
 from kowalevski_cas.problem.evidence import (
     At,
     Denial,
@@ -172,7 +172,7 @@ def _against(
         return None
     place = accepted.places[-1]
     if isinstance(goal, Rank):
-        own = len(place.at.setting.variables) - _size(goal, place.at)
+        own = len(place.at.setting.variables) - len(chosen(goal, place.at))
         claimed = len(place.at.setting.variables) - goal.rank
         words = f"by the rank at this point the dimension is {own}, not {claimed}"
         return Counterexample(_at(place), Number(own), Number(claimed), words)
@@ -234,10 +234,6 @@ def why(goal: Goal, evidence: Evidence) -> str:
         case Rank(), Minors():
             return "the differentials depend on each other everywhere"
     return ""
-
-
-def _size(goal: Rank, at: Evaluation) -> int:
-    return len(goal.functions) + len(at.differences(goal.given))
 
 
 def _regardless(goal: Exists, evidence: Regardless, place: Place) -> Counterexample | None:

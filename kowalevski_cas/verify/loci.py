@@ -13,6 +13,7 @@ from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.accept import Judge
+from kowalevski_cas.problem.differentials import chosen, differentials
 from kowalevski_cas.problem.evidence import Denial, Point
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Rank
@@ -128,7 +129,7 @@ def rank_on(
         return None
     zero = [*left, *there]
     functions = [*(at.scalar(f) for f in goal.functions), *zero]
-    rows = [[at.partial(f, name) for name in setting.variables] for f in functions]
+    rows = differentials(functions, at)
     names = statement.names(setting)
     avoid = [*at.granted, *at.ring.divided_by(functions)]
     best: tuple[int, Point] | None = None
@@ -187,8 +188,7 @@ def drop_on(
     at = setting.finder
     finder = Finder(finder_of, statement.names)
     known = [*at.differences(goal.given), *at.differences(setting.equations(locus.equations))]
-    functions = [*(at.scalar(f) for f in goal.functions), *at.differences(goal.given)]
-    rows = [[at.partial(f, name) for name in setting.variables] for f in functions]
+    rows = differentials(chosen(goal, at), at)
     found: list[int] = []
 
     def good(candidate: Candidate) -> bool:

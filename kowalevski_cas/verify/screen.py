@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import reduce
-from itertools import product
-from operator import mul
 
 from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.problem.differentials import chosen, differentials
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
 from kowalevski_cas.problem.goals import (
@@ -27,6 +25,7 @@ from kowalevski_cas.problem.goals import (
 )  # fmt: skip
 from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Meaningless, Setting
+from kowalevski_cas.search.follows import alternatives
 from kowalevski_cas.verify.outcome import Counterexample, Point, Screened, Value, Verdict
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
@@ -115,25 +114,18 @@ def _asked(goal: Goal, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
     match goal:
         case Fails():
             if goal.conclusions:
-                yield _ask(at, goal, somewhere=_residuals(goal, at))
+                yield _ask(at, goal, somewhere=alternatives(goal, at))
         case Follows():
             if goal.conclusions:
-                yield _ask(at, goal, residuals=_residuals(goal, at))
+                yield _ask(at, goal, residuals=alternatives(goal, at))
             else:
                 unseen.append("that there is no point cannot be seen at points")
         case Rank():
-            chosen = [at.scalar(f) for f in goal.functions] + at.differences(goal.given)
-            rows = [[at.partial(f, name) for name in goal.space.variables] for f in chosen]
-            yield _ask(at, goal, rows=rows, rank=goal.rank)
+            yield _ask(at, goal, rows=differentials(chosen(goal, at), at), rank=goal.rank)
         case Kernel():
             unseen.append("that there are no more polynomials cannot be seen at points")
         case Positive() | Count():
             unseen.append("how many solutions are real cannot be seen at points")
-
-
-def _residuals(goal: Follows, at: Evaluation) -> list[Element]:
-    conclusions = [at.differences(one) for one in goal.conclusions]
-    return [reduce(mul, choice, at.ring.one) for choice in product(*conclusions)]
 
 
 def _ask(

@@ -17,9 +17,10 @@ from kowalevski_cas.motion.pictures.regions import filled
 from kowalevski_cas.motion.pictures.sections import rotations, section, values
 from kowalevski_cas.motion.pictures.subsystems import separating
 from kowalevski_cas.pictures import new_figure
-from tests.motion.levels_on_M4 import at_level, by_chance, pieces
+from tests.motion.levels_on_M4 import at_level, by_chance, critical_levels, pieces
 from tests.motion.test_closed import motions
 from tests.motion.test_critical import state_of
+from tests.sample import sampled
 
 FIELDS = Fields(Fraction(6, 5), Fraction(7, 10))
 OTHERS = [FIELDS, Fields(Fraction(1), Fraction(2, 5)), Fields(Fraction(2), Fraction(19, 10))]
@@ -113,6 +114,18 @@ def test_motions_on_M4_fill_as_many_tori_as_are_counted(fields, h, j, tori):
     assert pieces(fields, h * size, j * size**1.5) == tori
 
 
+@pytest.mark.parametrize("starts", [20, pytest.param(200, marks=pytest.mark.slow)])
+def test_where_H_and_J3_are_dependent_on_M4_two_roots_coincide(starts):
+    p, r = FIELDS._pr
+    levels = [*critical_levels(FIELDS, starts)]
+    assert len(levels) > starts / 2
+    for h, j in levels:
+        xi = np.polynomial.Polynomial([0, 1])
+        roots = ((xi**2 + 2 * h * xi + 2 * p**2) ** 2 - 4 * r**4 - 4 * j**2 * xi).roots()
+        gaps = abs(roots[:, None] - roots) + np.eye(4) * np.max(abs(roots))
+        assert np.min(gaps) < 1e-3 * np.max(abs(roots))
+
+
 @given(st.sampled_from(OTHERS), st.floats(0.02, 0.98), st.sampled_from([1, 2, 3]), shares)
 def test_where_two_roots_coincide_there_are_one_or_two_circles_on_M4_and_O4(
     fields, place, case, share
@@ -184,7 +197,7 @@ def test_the_curves_are_where_roots_coincide():
 
 
 @pytest.mark.parametrize("fields", OTHERS)
-@pytest.mark.parametrize("share", [-0.6, 0.1, 0.95, 1.7])
+@pytest.mark.parametrize("share", sampled([-0.6, 0.1, 0.95, 1.7], 1))
 def test_the_critical_values_enclose_those_of_all_states(fields, share):
     h = share * float(fields.a + fields.b)
     g, root = values(fields, h)

@@ -73,6 +73,13 @@ ONE_READING = {
     r"\left|\begin{array}{cc} x & y \\ p & q \end{array}\right|": Application(
         r"\det", (Vector((Vector((x, y)), Vector((p, q)))),)
     ),
+    r"\frac{\partial L}{\partial\dot{\mathbf r}} + \mathbf p": Sum(
+        (Partial(Name("L"), r"\dot{\mathbf{r}}"), Name(r"\mathbf{p}"))
+    ),
+    r"\dot q_{r_{0}}": Derivative(Name("q_{r_0}"), "dot"),
+    "p_{O'} x": Product((Name("p_{O'}"), x)),
+    "H := x": Relation((H, x), ("=",)),
+    r"H \coloneqq x": Relation((H, x), ("=",)),
     r"\nabla U": Partial(Name("U"), r"\mathbf{r}"),
     r"\nabla(U+V)": Partial(Sum((Name("U"), Name("V"))), r"\mathbf{r}"),
     r"\mathbf r\times\frac{\partial H}{\partial\mathbf r}": CrossProduct(

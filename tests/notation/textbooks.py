@@ -6,7 +6,7 @@ from kowalevski_cas.notation.macros import FUNCTIONS
 WORDS = Vocabulary(
     scalars=frozenset(
         r"""x y z p q k m g c r v H U V T L E \theta \phi \omega \omega_1 \omega_2 \omega_3 \ell \mu
-        x_1 x_2 x_3 p_1 p_2 p_3 q_1 q_2 q_3 m_1 m_2 m_3 a_1 a_2 r_{12} r_{13} r_{23}""".split()
+        x_1 x_2 x_3 p_1 p_2 p_3 q_1 q_2 q_3 m_1 m_2 m_3 q_{r_0} p_{O'} a_1 a_2 r_{12} r_{13} r_{23}""".split()
     ),
     vectors=frozenset(
         r"\mathbf{r} \mathbf{p} \mathbf{r}_1 \mathbf{r}_2 \boldsymbol{\gamma} \mathbf{M} \mathbf{L}".split()

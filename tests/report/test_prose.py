@@ -9,7 +9,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.notation import Name
-from kowalevski_cas.report.document import Block, Code, Display, Emphasis, Heading, Items, Link
+from kowalevski_cas.report.document import (
+    Block,
+    Code,
+    Display,
+    Emphasis,
+    Heading,
+    Items,
+    Link,
+    Table,
+)
 from kowalevski_cas.report.prose import FIRST, Placed, ProseError, read_article
 from tests.report.test_contents import parts, said
 
@@ -49,7 +58,7 @@ def test_headings_lists_and_theorems() -> None:
     assert isinstance(heading, Heading) and heading.level == 1 and said(heading.text) == "One thing"
     assert isinstance(listing, Items) and listing.numbered
     assert [said(item).strip() for item in listing.items] == ["first", "b second"]
-    assert theorem.text[0] == Emphasis(("Theorem. ",), strong=True)
+    assert theorem.text[0] == Emphasis(("Theorem\u00a01. ",), strong=True)
 
 
 def test_fonts_reach_to_the_end_of_their_group() -> None:
@@ -69,6 +78,23 @@ def test_references_citations_and_the_literature() -> None:
     assert said(first.text) == "See (claim.eq11), (claim.eq11), no; [bib.b2, none]."
     assert isinstance(literature, Items)
     assert [item[0].anchor for item in literature.items] == ["bib.a", "bib.b"]
+
+
+def test_sections_and_theorems_are_referred_to_by_their_numbers() -> None:
+    _, first, second = read(
+        r"\section{A}\label{a}See \ref{l} and \ref{a}.\begin{lemma}\label{l} It holds.\end{lemma}"
+    )
+    assert said(first) == "See 1 and 1." and said(second).split() == ["Lemma", "1.", "It", "holds."]
+
+
+def test_a_table_has_rows_and_a_caption() -> None:
+    table, caption = read(
+        r"\begin{table}[h]\centering\begin{tabular}{lr}\toprule case & "
+        rf"{X}\\ \midrule one & 2\\ \bottomrule\end{{tabular}}\caption{{Cases.}}\end{{table}}"
+    )
+    assert isinstance(table, Table) and said(caption) == "Cases."
+    assert said(table.head[0]).strip() == "case" and any(isinstance(p, Name) for p in parts(table))
+    assert [[said(cell).strip() for cell in row] for row in table.rows] == [["one", "2"]]
 
 
 def test_accents_dashes_and_footnotes_are_read() -> None:

@@ -62,7 +62,8 @@ class Told:
             names = ", ".join(audit.formulas[k].id for k in ones)
             verb = "are" if len(ones) > 1 else "is"
             why = "; ".join(said(audit, ones[0]))
-            place = f"{audit.source.path}:{first.line}: {names} {verb} {first.verdict}"
+            place = ":".join(map(str, filter(None, (audit.source.path, first.line))))
+            place = f"{place}: {names} {verb} {first.verdict}"
             printed = () if first.formula is None else (first.formula,)
             yield from self._finding(
                 f"{place}: {why}" if why else place, printed, first.tex,

@@ -22,9 +22,9 @@ class Language(ABC):
     def comment(self, words: str) -> str:
         """Words for a reader."""
 
-    @abstractmethod
     def number(self, value: Fraction) -> str:
         """A rational number."""
+        return f"({value})"
 
     @abstractmethod
     def define(self, name: str, text: str) -> str:
@@ -38,9 +38,9 @@ class Language(ABC):
     def divisors(self, name: str, pairs: Sequence[tuple[str, str]]) -> str:
         """A name for pairs: a generator, and the expression whose inverse it is."""
 
-    @abstractmethod
     def derivative(self, text: str, generator: str) -> str:
         """The partial derivative of an expression."""
+        return f"diff({text}, {generator})"
 
     @abstractmethod
     def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:

@@ -20,14 +20,14 @@ from numpy.typing import NDArray
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.critical import TOLERANCE, residuals
 from kowalevski_cas.motion.formulas import exactly
-from kowalevski_cas.motion.frame import BITS, turn_of, turned
+from kowalevski_cas.motion.frame import BITS, given_state, turn_of, turned
 from kowalevski_cas.motion.methods.closed import states
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.point import PhasePoint
 from kowalevski_cas.motion.o4.regimes import LEAST_GAP
 from kowalevski_cas.motion.o4.variable import Variable
-from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root, usable
+from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.point import distance
 
@@ -46,9 +46,7 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
     Raises :class:`~kowalevski_cas.motion.parameters.Inadmissible` if the state is not on O⁴, or the
     tori of its constants degenerate. What is left of the distance is the ``off`` of the motion.
     """
-    given = [usable(value) for value in state]
-    if len(given) != 9:
-        raise ValueError(f"a state has nine numbers, ω, α, β; {len(given)} are given")
+    given = given_state(state)
     residual = float(residuals(np.array([given], dtype=float))["O4"][0])
     if not residual <= TOLERANCE:
         raise Inadmissible(
