@@ -32,15 +32,31 @@ class Inadmissible(ValueError):
 
 
 @dataclass(frozen=True)
-class Parameters:
+class Lengths:
+    """The lengths of two fields at right angles."""
+
+    a: Fraction
+    b: Fraction
+
+    @property
+    def p_square(self) -> Fraction:
+        """p² = a² + b²."""
+        return self.a**2 + self.b**2
+
+    @property
+    def r_square(self) -> Fraction:
+        """r² = a² − b²."""
+        return self.a**2 - self.b**2
+
+
+@dataclass(frozen=True)
+class Parameters(Lengths):
     r"""The constants of a motion on N⁴ in fields of lengths a > b ≥ 0 at right angles.
 
     ``ell_square`` with ``ell_sign`` (−1, 0 or 1) is :math:`\ell`, which is the square root of
     a rational number when the energy is prescribed. Make one by :meth:`of` or :meth:`at_energy`.
     """
 
-    a: Fraction
-    b: Fraction
     m: Fraction
     ell_square: Fraction
     ell_sign: int
@@ -127,16 +143,6 @@ class Parameters:
         return Parameters(self.a, self.b, self.m, self.ell_square, -self.ell_sign)
 
     # -- the other constants, all rational ------------------------------------------
-
-    @property
-    def p_square(self) -> Fraction:
-        """p² = a² + b²."""
-        return self.a**2 + self.b**2
-
-    @property
-    def r_square(self) -> Fraction:
-        """r² = a² − b²."""
-        return self.a**2 - self.b**2
 
     @property
     def h(self) -> Fraction:

@@ -12,7 +12,6 @@ from kowalevski_cas.notation.formula import (
     Formula,
     Name,
     Number,
-    Quotient,
     Root,
 )
 from kowalevski_cas.notation.printer import Printer
@@ -85,9 +84,6 @@ class MathML(Printer):
 
     def fraction(self, above: str, below: str) -> str:
         return f"<mfrac>{_one(above)}{_one(below)}</mfrac>"
-
-    def quotient(self, formula: Quotient) -> str:
-        return self.fraction(self(formula.numerator), self(formula.denominator))
 
     def raised(self, base: str, exponent: str) -> str:
         """A power; that of a letter with an index stands above the index."""

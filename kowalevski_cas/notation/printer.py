@@ -94,9 +94,9 @@ class Printer(ABC):
     def fraction(self, above: str, below: str) -> str:
         """A fraction of two texts that need no brackets."""
 
-    @abstractmethod
     def quotient(self, formula: Quotient) -> str:
         """A fraction."""
+        return self.fraction(self(formula.numerator), self(formula.denominator))
 
     @abstractmethod
     def raised(self, base: str, exponent: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from kowalevski_cas.notation.formula import Changed, Conjugate, Formula, Name, Quotient, Root
+from kowalevski_cas.notation.formula import Changed, Conjugate, Formula, Name, Root
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import SIGNS, symbol
 
@@ -52,9 +52,6 @@ class Typst(Printer):
 
     def fraction(self, above: str, below: str) -> str:
         return f"frac⟮{above}, {below}⟯"
-
-    def quotient(self, formula: Quotient) -> str:
-        return self.fraction(self(formula.numerator), self(formula.denominator))
 
     def raised(self, base: str, exponent: str) -> str:
         return f"{base}^⟮{exponent}⟯"

@@ -11,7 +11,7 @@ from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.present import formula_in, fraction_formula
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Negative, Number, Sum
-from kowalevski_cas.problem.collect import collect
+from kowalevski_cas.problem.collect import Collected, collect
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
@@ -125,23 +125,19 @@ def never(goal: Exists, finder: PointFinder) -> Regardless | None:
     for index, one in enumerate(goal.goals):
         if isinstance(one, Fails) or not isinstance(one, Follows) or one.given:
             continue
-        for sides in one.conclusions[0]:
-            points = (
-                _no_numbers(sides, goal, finder, one)
-                if goal.numbers
-                else _no_expressions(sides, goal, finder, one)
-            )
+        for left, right in one.conclusions[0]:
+            collected = collect(Sum((left, Negative(right))), goal.bound)
+            none = _no_numbers if goal.numbers else _no_expressions
+            points = none(collected, finder, finder.of(one.space))
             if points is not None:
                 return Regardless(index, points)
     return None
 
 
 def _no_expressions(
-    sides: Equation, goal: Exists, finder: PointFinder, one: Follows
+    collected: Collected, finder: PointFinder, at: Evaluation
 ) -> tuple[tuple[Formula, Point], ...] | None:
     """A point where all that multiplies bound names vanishes, and the rest does not."""
-    at = finder.of(one.space)
-    collected = collect(Sum((sides[0], Negative(sides[1]))), goal.bound)
     free = at.scalar(collected.pop((), Number(0)))
     if free.is_zero:
         return None
@@ -151,14 +147,12 @@ def _no_expressions(
 
 
 def _no_numbers(
-    sides: Equation, goal: Exists, finder: PointFinder, one: Follows
+    collected: Collected, finder: PointFinder, at: Evaluation
 ) -> tuple[tuple[Formula, Point], ...] | None:
     """Points with weights at which an equation adds up to a number."""
-    at = finder.of(one.space)
-    collected = collect(Sum((sides[0], Negative(sides[1]))), goal.bound)
     monomials = sorted(collected)
     elements = [at.scalar(collected[monomial]) for monomial in monomials]
-    names = finder.names(one.space)
+    names = finder.names(at.setting)
     rows: list[list[Fraction]] = []
     candidates: list[Candidate] = []
     for point in islice(real_points(at, names), 40 * WEIGHTED):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from itertools import islice, product
 
@@ -53,40 +54,37 @@ def _samples(goal: Exists, finder: PointFinder) -> Iterator[tuple[list[Fraction]
     ((sides,),) = one.conclusions
     at = finder.of(one.space)
     collected = collect(Sum((sides[0], Negative(sides[1]))), goal.bound)
+    if any(len(monomial) > 2 for monomial in collected):
+        return
     elements = {monomial: at.scalar(c) for monomial, c in collected.items()}
     for point in real_points(at, finder.names(one.space)):
         candidate = Candidate(at, point)
-        try:
-            values = {m: rational(candidate(e)) for m, e in elements.items()}
-        except ZeroDivisionError:
-            continue
-        known = {m: v for m, v in values.items() if v is not None}
-        if len(known) == len(values) and (sample := _quadratic(known, goal.numbers)):
-            yield sample
+
+        def value(*monomial: str, candidate: Candidate = candidate) -> Fraction:
+            """A coefficient there; most points need few to be seen to be of no use."""
+            found = rational(candidate(elements[monomial])) if monomial in elements else Fraction(0)
+            if found is None:
+                raise ArithmeticError("it is irrational")
+            return found
+
+        with suppress(ArithmeticError):  # or there is a zero below
+            if sample := _quadratic(value, goal.numbers):
+                yield sample
 
 
 def _quadratic(
-    values: dict[tuple[str, ...], Fraction], numbers: Sequence[str]
+    value: Callable[..., Fraction], numbers: Sequence[str]
 ) -> tuple[list[Fraction], Row] | None:
     """The equation as a (Σ q b)² + b (Σ q b) + c with the first b that is not zero being 1."""
-    squares = [values.get((name, name), Fraction(0)) for name in numbers]
-    lead = next((k for k, value in enumerate(squares) if value), None)
-    if lead is None or any(len(monomial) > 2 for monomial in values):
+    first, a = next(((n, square) for n in numbers if (square := value(n, n))), ("", Fraction(0)))
+    if not a:
         return None
-    a = squares[lead]
-    first = numbers[lead]
-    basis = [
-        Fraction(1) if n == first else values.get(_pair(first, n), Fraction(0)) / (2 * a)
-        for n in numbers
-    ]
-    b = values.get((first,), Fraction(0))
-    c = values.get((), Fraction(0))
-    consistent = all(
-        values.get((name,), Fraction(0)) == b * weight
-        for name, weight in zip(numbers, basis, strict=True)
-    )
+    b, c = value(first), value()
     root = square_root(b * b - 4 * a * c)
-    if not consistent or root is None:
+    if root is None:
+        return None
+    basis = [Fraction(1) if n == first else value(*_pair(first, n)) / (2 * a) for n in numbers]
+    if any(value(name) != b * weight for name, weight in zip(numbers, basis, strict=True)):
         return None
     return [(-b - root) / (2 * a), (-b + root) / (2 * a)], basis
 

@@ -162,11 +162,8 @@ def _without(divisor: Element, known: set[Shape]) -> Element:
 
 def same(formula: Formula, other: Formula, setting: Elaboration) -> bool:
     """Whether two conditions are the same on a setting, up to a number."""
-    try:
-        first, second = (setting.finder.scalar(setting.plain(f)) for f in (formula, other))
-    except Meaningless:
-        return False
-    return _shape(first) == _shape(second)
+    both = _values(formula, other, setting)
+    return both is not None and _shape(both[0]) == _shape(both[1])
 
 
 def implies(formula: Formula, other: Formula, setting: Elaboration) -> bool:
@@ -174,17 +171,23 @@ def implies(formula: Formula, other: Formula, setting: Elaboration) -> bool:
 
     It divides the other one, or is a sum of squares of which each does.
     """
-    try:
-        first, second = (setting.finder.scalar(setting.plain(f)) for f in (formula, other))
-    except Meaningless:
+    both = _values(formula, other, setting)
+    if both is None or any(element.parts.keys() != {0} for element in both):
         return False
-    if first.parts.keys() != {0} or second.parts.keys() != {0}:
-        return False
+    first, second = both
     if divided(second.terms()[0], first.terms()[0]) is not None:
         return True
     bases = [base for _, base in sum_of_squares(first.terms()[0]) or ()]
     gone = {m.index(1) for base in bases if len(base) == 1 for m in base if sum(m) == 1}
     return bool(bases) and all(any(m[k] for k in gone) for m in second.terms()[0])
+
+
+def _values(formula: Formula, other: Formula, setting: Elaboration) -> list[Element] | None:
+    """What two formulas are on a setting; ``None`` if one of them means nothing there."""
+    try:
+        return [setting.finder.scalar(setting.plain(one)) for one in (formula, other)]
+    except Meaningless:
+        return None
 
 
 def _shape(element: Element) -> Shape:

@@ -8,6 +8,9 @@ import pytest
 from kowalevski_cas.audit.patch import mended
 from kowalevski_cas.cli import main
 from tests.audit.material import audited, base, source
+from tests.sample import sampled
+
+NAMED = ("--derivation", "kharlamov2002")
 
 
 @pytest.fixture(autouse=True)
@@ -49,14 +52,14 @@ def test_pretty(paper, capsys):
 
 
 def test_formula_by_formula(paper, capsys):
-    assert main(["audit", "-v", str(paper)]) == 1
+    assert main(["audit", "-v", str(paper), *NAMED]) == 1
     out = capsys.readouterr().out
     assert "Statements in words" in out and "\n·     " in out
     assert " definition: 𝐈 = diag(A₁, A₂, A₃)\n" in out
 
 
 def test_json(paper, capsys):
-    assert main(["audit", str(paper), "--format", "json"]) == 1
+    assert main(["audit", str(paper), "--format", "json", *NAMED]) == 1
     value = json.loads(capsys.readouterr().out)
     keys = {"id", "label", "line", "role", "tex", "verdict", "counterexample", "correction"}
     assert all(keys <= formula.keys() for formula in value["formulas"])
@@ -69,7 +72,7 @@ def test_json(paper, capsys):
 
 
 def test_sarif(paper, capsys):
-    main(["audit", str(paper), "--format", "sarif"])
+    main(["audit", str(paper), "--format", "sarif", *NAMED])
     value = json.loads(capsys.readouterr().out)
     results = value["runs"][0]["results"]
     assert value["version"] == "2.1.0"
@@ -79,13 +82,13 @@ def test_sarif(paper, capsys):
 
 
 def test_github(paper, capsys):
-    main(["audit", str(paper), "--format", "github"])
+    main(["audit", str(paper), "--format", "github", *NAMED])
     lines = capsys.readouterr().out.splitlines()
     assert sum(line.startswith("::error file=") for line in lines) == 10
 
 
 def test_patch(paper, capfdbinary):
-    assert main(["audit", str(paper), "--patch"]) == 1
+    assert main(["audit", str(paper), "--patch", *NAMED]) == 1
     out = capfdbinary.readouterr().out.decode()
     assert out.startswith("--- a/")
     assert "+variables, introduce" in out or "i^2=-1" in out
@@ -94,7 +97,7 @@ def test_patch(paper, capfdbinary):
 def test_nothing_but_words_is_wrong_after_the_patch(tmp_path, capsys):
     path = tmp_path / "mended.tex"
     path.write_text(mended(audited()), encoding="utf-8")
-    main(["audit", str(path), "--format", "json"])
+    main(["audit", str(path), "--format", "json", *NAMED])
     value = json.loads(capsys.readouterr().out)
     assert value["summary"]["wrong"] == 1  # the sentence of the critical set
     assert not any(formula["verdict"] == "refuted" for formula in value["formulas"])
@@ -163,42 +166,42 @@ def test_other_files_are_not_read(tmp_path, capsys):
 
 @pytest.mark.parametrize(
     "text",
-    [
-        "{" * 10_000 + "$x$",
-        "$" + "{" * 10_000 + "$",
-        "$$" + "(" * 10_000 + ")" * 10_000 + "$$",
-        "\\newcommand{\\a}{\\a\\a} $$ \\a = 1 $$",
-        "\\def\\a#1{\\a{#1#1}} $$ \\a{x} = 1 $$",
-        "$$ " + "x^{" * 200 + "2" + "}" * 200 + " $$",
-        "\\begin{equation} x = 1",
-        "$$ x_{1 $$ $y$",
-        "\\begin{align}" + "\\begin{array}{c}" * 1000 + "\\end{align}",
-        "$" * 9999,
-        "\\[" * 5000,
-        "\\" * 9999,
-        "%" * 9999,
-    ],
+    sampled(
+        [
+            "{" * 10_000 + "$x$",
+            "$" + "{" * 10_000 + "$",
+            "$$" + "(" * 10_000 + ")" * 10_000 + "$$",
+            "\\newcommand{\\a}{\\a\\a} $$ \\a = 1 $$",
+            "\\def\\a#1{\\a{#1#1}} $$ \\a{x} = 1 $$",
+            "$$ " + "x^{" * 200 + "2" + "}" * 200 + " $$",
+            "\\begin{equation} x = 1",
+            "$$ x_{1 $$ $y$",
+            "\\begin{align}" + "\\begin{array}{c}" * 1000 + "\\end{align}",
+            "$" * 9999,
+            "\\[" * 5000,
+            "\\" * 9999,
+            "%" * 9999,
+        ],
+        5,
+    ),
 )
 def test_unbalanced_input(write, capsys, text):
     assert main(["audit", "--list", write(text)]) in (0, 2, 6)
-    assert main(["audit", write(text), "--derivation", "kharlamov2002"]) in (1, 2, 6)
+    assert main(["audit", write(text), *NAMED]) in (1, 2, 6)
     assert "Traceback" not in capsys.readouterr().err
 
 
-def test_a_hostile_change_of_the_paper(write, capsys):
-    text = source().text
-    for new in (
-        r"J_1  = ((\omega_1+1)^{50})^{50}",
-        r"J_1  = 9" + "9" * 900,
-        r"J_1  = " + "(" * 200 + "1" + ")" * 200,
-        r"J_1  = \frac{1}{0}",
-        r"J_1  = J_2^{J_2}",
-        r"J_1  = {\bs\alpha}",
-        r"J_1  = \dot{\dot{\dot{J_1}}}",
-    ):
-        path = write(text.replace(r"J_1  = \omega _1^2", new, 1))
-        assert main(["audit", path, "--derivation", "kharlamov2002"]) in (1, 2)
-        assert "Traceback" not in capsys.readouterr().err
+HOSTILE = (
+    r"((\omega_1+1)^{50})^{50}", "9" * 901, "(" * 200 + "1" + ")" * 200, r"\frac{1}{0}", "J_2^{J_2}",
+    r"{\bs\alpha}", r"\dot{\dot{\dot{J_1}}}",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("value", sampled(HOSTILE, 2))
+def test_a_hostile_change_of_the_paper(write, capsys, value):
+    path = write(source().text.replace(r"J_1  = \omega _1^2", f"J_1  = {value}", 1))
+    assert main(["audit", path, *NAMED]) in (1, 2)
+    assert "Traceback" not in capsys.readouterr().err
 
 
 def test_too_many_formulas(write, capsys):
@@ -207,7 +210,7 @@ def test_too_many_formulas(write, capsys):
 
 
 def test_mutants(paper, capsys):
-    assert main(["mutants", str(paper), "--sample", "3", "--seed", "1", "--jobs", "1"]) == 0
+    assert main(["mutants", str(paper), "--sample", "1", "--seed", "1", "--jobs", "1"]) == 0
     out = capsys.readouterr().out
     assert "seed 1" in out
-    assert "3 mutants" in out
+    assert "1 mutants" in out

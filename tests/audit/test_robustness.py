@@ -11,6 +11,7 @@ from kowalevski_cas.cli.audit_formats import FORMATS, load_format
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.outcome import Verdict
 from tests.audit.material import base, source
+from tests.sample import sampled
 
 PIECES = r"""\ne = < $ $$ { } \\ & \begin{array}{l} \end{array} \end{equation} \def\a{ \let \sqrt ^ _ '
 \frac \text{ , 0 x_1 \omega_1 \theta J_1 K i % ( ) \dot /0 ^{-1} \bs\alpha""".split()
@@ -50,14 +51,8 @@ def survive(sources: list[bytes]) -> None:
     assert [*each(survives, sources, 1)] == [None] * len(sources)
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", sampled(range(200), 1))
 def test_a_byte_mutated_paper(seed):
-    survive([mutated(random.Random(seed))])
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("seed", range(1000, 1200))
-def test_more_byte_mutated_papers(seed):
     survive([mutated(random.Random(seed))])
 
 
@@ -104,12 +99,15 @@ def test_rows_without_commas_are_the_same_rows():
 
 @pytest.mark.parametrize(
     ("old", "new"),
-    [
-        (r"\theta  = x_1 x_2", "x_1 = x_1 x_2"),
-        ("F_2  = U_1  - U_2", "w_1  = U_1  - U_2"),
-        (r"{\bf e}_1  = (1,0,0)", r"{\bf e}_1  = {\bf e}_2"),
-        (r"A_1  = A_2  = 2A_3", r"A_1  = A_3 = A_3"),
-    ],
+    sampled(
+        [
+            (r"\theta  = x_1 x_2", "x_1 = x_1 x_2"),
+            ("F_2  = U_1  - U_2", "w_1  = U_1  - U_2"),
+            (r"{\bf e}_1  = (1,0,0)", r"{\bf e}_1  = {\bf e}_2"),
+            (r"A_1  = A_2  = 2A_3", r"A_1  = A_3 = A_3"),
+        ],
+        1,
+    ),
 )
 def test_a_name_that_is_a_variable_and_defined_at_once(old, new):
     found, wrong = verdicts(lambda text: text.replace(old, new))

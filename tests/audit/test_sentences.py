@@ -68,6 +68,7 @@ def test_spaces_fonts_and_line_breaks_are_no_words():
     assert audit(Source("paper.tex", text), base()).lines.keys() == audited().lines.keys()
 
 
+@pytest.mark.slow
 def test_a_formula_in_a_sentence_is_compared_as_a_formula():
     found = changed("$A_3=1$", "$A_3=2$")
     assert "time-unit" in found.lines

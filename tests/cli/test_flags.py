@@ -5,12 +5,12 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from random import Random
 from time import monotonic, sleep
 
 import pytest
 
 from kowalevski_cas.cli import main
+from tests.sample import sampled
 
 ODD = (
     "", " ", "0", "-0", "-1", "1e-300", "1e8", "1e999", "nan", "inf", "-inf", "1/0", "0x10", "1_0",
@@ -32,22 +32,14 @@ COMMANDS = (
     (*MOTION, "--method=lsoda", "--until={}", "--samples=2", "--timeout=0.5"),
     *((*MOTION, f"--{name}={{}}", "--samples=2") for name in "abml"),
 )  # fmt: skip
-USES = [tuple(word.format(odd) for word in words) for words in COMMANDS for odd in ODD]
-SAMPLE = set(Random(2002).sample(range(len(USES)), 30))
+USES = ["\0".join(words).format(odd) for words in COMMANDS for odd in ODD]
 
 
-@pytest.mark.parametrize(
-    "words",
-    [
-        words if k in SAMPLE else pytest.param(words, marks=pytest.mark.slow)
-        for k, words in enumerate(USES)
-    ],
-    ids=lambda words: " ".join(words)[:60],
-)
-def test_no_flag_gives_a_traceback(words, tmp_path, monkeypatch, capsys):
+@pytest.mark.parametrize("use", sampled(USES, 30, id=lambda use: use[:60]))
+def test_no_flag_gives_a_traceback(use, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     try:
-        code = main(words)
+        code = main(use.split("\0"))
     except SystemExit as stopped:
         code = stopped.code
     said = capsys.readouterr()

@@ -14,7 +14,7 @@ from kowalevski_cas.verify.run import Session, verify
 from kowalevski_cas.verify.statement import Statement
 
 PAPERS = ("kharlamov2002", "kharlamov_savushkin2004")
-FEW = 6
+FEW = 4
 MANY = 60
 
 
@@ -35,8 +35,9 @@ def verdicts(derivation, kept, only=()):
 @pytest.mark.parametrize("name", PAPERS)
 def test_a_claim_alone_has_the_verdict_that_it_has_among_all(name):
     known, derivation = recorded(name), load(name)
+    stored = kept(name)
     for claim in Random(1).sample(sorted(known), FEW):
-        assert verdicts(derivation, kept(name), (claim,)) == {claim: known[claim]}
+        assert verdicts(derivation, stored, (claim,)) == {claim: known[claim]}
 
 
 @pytest.mark.parametrize("name", PAPERS)

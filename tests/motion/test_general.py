@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import assume, example, given, settings
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -34,7 +34,6 @@ lengths = st.fractions(0, 2, max_denominator=50)
 @example(np.array([0, 0, 0, 1.0, 0, 0, 0, 1, 0]))  # r = 0
 @example(np.array([0, 0, 0, 1.0, 0, 0, 0, 1, 0.5]))  # m = 0
 @example(np.array([0, 0, 1.0, 1, 0, 0, 2, 0, 0]))  # parallel fields
-@settings(max_examples=40)
 def test_every_state_is_followed_and_the_integrals_are_kept(state):
     motion = through(state.tolist())
     found = dop853(motion, T)

@@ -22,6 +22,7 @@ from kowalevski_cas.motion.pictures.bifurcation import regime_at, separating
 from kowalevski_cas.motion.pictures.space import View
 from kowalevski_cas.pictures import save, style
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
+from tests.sample import sampled
 
 THIRD = MotionO4.of("1.2", "0.7", "0.4", "-0.5", c="0.1", torus=2)
 UNSTABLE, RESTING, ASYMPTOTIC = (
@@ -35,24 +36,15 @@ OF_FIELDS = ("bifurcation", "atlas", "subsystems", "sections", "surfaces")
 """Pictures that look alike for all motions in the same fields."""
 
 
-SLOW = ("atlas", "subsystems", "sections", "surfaces")
+DRAWN = [
+    (name, one)
+    for one in (UNSTABLE, RESTING, ASYMPTOTIC)
+    for name in PICTURES
+    if one is UNSTABLE or name not in OF_FIELDS
+] + [(name, THIRD) for name in PICTURES if name not in ON_N4]
 
 
-@pytest.mark.parametrize(
-    ("name", "drawn"),
-    [pytest.param(n, UNSTABLE, marks=[pytest.mark.slow] * (n in SLOW)) for n in PICTURES]
-    + [
-        pytest.param(name, one, marks=pytest.mark.slow)
-        for name in PICTURES
-        if name not in OF_FIELDS
-        for one in (RESTING, ASYMPTOTIC)
-    ]
-    + [
-        pytest.param(name, THIRD, marks=[pytest.mark.slow] * (name in SLOW))
-        for name in PICTURES
-        if name not in ON_N4
-    ],
-)
+@pytest.mark.parametrize(("name", "drawn"), sampled(DRAWN[::-1], 3))
 def test_every_picture_can_be_drawn(name, drawn, tmp_path):
     with style():
         file = save(picture(name).draw(drawn), tmp_path, name)

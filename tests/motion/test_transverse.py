@@ -22,6 +22,7 @@ from kowalevski_cas.motion.methods.closed import Closed
 from kowalevski_cas.motion.methods.integrators import initial_state, integrate
 from kowalevski_cas.motion.transverse import degenerate, distance, exponent, kind, mean, transverse
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
+from tests.sample import sampled
 
 closed = load("closed")
 TIMES = np.linspace(0.1, 7.0, 40)
@@ -85,7 +86,9 @@ def test_the_mean_of_a_variable_is_its_mean_over_a_period(region):
         assert np.mean(values) == pytest.approx(float(mean(oscillation)), abs=2e-6)
 
 
-@pytest.mark.parametrize(("m", "ell"), [("-0.8", "0.5"), ("-0.5", "0.8"), ("-0.3", "0.5")])
+@pytest.mark.parametrize(
+    ("m", "ell"), sampled([("-0.8", "0.5"), ("-0.5", "0.8"), ("-0.3", "0.5")], 1)
+)
 def test_motions_leave_n4_at_the_predicted_rate(m, ell):
     """A displacement by 1e-12 grows like exp(|λ|t) while it is small."""
     here = motion(m, ell)
@@ -141,7 +144,7 @@ def test_the_exponent_is_finite_however_close_a_separating_curve(words, digits):
 
 def test_inside_two_regimes_the_exponent_vanishes_on_a_curve_and_in_no_others():
     found = defaultdict(set)
-    for m, ell in product(range(-60, 0), range(1, 40)):
+    for m, ell in product(range(-60, 0, 2), range(1, 40, 2)):
         parameters = Parameters.of(1, "0.4", Fraction(m, 20), Fraction(ell, 20))
         try:
             regime = regime_of(parameters)

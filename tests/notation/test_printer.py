@@ -28,9 +28,11 @@ from tests.notation.strategies import WORDS, formulas
 
 x, y, ell, d, t = Name("x_1"), Name("x_2"), Name(r"\ell"), Name("d"), Name("t")
 half = Quotient(Number(1), Number(2))
+many = settings(max_examples=8 * settings.default.max_examples)
+"""Formulas are many, and printing one costs little."""
 
 
-@settings(max_examples=400, deadline=None)
+@many
 @given(formulas)
 def test_reading_what_was_printed_gives_the_same_formula(formula):
     tex = to_latex(formula)
@@ -43,7 +45,7 @@ def test_a_second_partial_derivative_is_read_as_one_of_one():
     assert read(r"\frac{\partial^2\ell}{\partial x_1^2}", WORDS) == twice
 
 
-@settings(max_examples=200, deadline=None)
+@many
 @given(formulas)
 def test_plain_text_has_no_macro_and_no_brace_of_tex(formula):
     text = to_plain(formula)
@@ -57,7 +59,7 @@ CHILDREN = {"mfrac": 2, "msub": 2, "msup": 2, "msubsup": 3, "mover": 2, "mundero
 ELEMENTS = {*CHILDREN, "math", "mi", "mn", "mo", "mrow", "msqrt", "mtable", "mtr", "mtd"}
 
 
-@settings(max_examples=300, deadline=None)
+@many
 @given(formulas)
 def test_mathml_is_of_its_core_and_says_what_is_printed(formula):
     math = ElementTree.fromstring(f"<math>{to_mathml(formula)}</math>")
@@ -72,7 +74,7 @@ def test_mathml_is_of_its_core_and_says_what_is_printed(formula):
     assert sorted(re.sub(r"\D", "", text)) == sorted(digits)
 
 
-@settings(max_examples=100, deadline=None)
+@many
 @given(formulas)
 def test_every_node_has_a_place_within_its_parent(formula):
     [statement] = read_display(f"$$ {to_latex(formula)} $$", WORDS)
@@ -141,7 +143,7 @@ def test_typst_sets_every_kind_of_node():
 
     seen = set()
 
-    @settings(max_examples=150, deadline=None, database=None)
+    @settings(many, database=None)
     @given(formulas)
     def collect(formula):
         seen.add(to_typst(formula))

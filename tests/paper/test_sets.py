@@ -1,7 +1,7 @@
 """A statement about a set is about all of it: no point makes it green by itself."""
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.notation import to_latex
@@ -89,7 +89,6 @@ def test_complex_equations_count_twice(paper):
     assert paper.dimension(1, "xy=1", scene=scene).verdict == "proved"
 
 
-@settings(deadline=None, max_examples=25)
 @given(st.lists(st.integers(-3, 3), min_size=3, max_size=3), st.integers(-3, 3))
 def test_quadrics_are_manifolds_but_for_cones(squares, level):
     """a x^2 + b y^2 + c z^2 = d is regular exactly if it does not hold where the slope vanishes."""
@@ -154,7 +153,6 @@ def test_what_vanishes_on_a_set_is_no_partial_integral(paper):
     assert not outcome.verdict.green
 
 
-@settings(deadline=None, max_examples=25)
 @given(st.integers(1, 4), st.integers(1, 4))
 def test_all_members_of_a_chain_are_the_same_integral(first, second):
     paper = Paper()

@@ -4,7 +4,7 @@ import cmath
 import math
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.notation import Application, Derivative, Name, Negative, Number, Product, Sum
@@ -67,7 +67,6 @@ def term(name, multiple):
     return one if multiple > 0 else Negative(one)
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.sampled_from(sorted(CIRCULAR)), multiples, multiples, numbers, numbers)
 def test_circular_functions_of_combinations(on, function, m, n, x, y):
     assume(abs(cmath.sin(m * x + n * y)) > 1e-3)
@@ -77,14 +76,12 @@ def test_circular_functions_of_combinations(on, function, m, n, x, y):
     assert abs(found - expected) <= 1e-6 * (1 + abs(expected)) ** 2
 
 
-@settings(max_examples=30, deadline=None)
 @given(st.sampled_from(sorted(EXPONENTIAL)), multiples, numbers)
 def test_exponential_functions_of_multiples(on, function, m, u):
     found = value(on.plain(Application(function, (term("u", m),))), values(0, 0, u))
     assert math.isclose(found, getattr(math, function[1:])(m * u), rel_tol=1e-9, abs_tol=1e-9)
 
 
-@settings(max_examples=30, deadline=None)
 @given(st.sampled_from(sorted(CIRCULAR | EXPONENTIAL)), multiples, numbers, numbers, numbers)
 def test_rates_are_those_of_calculus(on, function, m, x, y, u):
     name = "u" if function in EXPONENTIAL else "x"

@@ -1,7 +1,7 @@
 """A scene on which anything could be shown is an error that says where, and what to do."""
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.paper.claims import FirstIntegral, Identity, InvariantRelations
@@ -87,7 +87,6 @@ def test_a_display_is_no_tuple_and_no_statement(paper):
 # -- conjugation ---------------------------------------------------------------------
 
 
-@settings(deadline=None, max_examples=40)
 @given(st.lists(st.tuples(*[st.sampled_from(["x", "y", "z", "c", "d"])] * 2), max_size=3))
 def test_a_conjugation_is_an_involution_that_keeps_variables_and_constants(pairs):
     """The conjugate of the conjugate of each name is the name, or there is an error."""
@@ -164,7 +163,6 @@ def test_another_time_is_a_constant_multiple_that_is_not_zero(paper, scale):
 # -- roots and assumptions -----------------------------------------------------------
 
 
-@settings(deadline=None, max_examples=40)
 @given(st.lists(st.integers(-2, 2), min_size=1, max_size=5))
 def test_the_square_of_a_root_is_found_exactly_or_not_at_all(coefficients):
     """For r^2 + p(r) = x nothing but x - p(0) is the square, and that only if p is constant."""
@@ -196,7 +194,6 @@ def test_a_root_is_not_divided_by_what_may_vanish(paper):
     assert paper.outcome(scene.having(nonzero=("x",)), "r^2=y").verdict == "proved"
 
 
-@settings(deadline=None, max_examples=30)
 @given(st.lists(st.integers(-3, 3), min_size=3, max_size=3))
 def test_a_real_root_has_a_square_that_is_positive_somewhere(numbers):
     a, b, c = numbers

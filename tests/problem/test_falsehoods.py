@@ -24,7 +24,7 @@ def rejected(statement, statements, each=40):
 
 @pytest.mark.parametrize("statement", [*FALSE, *TRUE], ids=lambda one: one.__name__)
 def test_no_evidence_gives_the_wrong_sign(statement):
-    assert rejected(statement, 3) >= 5 * 3
+    assert rejected(statement, 1) >= 5
 
 
 @pytest.mark.slow
@@ -37,7 +37,7 @@ def test_thousands_of_them(capsys):
 
 @pytest.mark.parametrize("statement", [*FALSE, *TRUE], ids=lambda one: one.__name__)
 def test_the_right_sign_is_certified_unless_the_statement_is_vacuous(statement):
-    for seed in range(20):
+    for seed in range(5):
         text = rightly(Draw(random.Random(f"{statement.__name__} {seed}")), statement)
         if statement in VACUOUS:
             with pytest.raises(checker.Rejected):

@@ -14,7 +14,7 @@ from .tampering import changed, names_in, others, places, seal
 
 FILES = sorted((Path(__file__).parent / "handwritten").glob("*.json"))
 TEXTS = {path.stem: path.read_text(encoding="utf-8") for path in FILES}
-SHARES = (0.1, pytest.param(1, marks=pytest.mark.slow))
+SHARES = (0.05, pytest.param(1, marks=pytest.mark.slow))
 """How many of all changes are tried."""
 KINDS = ("follows", "fails", "rank", "exists", "positive", "count", "kernel")
 

@@ -4,7 +4,7 @@ import json
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import load as load_arithmetic
@@ -146,7 +146,6 @@ def test_pruning_changes_no_verdict(statements):
                 judge.holds(goal, read_evidence(entry, goal))
 
 
-@settings(max_examples=40)
 @given(st.data())
 def test_what_cannot_be_read_is_a_format_error(data):
     stored = data.draw(st.sampled_from(sorted(STORED)))

@@ -2,7 +2,7 @@
 
 import pytest
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.search.branches import branches
@@ -46,7 +46,6 @@ linear = st.tuples(numbers, numbers, numbers).map(lambda c: c[0] * X + c[1] * Y 
 forms = st.builds(lambda a, b, c: a * b + c, linear, linear, linear)
 
 
-@settings(deadline=None, max_examples=30)
 @given(points, st.lists(st.tuples(forms, forms), min_size=1, max_size=3))
 def test_each_solution_is_in_a_case(point, pairs):
     """Products one factor of which vanishes at a point: it is found again."""
@@ -55,7 +54,6 @@ def test_each_solution_is_in_a_case(point, pairs):
     assert any(all(one(*point) == 0 for one in branch.equations) for branch in found)
 
 
-@settings(deadline=None, max_examples=30)
 @given(st.lists(st.tuples(forms, forms), min_size=1, max_size=3), points)
 def test_what_a_case_says_solves_the_equations(pairs, values):
     equations = [a * b for a, b in pairs]

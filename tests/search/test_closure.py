@@ -4,7 +4,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra.present import formula_in
@@ -146,7 +146,6 @@ SIZE = 3
 entries = st.lists(st.integers(-2, 2), min_size=SIZE, max_size=SIZE)
 
 
-@settings(deadline=None, max_examples=25)
 @given(st.lists(entries, min_size=SIZE, max_size=SIZE))
 def test_a_coordinate_of_a_linear_system_closes_with_constant_coefficients(matrix):
     names = ("x", "y", "z")

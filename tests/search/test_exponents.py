@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import pytest
 from flint import fmpq
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -128,7 +128,6 @@ def lotka_volterra(matrix):
     return ",\\; ".join(rows)
 
 
-@settings(max_examples=20)
 @given(st.lists(st.tuples(*3 * [coefficients]), min_size=3, max_size=3), st.tuples(*3 * [scales]))
 def test_scaling_variables_changes_no_exponent_and_minus_one_is_always_one(matrix, scaling):
     matrix = [[a or Fraction(j == k) for j, a in enumerate(row)] for k, row in enumerate(matrix)]

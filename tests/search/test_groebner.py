@@ -1,6 +1,6 @@
 """Cofactors by Gröbner bases that are linear in some unknowns."""
 
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import load
@@ -55,7 +55,6 @@ small = st.integers(-2, 2).map(AT.ring.number)
 coefficients = st.builds(lambda a, b, c: a + b * X + c * Y, small, small, small)
 
 
-@settings(deadline=None, max_examples=40)
 @given(st.lists(st.tuples(coefficients, coefficients), min_size=1, max_size=3), st.data())
 def test_each_combination_is_found_again(pairs, data):
     """Whatever is combined from generators, with any coefficients, is recognised."""
@@ -96,7 +95,6 @@ def test_what_vanishes_where_others_do_without_being_combined_from_them():
 general = st.builds(lambda a, b, c: a * P * Q + b * P + c, coefficients, coefficients, coefficients)
 
 
-@settings(deadline=None, max_examples=30)
 @given(st.lists(general, min_size=2, max_size=3), st.data())
 def test_each_combination_follows(generators, data):
     """Whatever is combined from polynomials, of any degrees, is shown to be without a condition."""

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import pytest
 from flint import fmpq, fmpq_mat
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import load
@@ -120,7 +120,6 @@ def tree(polynomial):
     return decode(["+", 0, *products])  # fmt: skip
 
 
-@settings(deadline=None, max_examples=40)
 @given(st.tuples(terms, terms, terms), st.integers(1, 3))
 def test_as_many_as_the_rank_over_the_rational_numbers_leaves(components, degree):
     """All integrals are found, and with one less the certificate is refused."""

@@ -32,6 +32,7 @@ from tests.problem.tampering import (
     seal,
     twisted,
 )
+from tests.sample import sampled
 
 CHECKER = Path(checker.__file__).parent
 PAPERS = ("kharlamov2002", "kharlamov_savushkin2004")
@@ -168,7 +169,9 @@ class TestPrint:
         record[data["claim"]] |= {"statement": json.loads(text)["digest"], **entry}
         return check_files(certificate_files(paper), expected(paper, record))
 
-    @pytest.mark.parametrize("claim", ["eq14", "eq6", "M4-dimension", "limit", "critical-set"])
+    @pytest.mark.parametrize(
+        "claim", sampled(["eq14", "eq6", "M4-dimension", "limit", "critical-set"], 1)
+    )
     def test_a_triviality_under_the_name_of_a_claim(self, paper, claim):
         goal = {"goal": "follows", "space": 0, "given": [], "conclusions": [[["x", "x"]]]}
         trivial = {"spaces": [{"variables": ["x"]}], "goals": [goal], "sign": "holds"}
@@ -363,7 +366,7 @@ def tampered(many):
 
 
 def test_tampering():
-    tampered(8 * SAMPLE)
+    tampered(4 * SAMPLE)
 
 
 @pytest.mark.slow

@@ -14,18 +14,16 @@ from functools import cached_property
 from flint import arb
 
 from kowalevski_cas.motion import formulas
-from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, usable
+from kowalevski_cas.motion.parameters import Inadmissible, Lengths, Real, ball, usable
 
 MU, KAPPA, LOW, HIGH = ("-√σ", "√σ"), ("-κ", "κ"), "-τ-r²", "-τ+r²"
 """The roots of μ², of K², of A² and of B²."""
 
 
 @dataclass(frozen=True)
-class ParametersO4:
+class ParametersO4(Lengths):
     """The constants of a motion on O⁴ in fields of lengths a > b > 0 at right angles."""
 
-    a: Fraction
-    b: Fraction
     s: Fraction
     tau: Fraction
 
@@ -41,16 +39,6 @@ class ParametersO4:
     def of(a: Real, b: Real, s: Real, tau: Real) -> ParametersO4:
         """The constants as they are given; raises ``ValueError`` for what is no finite number."""
         return ParametersO4(usable(a), usable(b), usable(s), usable(tau))
-
-    @property
-    def r_square(self) -> Fraction:
-        """r² = a² − b²."""
-        return self.a**2 - self.b**2
-
-    @property
-    def p_square(self) -> Fraction:
-        """p² = a² + b²."""
-        return self.a**2 + self.b**2
 
     @cached_property
     def sigma(self) -> Fraction:

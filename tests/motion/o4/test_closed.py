@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from flint import acb, arb
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, formulas, load
@@ -38,7 +38,6 @@ def on_a_torus(known, first, second, chosen):
 
 
 @given(st.sampled_from(KNOWN), angles, angles, signs)
-@settings(max_examples=30)
 def test_it_moves_by_the_nine_equations(known, first, second, chosen):
     moving, times = on_a_torus(known, first, second, chosen), np.linspace(-0.5, 0.5, 5)
     assert relative(closed(moving, times), dop853(moving, times)) < 1e-9

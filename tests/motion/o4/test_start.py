@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import assume, example, given, settings
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import General, Inadmissible, MotionO4, load, through
@@ -20,7 +20,6 @@ T = np.linspace(-4.0, 4.0, 5)
 
 @given(st.sampled_from(KNOWN), angles, angles, signs)
 @example(KNOWN[0], 0, 0, (1, 1, 1, 1, 1))  # |u1 + τ| = r² = |u2 + τ|
-@settings(max_examples=30)
 def test_a_state_of_a_motion_leads_to_that_motion(known, first, second, chosen):
     states = closed(on_a_torus(known, first, second, chosen), T)
     found = through(states[2].tolist())
@@ -29,7 +28,6 @@ def test_a_state_of_a_motion_leads_to_that_motion(known, first, second, chosen):
 
 
 @given(st.sampled_from(KNOWN), st.floats(-3, 3), st.floats(0.1, 10))
-@settings(max_examples=30)
 def test_in_turned_fields_and_another_unit_of_time_it_is_the_same_motion(known, angle, unit):
     states = closed(motion(known), T)
     scales = np.repeat([unit, unit**2], [3, 6])
@@ -51,7 +49,6 @@ def test_where_u2_is_infinite_the_motion_is_found_as_elsewhere(half_s, eta):
 
 
 @given(points, st.integers(0, 8), st.floats(1e-3, 1))
-@settings(max_examples=30)
 def test_a_state_off_O4_is_not_followed_on_it(state, place, by):
     state[place] += by * np.max(np.abs(state))
     try:
