@@ -90,6 +90,7 @@ def _readme(run: Run, checked: Checked) -> str:
         title=title, origin=origin, name=run.derivation, version=__version__, folder=FOLDER,
         sums=SUMS, number=checked.total, files=" ".join(f"{name}/*.json" for name in folders),
         citation="".join(_citation(outcome, origin) for outcome in sure[:1]),
+        example="".join(f"{FOLDER}/{outcome.claim}.json" for outcome in sure[:1]),
     )  # fmt: skip
 
 
