@@ -21,6 +21,7 @@ GROUP = "kowalevski_cas.derivations"
 def pytest_addoption(parser: pytest.Parser) -> None:
     """The option for installed packages."""
     parser.addoption("--derivations", action="store_true", help="test those that are installed")
+    parser.addoption("--claim-timeout", type=float, default=60.0, help="seconds for a claim (60)")
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
@@ -44,17 +45,19 @@ class Derivation(pytest.File):
         from kowalevski_cas.cli import session
         from kowalevski_cas.cli.exits import CommandError
         from kowalevski_cas.cli.verify import told
+        from kowalevski_cas.verify.certificate import load_certificates
 
         try:
             ((folder, derivation),) = session.derivations(
                 [str(self.path) if self.path.is_file() else self.name]
             )
-            begun = session.begun(folder, derivation)
+            stored = load_certificates(folder)
         except CommandError as error:
             yield Claim.from_parent(self, name="loading", said=partial(str, error))
             return
+        seconds = self.config.option.claim_timeout
         for claim in derivation.claims:
-            said = partial(told, folder, derivation, begun, claim.id)
+            said = partial(told, folder, derivation, stored, claim.id, seconds)
             yield Claim.from_parent(self, name=claim.id, said=said)
 
 
@@ -67,7 +70,14 @@ class Claim(pytest.Item):
 
     def runtest(self) -> None:
         """Decide the claim."""
-        if said := self.said():
+        from kowalevski_cas.cli.exits import CommandError
+        from kowalevski_cas.processes import ProcessDied
+
+        try:
+            said = self.said()
+        except (CommandError, ProcessDied) as error:
+            said = str(error)
+        if said:
             pytest.fail(said, pytrace=False)
 
     def reportinfo(self) -> tuple[Path, None, str]:

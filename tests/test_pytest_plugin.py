@@ -48,6 +48,22 @@ def test_what_is_expected_passes(run):
     assert run({"derivation_circle.py": CIRCLE.format(', expect="refuted"')})[0] == 0
 
 
+def test_a_claim_that_comes_to_no_end_fails_in_its_time(run):
+    hangs = """
+from kowalevski_cas import System
+from kowalevski_cas.paper.claims import Identity
+class Hangs(Identity):
+    def goals(self, on):
+        yield 7 ** 7 ** 11
+circle = System(r"\\dot x=y, \\dot y=-x")
+circle.states(Hangs, "hangs", "it hangs", printed="x=x")
+circle.integral("x^2+y^2")
+"""
+    code, out = run({"derivation_circle.py": hangs}, "--claim-timeout=1")
+    assert code == 1 and "1 failed, 1 passed" in out
+    assert "Not decided within 1 s" in out
+
+
 def test_a_broken_file_hides_no_other(run):
     good = CIRCLE.format(', expect="refuted"')
     files = {"derivation_a.py": "1 +", "derivation_b.py": good, "derivation_c.py": "x = 1"}

@@ -17,7 +17,7 @@ from typing import Final
 from kowalevski_cas import __version__
 from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.check import tell
-from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
+from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.cli.report import certified, explained
 from kowalevski_cas.files import write_all
 from kowalevski_cas.paper.derivation import Derivation
@@ -42,7 +42,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     chosen = session.derivations(arguments.derivations)
-    for _, derivation in chosen:
+    for folder, derivation in chosen:
+        if not certificate_files(folder):
+            name = derivation.name
+            raise CommandError(f"{name} has no certificates: `kowalevski-cas record`", NOTHING)
         target = arguments.output / derivation.name
         if target.exists() and any(target.iterdir()):
             raise CommandError(f"{target} is not empty: remove it, or write elsewhere")
@@ -53,7 +56,7 @@ def run(arguments: argparse.Namespace) -> int:
     done = session.watched(written, chosen)
     for _, said in done:
         print(said, file=sys.stderr)
-    return max(AS_RECORDED, *(tell([checked]) for checked, _ in done if checked.total))
+    return max(tell([checked]) for checked, _ in done)
 
 
 def _write(run: Run, paper: Sequence[Section], folder: Path, output: Path) -> tuple[Checked, str]:
@@ -86,6 +89,7 @@ def _readme(run: Run, checked: Checked) -> str:
         title=title, origin=origin, name=run.derivation, version=__version__, folder=FOLDER,
         sums=SUMS, number=checked.total, files=" ".join(f"{name}/*.json" for name in folders),
         citation="".join(_citation(outcome, origin) for outcome in sure[:1]),
+        example="".join(f"{FOLDER}/{outcome.claim}.json" for outcome in sure[:1]),
     )  # fmt: skip
 
 

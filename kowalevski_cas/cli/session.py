@@ -97,12 +97,6 @@ def recorded(folder: Path) -> Mapping[str, Mapping[str, object]]:
         return {}
 
 
-def begun(folder: Path, derivation: Derivation, anew: bool = False) -> Session:
-    """A run with FLINT that has decided nothing so far; it looks for all evidence if ``anew``."""
-    stored = {} if anew else load_certificates(folder)
-    return Session(derivation, ["flint"], certificates=stored, record=recorded(folder))
-
-
 def certificates(
     folder: Path, derivation: Derivation, timeout: float, anew: bool = False
 ) -> tuple[dict[str, str], dict[str, str]]:
@@ -113,7 +107,8 @@ def certificates(
     """
     from kowalevski_cas.problem.checker import Rejected
 
-    session = begun(folder, derivation, anew)
+    stored = {} if anew else load_certificates(folder)
+    session = Session(derivation, ["flint"], certificates=stored, record=recorded(folder))
     texts: dict[str, str] = {}
     reasons: dict[str, str] = {}
     for done, claim in enumerate(derivation.claims):

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -30,6 +30,7 @@ from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.library import READ, LibraryError, available, find, source
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.report import sections
+from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.outcome import Run, Verdict
 from kowalevski_cas.verify.record import (
     RecordError,
@@ -38,7 +39,6 @@ from kowalevski_cas.verify.record import (
     load_record,
     unexpected,
 )
-from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.teller import disagreement
 
 PAUSE = 0.2
@@ -104,9 +104,12 @@ def compared(folder: Path, derivation: Derivation, found: Run, whole: bool) -> R
     return Result(folder, found, paper, differing, record is not None, derivation.lines)
 
 
-def told(folder: Path, derivation: Derivation, begun: Session, claim: str) -> str:
+def told(
+    folder: Path, derivation: Derivation, stored: Mapping[str, Stored], claim: str, seconds: float
+) -> str:
     """What a terminal says of a claim, if it is not as recorded or expected; else nothing."""
-    result = compared(folder, derivation, begun.run([claim]), False)
+    found = session.run(folder, derivation, ["flint"], [claim], timeout=seconds, stored=stored)
+    result = compared(folder, derivation, found, False)
     return "" if exit_code(result) == AS_RECORDED else load_format("pretty")([result])
 
 

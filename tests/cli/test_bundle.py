@@ -69,3 +69,13 @@ def test_the_bytes_are_the_same_again_and_nothing_is_mixed(bundle, tmp_path, cap
     assert contents(tmp_path / bundle.name) == contents(bundle)
     assert main(arguments) == 2
     assert "is not empty" in capsys.readouterr().err
+
+
+def test_without_certificates_there_is_none(tmp_path, capsys):
+    file = tmp_path / "circle.py"
+    file.write_text(
+        'from kowalevski_cas import System\nSystem("x\'=y, y\'=-x").integral("x^2+y^2")\n'
+    )
+    assert main(["bundle", str(file), "-o", str(tmp_path / "deposit")]) == 6
+    assert "circle has no certificates" in capsys.readouterr().err
+    assert not (tmp_path / "deposit").exists()

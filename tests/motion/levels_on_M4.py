@@ -1,6 +1,7 @@
 """Real states of M⁴ for the tests of this folder, by chance or with given values of H and J3."""
 
 import numpy as np
+from scipy.optimize import least_squares
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
@@ -58,6 +59,35 @@ def at_level(fields, h, j, count=4000, finely=400):
     W, w = W[:, 0], w[:, 0]
     omega3 = (j - 2 * (w * z.conj()).real) / W
     return state_of(-(w**2), ((z**2 - r_square) / w**2).conj(), z, w, omega3).T
+
+
+def critical_levels(fields, starts):
+    """Values of H and J3 at points of M⁴ where they are dependent: Newton's method at random.
+
+    The points are (ω1, ω2, α3, β3, ω3), on which |α|² + |β|² = p² besides; multipliers are found
+    with them.
+    """
+    p_square, r_square = float(fields.a**2 + fields.b**2), float(fields.a**2 - fields.b**2)
+    random = np.random.default_rng(8)
+
+    def values(x):
+        w, z, omega3 = complex(x[0], x[1]), complex(x[2], x[3]), x[4]
+        W, y = abs(w) ** 2, (z**2 - r_square) / w**2
+        return np.array([
+            W + omega3**2 / 2 - y.real,
+            W * omega3 + 2 * (w * z.conjugate()).real,
+            (W**2 + abs(y) ** 2) / 2 + abs(z) ** 2 - p_square,
+        ])  # fmt: skip
+
+    def missing(x):
+        step = 1e-6 * np.eye(5)
+        slopes = np.array([values(x[:5] + s) - values(x[:5] - s) for s in step]) / 2e-6
+        return [*(slopes @ x[5:]), x[5:] @ x[5:] - 1, values(x)[2]]
+
+    for _ in range(starts):
+        found = least_squares(missing, random.normal(size=8), max_nfev=60)
+        if found.cost < 1e-16 and np.hypot(*found.x[:2]) > 1e-2:
+            yield values(found.x)[:2]
 
 
 def followed(states):

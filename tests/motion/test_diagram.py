@@ -18,7 +18,7 @@ from kowalevski_cas.motion.pictures.regions import filled
 from kowalevski_cas.motion.pictures.sections import rotations, section, values
 from kowalevski_cas.motion.pictures.subsystems import separating
 from kowalevski_cas.pictures import new_figure
-from tests.motion.levels_on_M4 import at_level, by_chance, pieces
+from tests.motion.levels_on_M4 import at_level, by_chance, critical_levels, pieces
 from tests.motion.test_closed import motions
 from tests.motion.test_critical import state_of
 from tests.sample import sampled
@@ -113,6 +113,18 @@ def test_tori_of_M4_are_told_apart_by_signs(fields, h, j, tori):
 def test_motions_on_M4_fill_as_many_tori_as_are_counted(fields, h, j, tori):
     size = float(fields.a + fields.b)
     assert pieces(fields, h * size, j * size**1.5) == tori
+
+
+@pytest.mark.parametrize("starts", [20, pytest.param(200, marks=pytest.mark.slow)])
+def test_where_H_and_J3_are_dependent_on_M4_two_roots_coincide(starts):
+    p, r = FIELDS._pr
+    levels = [*critical_levels(FIELDS, starts)]
+    assert len(levels) > starts / 2
+    for h, j in levels:
+        xi = np.polynomial.Polynomial([0, 1])
+        roots = ((xi**2 + 2 * h * xi + 2 * p**2) ** 2 - 4 * r**4 - 4 * j**2 * xi).roots()
+        gaps = abs(roots[:, None] - roots) + np.eye(4) * np.max(abs(roots))
+        assert np.min(gaps) < 1e-3 * np.max(abs(roots))
 
 
 @given(st.sampled_from(OTHERS), st.floats(0.02, 0.98), st.sampled_from([1, 2, 3]), shares)

@@ -25,7 +25,8 @@ def test_a_run_with_limits_says_what_one_without_says_or_nothing(
             case "timeout":
                 assert outcome.message.startswith(("not decided within", "no correction"))
             case "undecided":
-                assert outcome.message == f"rests on {', '.join(known.corrected)}"
+                late = outcome.message.removeprefix("rests on ").split(", ")
+                assert {*late} <= {*known.corrected}
             case _:
                 assert (outcome.verdict, outcome.digest) == (known.verdict, known.digest)
                 assert outcome.conditions == known.conditions
