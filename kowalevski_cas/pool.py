@@ -9,6 +9,7 @@ from __future__ import annotations
 import pickle
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from functools import cached_property, partial
 from hashlib import sha256
 from importlib import import_module
@@ -141,9 +142,10 @@ class Pool:
         self._seconds += seconds
         self._unsaved.update((k, both) for k, both in results.items() if both[1] is None)
         if self.file is not None and self._seconds >= BATCH:
-            self.file.parent.mkdir(parents=True, exist_ok=True)
-            with self.file.open("ab") as file:
-                file.write(pickle.dumps(self._unsaved))
+            with suppress(OSError):  # without a place to keep it, it is not kept
+                self.file.parent.mkdir(parents=True, exist_ok=True)
+                with self.file.open("ab") as file:
+                    file.write(pickle.dumps(self._unsaved))
             self._unsaved, self._seconds = {}, 0.0
 
 
@@ -178,9 +180,7 @@ def _in_order(waiting: deque[Key], found: Found) -> Iterator[Any]:
 def _read(file: Path) -> Found:
     """What was kept; a last part that was torn by the interruption is taken away."""
     found: Found = {}
-    if not file.is_file():
-        return found
-    with file.open("r+b") as stream:
+    with suppress(OSError), file.open("r+b") as stream:
         whole = 0
         try:
             while True:

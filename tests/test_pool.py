@@ -104,6 +104,12 @@ def test_what_was_torn_when_it_was_kept_is_done_again(tmp_path):
     assert log.read_text().split() == ["1", "2", "2"]
 
 
+def test_what_cannot_be_kept_is_done_all_the_same(tmp_path):
+    (tmp_path / "file").touch()
+    pool = Pool(file=tmp_path / "file" / "kept")
+    assert [*pool.map(partial(noted, tmp_path / "log"), [1, 2])] == [1, 4]
+
+
 def test_a_worker_that_dies_costs_its_batch_only(tmp_path):
     assert [*Pool(jobs=2).map(partial(mortal, tmp_path), range(6))] == [0, 1, 4, 9, 16, 25]
     assert sorted((tmp_path / "done").read_text().split()) == [*"012345"]

@@ -323,6 +323,31 @@ def test_the_time_moves_where_it_stands_in_the_equations(field, moves, identity)
     assert system.integral("x" if "x" in moves else "H").verdict is Verdict.REFUTED
 
 
+def test_several_functions_are_defined_at_once():
+    free = System(r"\ddot q_i=0,\ i=1,2,3")
+    assert free.define(r"p_i=2\dot q_i,\ i=1,2").name == "p_1"
+    assert free.integral("p_2").verdict is free.integral("p_1p_2").verdict is Verdict.PROVED
+    with pytest.raises(NotationError, match="p_3 is not declared here"):
+        free.read("p_3")
+
+
+def test_the_modulus_of_what_is_complex_is_real():
+    top = System(
+        r"2\dot p=qr,\ 2\dot q=-pr-c\gamma_3,\ \dot r=c\gamma_2,\ i^2=-1,"
+        r"\dot\gamma_1=r\gamma_2-q\gamma_3,\ \dot\gamma_2=p\gamma_3-r\gamma_1,\ \dot\gamma_3=q\gamma_1-p\gamma_2"
+    )
+    assert top.scene.constants == ("c",)
+    w = top.define(r"w=p+iq")
+    for true in (r"|w|^2=p^2+q^2", r"w\bar w=|w|^2", r"|w^2|^2=(p^2+q^2)^2", r"|ip|^2=p^2"):
+        assert top.identity(true).verdict is Verdict.PROVED
+    for false in (r"|w|^2=w^2", r"\bar w=w", r"|ip|^2=-p^2"):
+        assert top.identity(false).verdict is Verdict.REFUTED
+    assert top.integral(r"|w^2+c(\gamma_1+i\gamma_2)|^2").verdict is Verdict.PROVED
+    assert "i = i" not in repr(top.integral(w))
+    with pytest.raises(ValueError, match="is a conjugate, and all is real"):
+        System(r"\dot z=\bar z")
+
+
 @pytest.mark.parametrize("number", [2, 3, 5, 6, 7])
 def test_roots_of_numbers_are_refuted_too(number):
     """Modulo half of all primes there is no root of the number, and no point to try."""

@@ -188,7 +188,7 @@ section.states(
     Implication,
     eq22,
     on=free_k,
-    says="it follows from (18) and (20)",
+    says="the relation of the constants that follows from (18) and (20)",
     given=(*eq18, *eq20),
     main=((r"\omega_3", r"\omega_1", r"\omega_2"),),
     sentence=r"""

@@ -64,7 +64,7 @@ linear = section.states(
         "what it means that both are linear in $y_1$, $y_2$",
     ),
     on=near_O4,
-    says="they are linear in $y_1$, $y_2$",
+    says="the relations are linear in $y_1$, $y_2$",
 )
 
 partial = section.display(
@@ -82,7 +82,7 @@ section.states(
     FirstIntegral,
     partial,
     on=with_constants,
-    says="it is constant on $O^4$",
+    says="a constant on $O^4$",
     ids=("s", "tau"),
     given=(*O4,),
     main=(FIELDS,),
@@ -100,7 +100,7 @@ section.states(
     Implication,
     polynomial,
     on=with_constants,
-    says="it follows from the two relations",
+    says="consequences of the two relations",
     given=(*O4,),
     main=(("x_1", "x_2", "y_1", "y_2", "z_1", "z_2", r"\omega_3"),),
 )
@@ -156,6 +156,6 @@ section.states(
     Identity,
     polynomial,
     on=on_O4,
-    says="these points obey the relations, with the constant $s$",
+    says="the points of this form obey the relations, with the constant $s$",
     ids=[f"O4.point.{k}" for k in range(1, 6)],
 )

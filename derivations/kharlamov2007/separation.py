@@ -47,8 +47,8 @@ X = \frac{\eta^2+\frac14\omega_3^2(z_1z_2-2sw_1w_2)^2}{w_1w_2z_1z_2}, \quad
         r"$\sigma$ by $K$",
         "the first variable of the plane",
         r"the constant $\tau_3$",
-        "how the first variable moves",
-        "how the second variable moves",
+        "the motion of the first variable",
+        "the motion of the second variable",
     ),
 )
 
@@ -89,7 +89,7 @@ section.states(
     .having(constants=("a", "b", "c"))
     .adjoining(root)
     .defining(rates_on_O4, speed),
-    says="how fast the variables of the plane are on $O^4$",
+    says="the velocities of the variables of the plane on $O^4$",
 )
 
 # In the plane of X and xi: how u1 and u2 move.
@@ -126,7 +126,7 @@ section.states(
         "the quadratic equation at its roots",
     ),
     on=in_plane,
-    says="it is a root of the quadratic equation",
+    says="the roots of the quadratic equation",
 )
 
 section.states(

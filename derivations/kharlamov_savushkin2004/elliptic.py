@@ -110,7 +110,7 @@ section.states(
     Definition,
     parameters[2],
     on=any_regime,
-    says="what multiplies the time",
+    says="the factor of the time",
     ids=("frequency",),
     equation=quartic[1],
 )

@@ -30,7 +30,7 @@ section.states(
     FirstIntegral,
     constants[1],
     on=with_root,
-    says="it is constant on $N^4$",
+    says="a constant on $N^4$",
     ids=("m",),
     given=(*eq15,),
 )
@@ -47,7 +47,7 @@ section.states(
     Implication,
     real[1],
     on=with_root,
-    says="it is real on $N^4$",
+    says="reality on $N^4$",
     ids=("m-real",),
     given=(eq15[2],),
 )
@@ -55,14 +55,14 @@ section.states(
     Implication,
     m_conjugate,
     on=with_root,
-    says="so it is its conjugate as well",
+    says="$m$ by the conjugate formula",
     given=(eq15[2],),
 )
 section.states(
     Implication,
     real[2],
     on=with_root,
-    says="it is real on $N^4$",
+    says="reality on $N^4$",
     ids=("l-real",),
     given=(eq15[2],),
 )
@@ -134,9 +134,7 @@ on_N4 = (
     .defining(complex_integrals[1], complex_integrals[2])
 )
 
-section.states(
-    FirstIntegral, constants[2], on=any_level, says="it is constant on $N^4$", ids=("l",)
-)
+section.states(FirstIntegral, constants[2], on=any_level, says="a constant on $N^4$", ids=("l",))
 section.states(Identity, relations[1], on=on_N4, says="$K$ on $N^4$", ids=("k",))
 section.states(Identity, relations[3], on=on_N4, says="the energy on $N^4$", ids=("h",))
 for k in (3, 4, 9):
@@ -190,7 +188,7 @@ section.states(
 )
 for k in (1, 2):
     section.states(
-        Definition, any_c[k], on=on_N4, says="how to read it for any $c$", equation=separated[k]
+        Definition, any_c[k], on=on_N4, says="$a$ and $b$ for any $c$", equation=separated[k]
     )
 section.states(
     Identity,

@@ -94,7 +94,7 @@ by_F = section.identity(
     "G-by-F",
     r"2G - p^2H = \frac12(U_1+U_2) - \frac12F_1^2, \quad c_1c_2K = U_1U_2",
     on=everything,
-    says=("what $G$ is on $N^4$, and near it", "$K$ through $U_1$ and $U_2$"),
+    says=("$G$ on $N^4$ and near it", "$K$ through $U_1$ and $U_2$"),
     ids=("G-by-F", "K-by-U"),
 )
 
@@ -121,7 +121,7 @@ combined = section.states(
     DoubleZero,
     section.inline("combined", r"(2G-p^2H)^2 - r^4K"),
     on=by_functions,
-    says="it vanishes with its gradient on $N^4$",
+    says="a function that vanishes with its gradient on $N^4$",
     given=(*eq15,),
 )
 

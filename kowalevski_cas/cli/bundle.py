@@ -22,7 +22,8 @@ from kowalevski_cas.cli.report import certified, explained
 from kowalevski_cas.files import write_all
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.problem import checker
-from kowalevski_cas.report import Section, page
+from kowalevski_cas.report import Section
+from kowalevski_cas.report.pdf import page
 from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.committed import Checked, certificate_files
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
@@ -89,6 +90,7 @@ def _readme(run: Run, checked: Checked) -> str:
         title=title, origin=origin, name=run.derivation, version=__version__, folder=FOLDER,
         sums=SUMS, number=checked.total, files=" ".join(f"{name}/*.json" for name in folders),
         citation="".join(_citation(outcome, origin) for outcome in sure[:1]),
+        example="".join(f"{FOLDER}/{outcome.claim}.json" for outcome in sure[:1]),
     )  # fmt: skip
 
 

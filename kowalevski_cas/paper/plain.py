@@ -169,7 +169,11 @@ class Plain:
         if rank(inner, self.setting.texts.vocabulary) == VECTOR:
             vector = self(inner)
             return ScalarProduct(vector, vector)
-        return Power(self(inner), Number(2)) if isinstance(formula, Modulus) else None
+        if not isinstance(formula, Modulus):
+            return None
+        value = self(inner)
+        complex_ = "i" in self.setting.roots
+        return Product((value, Conjugate(value))) if complex_ else Power(value, Number(2))
 
     def _printed_value(self, root: Root) -> Formula | None:
         """What a place prints for a root that is no generator; its square is the radicand."""

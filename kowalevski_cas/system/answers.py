@@ -104,6 +104,7 @@ class Stated(Shown):
         at = ", ".join(
             f"{shown(name)} = {said(value) if isinstance(value, str) else shown(value)}"
             for name, value in values
+            if name != value  # as the imaginary unit
         )
         found += [f"not at {at}"] if at else []
         found += [said(own.message)] if own.message else []

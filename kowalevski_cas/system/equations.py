@@ -13,6 +13,7 @@ from kowalevski_cas.notation import (
     Formula,
     Modulus,
     Name,
+    Negative,
     Number,
     OpenParser,
     Partial,
@@ -151,20 +152,23 @@ def _with(scene: Scene, place: Printed, formula: Formula) -> Scene:
     """A scene with what is defined or supposed beside the equations of motion."""
     if {*place.heads.names} - {*scene.variables, *scene.constants}:
         return scene.defining(place)
+    if (supposing := _supposing(scene, place, formula)) is not None:
+        return supposing
     if len(place.heads.squares) == 1:
         return scene.adjoining(place)
-    if supposed := _nonzero(formula):
-        return scene.having(nonzero=supposed)
     what = "is no equation of motion, and defines no name"
     raise ValueError(f"{place.tex} {what}; what is supposed is printed with \\ne 0")
 
 
-def _nonzero(formula: Formula) -> tuple[str, ...]:
-    """What is supposed not to vanish; nothing, if that is not what a formula says."""
+def _supposing(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
+    """A scene with what is supposed not to vanish, or with the imaginary unit."""
     match formula:
         case Relation((left, Number(0)), (r"\ne",)):
-            return (to_latex(left),)
-    return ()
+            return scene.having(nonzero=(to_latex(left),))
+        case Relation((Power(Name("i"), Number(2)), Negative(Number(1))), ("=",)):
+            kept = tuple(name for name in scene.constants if name != "i")
+            return replace(scene, constants=kept).with_unit(place)
+    return None
 
 
 def _read(display: Display, words: Vocabulary) -> dict[Printed, Formula]:
@@ -223,7 +227,7 @@ def rooted(scene: Scene, display: Display) -> Scene:
         if named and len(formula.children()) > len(named) + 1:
             raise ValueError(f"{place.tex} gives {min(named)} twice: leave one side out")
     for formula in (node for one in waiting for node in one.nodes()):
-        if isinstance(formula, Conjugate):
+        if isinstance(formula, Conjugate) and scene.unit is None:
             raise ValueError(f"{to_latex(formula)} is a conjugate, and all is real: rename it")
         root = _root(formula, vocabulary((scene,)))
         if root is not None and (name := to_latex(root)) not in scene.roots:
@@ -245,8 +249,9 @@ def _root(formula: Formula, words: Vocabulary) -> Root | None:
 
 def restricted(scene: Scene, place: Printed) -> Scene:
     """A scene with what a relation says of its constants."""
-    if supposed := _nonzero(read(place.tex, vocabulary((scene,)), OpenParser)):
-        return scene.having(nonzero=supposed)
+    formula = read(place.tex, vocabulary((scene,)), OpenParser)
+    if (supposing := _supposing(scene, place, formula)) is not None:
+        return supposing
     if any(name in scene.constants for name in place.heads.squares):
         return scene.adjoining(place)
     for name in place.heads.names:

@@ -161,9 +161,8 @@ class System(Claims):
         tex = self._tex(formula)
         display = self.section.display(self._id("", tex), tex)
         self._stand_on(rooted(with_parameters(self.scene, display).defining(display), display))
-        return Function(
-            display[1], display[1].heads.names[0], self.read(display[1].tex), self.symbols
-        )
+        name, formula = display[1].heads.names[0], self._formulas(display)[0]
+        return Function(display[1], name, formula, self.symbols)
 
     def where(self, *relations: Tex) -> System:
         r"""The system for special constants: ``b=2\sigma``, ``r^2=x^2+y^2``, ``\sigma\ne0``.

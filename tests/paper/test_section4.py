@@ -13,7 +13,7 @@ from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import Session, verify
 from kowalevski_cas.verify.statement import Statement, finder_of
 
-PAPERS = ("bobenko_reyman_semenov1989", "kharlamov2005", "kharlamov2007", "zotev2000")
+PAPERS = ("bobenko_reyman_semenov1989", "kharlamov2005", "kharlamov2007", "m4_tori")
 
 RINGS = [pytest.param(ring, marks=[] if ring == "flint" else [pytest.mark.slow]) for ring in EXACT]
 

@@ -3,7 +3,10 @@
 import pytest
 
 from kowalevski_cas import System
+from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.run import Session
+from tests.paper.small import derivation
 
 CHAPLYGIN = (
     r"4\dot p=3qr,\quad 4\dot q=-3pr-cn,\quad \dot r=cm,\quad "
@@ -12,9 +15,13 @@ CHAPLYGIN = (
 
 
 def found(motion, degree, *relations):
+    """What is found is green, and certified."""
     system = System(motion)
     answers = system.find_integrals(degree, on=relations)
     assert all(one.verdict in (Verdict.PROVED, Verdict.CONDITIONAL) for one in answers)
+    session = Session(derivation(system.section), ["flint"])
+    for claim in session.derivation.claims:
+        assert all(checker.check(t).sign == "holds" for _, t in session.certificates(claim))
     return [repr(one).partition("; ")[2] for one in answers]
 
 

@@ -1,4 +1,4 @@
-"""D. B. Zotev (2000): the tori of Bogoyavlensky's case, K = 0."""
+"""The tori of Bogoyavlensky's case, K = 0, derived here: no paper is restated."""
 
 from kowalevski_cas.paper.closed_form import LevelsOnM4
 from kowalevski_cas.paper.derivation import Derivation
@@ -9,12 +9,12 @@ from ..kharlamov_savushkin2004 import derivation as kharlamov_savushkin2004
 from . import angles, coincidences, levels
 
 derivation = Derivation(
-    name="zotev2000",
-    title="Fomenko-Zieschang invariant in the Bogoyavlenskyi case",
-    author="D. B. Zotev",
+    name="m4_tori",
+    title="The levels and the tori of the class K = 0",
+    author="The kowalevski_cas authors",
     source=(
-        "the subject is that of Regul. Chaotic Dyn. 5 (2000); the formulas are derived anew, "
-        "in the notation of Kharlamov (2002)"
+        "Derived here, in the notation of Kharlamov (2002); the class is O. I. Bogoyavlensky's (1984), "
+        "its topology is the subject of D. B. Zotev, Regul. Chaotic Dyn. 5 (2000)"
     ),
     sections=(levels.section, angles.section, coincidences.section),
     rests_on=(kharlamov2002, kharlamov_savushkin2004, kharlamov2005),
