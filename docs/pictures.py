@@ -12,10 +12,11 @@ import typst
 
 from kowalevski_cas.cli import main
 from kowalevski_cas.library import load
-from kowalevski_cas.report import Contents, render_typst, sections
+from kowalevski_cas.report import Contents, sections
 from kowalevski_cas.report.document import Document, Link
 from kowalevski_cas.report.places import names
 from kowalevski_cas.report.plates import for_a_page
+from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.verify.run import verify
 
 MOTION = {"hodographs": "hodographs.png", "traces": "motion.png", "sections": "diagram.png"}

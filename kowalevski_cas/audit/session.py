@@ -127,7 +127,7 @@ class AuditSession(Session):
     def _elsewhere(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
         """A claim with one edit of a formula on which it stands, and which no claim is about."""
         names = frozenset(claim.scene.names()) - {*claim.scene.undefined}
-        for printed in dict.fromkeys(Statement(claim, on).places()):
+        for printed in Statement(claim, on).stands_on:
             if printed not in self.established and printed not in self.accepted:
                 for edit in edits(on.texts.statement(printed), on.texts.vocabulary, names):
                     yield Neighbour(edit.words, claim, on.texts, printed, edit)

@@ -115,8 +115,8 @@ def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, str, i
 
 def _written(found: Audit, folder: Path) -> str:
     """Write the page of an audit; where it is."""
-    from kowalevski_cas.report import render_html
     from kowalevski_cas.report.annotated import annotated
+    from kowalevski_cas.report.html import render_html
     from kowalevski_cas.report.prose import ProseError
 
     page = folder / f"{Path(found.source.path).stem}.html"

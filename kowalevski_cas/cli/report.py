@@ -54,7 +54,7 @@ def write(
     run: Run, paper: Sequence[Section], folder: Path, derivation: Path
 ) -> tuple[Checked, str]:
     """Write the report of a run; what the checker says of its certificates, and where it is."""
-    from kowalevski_cas.report import ReportError, write_report
+    from kowalevski_cas.report.pdf import ReportError, write_report
 
     checked, digests = certified(run, derivation)
     try:

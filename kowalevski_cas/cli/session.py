@@ -200,8 +200,8 @@ def pool(arguments: argparse.Namespace) -> Pool:
 
 
 def _positive(text: str) -> int:
-    if not (value := natural(text)):
-        raise argparse.ArgumentTypeError("at least one is needed")
+    if not 0 < (value := natural(text)) <= 1000:
+        raise argparse.ArgumentTypeError("from 1 to 1000 processes are possible")
     return value
 
 

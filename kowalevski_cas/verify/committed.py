@@ -133,11 +133,11 @@ class Expected:
 
 
 def expected(folder: Path, record: Record) -> Expected:
-    """What a derivation prints, written anew as problems, with the corrections of its record."""
+    """What a derivation prints of the claims of its record, written anew as problems."""
     derivation = load(str(folder))
     bench, found = Bench(derivation, []), dict[str, Statement]()
-    for claim in derivation.claims:
-        recorded = record.get(claim.id, {}).get("correction")
+    for claim in (one for one in derivation.claims if one.id in record):
+        recorded = record[claim.id].get("correction")
         with suppress(NotationError, Meaningless):  # what says nothing has no certificate
             on = bench.on(claim)
             found[claim.id] = Statement(claim, on)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 
 from kowalevski_cas.paper.claims import Claim
@@ -58,16 +58,18 @@ class Statement:
         space = self.spaces[setting]
         return (*generators(space), *space.roots)
 
-    def places(self) -> Iterator[Printed]:
-        """The places of the paper on which the statement stands."""
+    @cached_property
+    def stands_on(self) -> tuple[Printed, ...]:
+        """The places of the paper on which the statement stands, its own first."""
         own = [*self.claim.places()]
-        yield from own
+        found = dict.fromkeys(own)
         for setting, space in self.spaces.items():
             named = [place for step in space.steps for place in setting.places.get(step.name, ())]
             moving = [*setting.motion_places()] if space.field or space.change else []
-            yield from (*named, *moving)
+            found |= dict.fromkeys([*named, *moving])
             for place in (*own, *named, *moving):
-                yield from setting.written_out(place)
+                found |= dict.fromkeys(setting.written_out(place))
+        return tuple(found)
 
     def search(self) -> Verdicts | None:
         """Evidence for all goals or against one, with FLINT; ``None`` if it is not found."""

@@ -133,7 +133,7 @@ class Teller(Bench):
 
         Those of another derivation come first, after its name and a slash.
         """
-        own, used = set(statement.claim.about()), {*statement.places()}
+        own, used = set(statement.claim.about()), {*statement.stands_on}
         ids = [id for place, id in self.read_elsewhere.items() if place in used]
         ids += [
             self.established.get(place, place.place)
@@ -144,6 +144,6 @@ class Teller(Bench):
 
     def rests_on(self, statement: Statement) -> tuple[str, ...]:
         """The claims before this one that establish the places on which it stands."""
-        ids = dict.fromkeys(self.established.get(place) for place in statement.places())
+        ids = dict.fromkeys(self.established.get(place) for place in statement.stands_on)
         before = self.order[statement.claim.id]
         return tuple(i for i in ids if i is not None and self.order[i] < before)

@@ -118,6 +118,7 @@ def test_a_changed_claim_is_refuted_and_repaired():
     assert found["theta-prime"].verdict == "proved"
 
 
+@pytest.mark.slow
 @watched
 def test_a_changed_row_of_the_change_of_variables():
     found = changed(r"z_1 = \alpha_3  + i", r"z_1 = \alpha_2  + i")

@@ -209,6 +209,7 @@ def test_too_many_formulas(write, capsys):
     assert "more than 20,000 formulas" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_mutants(paper, capsys):
     assert main(["mutants", str(paper), "--sample", "1", "--seed", "1", "--jobs", "1"]) == 0
     out = capsys.readouterr().out

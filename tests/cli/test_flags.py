@@ -33,6 +33,10 @@ COMMANDS = (
     (*MOTION, "--timeout={}", "--samples=2"), ("motion", "--point", "{}"),
     (*MOTION, "--method=ball", "--until={}", "--samples=2", "--timeout=1"),
     (*MOTION, "--method=lsoda", "--until={}", "--samples=2", "--timeout=0.5"),
+    ("find", "integrals", "bobenko_reyman_semenov1989", "--degree=1", "--timeout=2", "--jobs={}"),
+    ("find", "integrals", "bobenko_reyman_semenov1989", "--degree={}", "--timeout=2"),
+    ("find", "closure", "bobenko_reyman_semenov1989", "{}", "--timeout=2"), ("bundle", "{}", "-o", "x"),
+    ("audit", "x.tex", "--macros", "{}"), ("find", "exponents", "{}"),
     *((*MOTION, f"--{name}={{}}", "--samples=2") for name in "abml"),
 )  # fmt: skip
 USES = ["\0".join(words).format(odd) for words in COMMANDS for odd in ODD]

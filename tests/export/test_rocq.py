@@ -4,6 +4,7 @@ import json
 import shutil
 import subprocess
 from copy import deepcopy
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
@@ -28,9 +29,19 @@ def certificate(claim, derivation="kharlamov2002"):
 
 
 @pytest.fixture(scope="module")
-def rocq(tmp_path_factory):
-    """Let Rocq read a text; empty if it confirms all of it, and else what it objects to."""
-    folder = tmp_path_factory.mktemp("rocq")
+def rocq(tmp_path_factory, pytestconfig):
+    """Let Rocq read a text; empty if it confirms all of it, and else what it objects to.
+
+    What all theories share is compiled once for each version of it and of Rocq.
+    """
+    version = subprocess.run(["coqc", "--version"], capture_output=True, text=True).stdout
+    known = sha256("".join([version, *ROCQ.shared().values()]).encode()).hexdigest()[:16]
+    compiled = pytestconfig.cache.mkdir(f"rocq-{known}")
+    for name, text in ROCQ.shared().items():
+        if not (compiled / name).with_suffix(".vo").exists():
+            (compiled / name).write_text(text, encoding="utf-8")
+            subprocess.run(["coqc", *ROCQ.arguments(compiled / name)], cwd=compiled, check=True)
+    folder = shutil.copytree(compiled, tmp_path_factory.mktemp("rocq") / "theories")
 
     def read(name, text):
         (folder / name).write_text(text, encoding="utf-8")
@@ -40,9 +51,6 @@ def rocq(tmp_path_factory):
         said = done.stdout + done.stderr
         return said if done.returncode else ROCQ.objection(text, done.stdout)
 
-    for name, text in ROCQ.shared().items():
-        (folder / name).write_text(text, encoding="utf-8")
-        subprocess.run(["coqc", *ROCQ.arguments(folder / name)], cwd=folder, check=True)
     return read
 
 

@@ -112,7 +112,7 @@ def changes_of_scenes(name, many):
         except (NotationError, Meaningless, ZeroDivisionError, ValueError):
             continue  # the statement means nothing then: it has no verdict
         tried += 1
-        rests, changed = place in set(statement.places()), other.digest != statement.digest
+        rests, changed = place in set(statement.stands_on), other.digest != statement.digest
         chain = on.texts.formula(place)
         assert isinstance(chain, Relation)
         if len(chain.members) > 2 and rests and not changed:

@@ -127,11 +127,12 @@ def changes(system: System):
                     )
 
 
-def test_another_motion_changes_a_verdict_or_is_certified_as_it_is(system):
+@pytest.mark.parametrize("many", [1, pytest.param(4, marks=pytest.mark.slow)])
+def test_another_motion_changes_a_verdict_or_is_certified_as_it_is(system, many):
     found = list(changes(system))
     own = Session(system.derivation(), ("flint",))
     printed = {claim.id: claim for claim in own.derivation.claims}
-    for new, other in random.Random(2).sample(found, min(4, len(found))):
+    for new, other in random.Random(2).sample(found, min(many, len(found))):
         session = Session(other.derivation(), ("flint",))
         for claim in session.derivation.claims:
             outcome = session.decide(claim)

@@ -1,6 +1,7 @@
 """The bifurcation diagram of the whole top: its values, its regions, and real points in them."""
 
 from fractions import Fraction
+from itertools import product
 
 import numpy as np
 import pytest
@@ -196,8 +197,7 @@ def test_the_curves_are_where_roots_coincide():
             assert np.nanmax(abs(sigma[inner])) < 1e-9
 
 
-@pytest.mark.parametrize("fields", OTHERS)
-@pytest.mark.parametrize("share", sampled([-0.6, 0.1, 0.95, 1.7], 1))
+@pytest.mark.parametrize(("fields", "share"), sampled(product(OTHERS, [-0.6, 0.1, 0.95, 1.7]), 2))
 def test_the_critical_values_enclose_those_of_all_states(fields, share):
     h = share * float(fields.a + fields.b)
     g, root = values(fields, h)

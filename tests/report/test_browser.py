@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from kowalevski_cas.report import render_html
+from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.marks import MARKS
 from tests.report.browser import PROGRAM, Browser
 from tests.report.fixtures import document

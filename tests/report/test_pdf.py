@@ -11,7 +11,9 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
-from kowalevski_cas.report import ReportError, pdf, render_latex, write_report
+from kowalevski_cas.report import pdf
+from kowalevski_cas.report.latex import render_latex
+from kowalevski_cas.report.pdf import ReportError, write_report
 from tests.report.fixtures import P, claim, document, in_order, run
 
 PAPER = in_order(run())

@@ -10,7 +10,10 @@ from PIL import Image
 from pypdf import PdfReader
 
 from kowalevski_cas.pictures import new_figure, save, style
-from kowalevski_cas.report import contents, pdf, render_html, render_latex, write_report
+from kowalevski_cas.report import contents, pdf
+from kowalevski_cas.report.html import render_html
+from kowalevski_cas.report.latex import render_latex
+from kowalevski_cas.report.pdf import write_report
 from kowalevski_cas.report.plates import Plate, for_a_page, plates
 from tests.report.fixtures import P, claim, in_order, run
 

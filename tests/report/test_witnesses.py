@@ -2,8 +2,8 @@ import json
 
 import pytest
 
-from kowalevski_cas.report import write_report
 from kowalevski_cas.report.facts import facts
+from kowalevski_cas.report.pdf import write_report
 from kowalevski_cas.report.witnesses import Witness, arithmetics, programs
 from kowalevski_cas.verify.outcome import Verdict
 

@@ -12,11 +12,11 @@ import pytest
 
 from kowalevski_cas.notation import Negative, Number, Relation, to_mathml
 from kowalevski_cas.notation.formula import Changed
-from kowalevski_cas.report import contents, render_html, render_latex, render_typst
+from kowalevski_cas.report import contents
 from kowalevski_cas.report.document import Code, Document, Emphasis, Sign, Text
-from kowalevski_cas.report.html import HtmlWriter
-from kowalevski_cas.report.latex import LatexWriter
-from kowalevski_cas.report.typst import TypstWriter
+from kowalevski_cas.report.html import HtmlWriter, render_html
+from kowalevski_cas.report.latex import LatexWriter, render_latex
+from kowalevski_cas.report.typst import TypstWriter, render_typst
 from kowalevski_cas.verify.outcome import Verdict
 from tests.report.fixtures import claim, document, in_order, outcomes, read, run
 
@@ -65,14 +65,13 @@ def test_same_bytes_from_run_to_run() -> None:
         "from tests.report.test_writers import RENDERS; "
         "sys.stdout.buffer.write('\\0'.join(r(document()) for r in RENDERS).encode())"
     )
-    for seed in ("1", "2"):
-        again = subprocess.run(
-            [sys.executable, "-c", code],
-            capture_output=True,
-            check=True,
-            env={"PYTHONHASHSEED": seed, "PATH": "", "PYTHONPATH": ":".join(sys.path)},
-        )
-        assert again.stdout.decode() == "\0".join(render(document()) for render in RENDERS)
+    again = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        check=True,
+        env={"PYTHONHASHSEED": "1", "PATH": "", "PYTHONPATH": ":".join(sys.path)},
+    )
+    assert again.stdout.decode() == "\0".join(render(document()) for render in RENDERS)
 
 
 @ALL

@@ -13,7 +13,7 @@ def session(derivation):
 
 def places(session, id):
     claim = next(c for c in session.derivation.claims if c.id == id)
-    return {printed.place for printed in Statement(claim, session.on(claim)).places()}
+    return {printed.place for printed in Statement(claim, session.on(claim)).stands_on}
 
 
 @pytest.mark.parametrize(
