@@ -748,3 +748,16 @@ def test_each_save_is_verified_until_an_interruption(tmp_path):
     out, err = watching.communicate()
     assert (watching.returncode, err) == (0, "")
     assert re.findall(r"1 claim: 1 (\w+)", out) == ["refuted", "proved"]
+
+
+FACTORS = st.sampled_from(["1-kx^2", "k-3xy", "x+y", "ky-x^2+2", "xy-k"])
+
+
+@given(st.lists(FACTORS, min_size=1, max_size=2, unique=True))
+@settings(max_examples=6)
+def test_a_condition_is_named_as_its_denominator_is_printed(factors):
+    system = System(r"\dot x=y, \dot y=-kx")
+    below = "".join(f"({factor})" for factor in factors)
+    outcome = system.identity(rf"\frac{{{below}}}{{{below}}}=1").outcome
+    named = {to_latex(one.expression).replace(" ", "") for one in outcome.conditions}
+    assert outcome.verdict is Verdict.CONDITIONAL and named == {*factors}
