@@ -69,7 +69,7 @@ READ: dict[Path, int] = {}
 
 
 MADE: list[Section] = []
-"""The sections of the systems that the derivation made which was loaded last, named or not."""
+"""The sections of systems that were made since a derivation was loaded last, named or not."""
 
 
 def source(folder: Path) -> Path:
@@ -147,12 +147,13 @@ def owner(scene: Scene) -> tuple[Path, str] | None:
 
 
 def _derivation(module: ModuleType, file: Path, name: str) -> Derivation:
-    """What a module calls its derivation, or the sections that it made and its values have."""
+    """What a module calls its derivation, or the sections that it states, or its values have."""
     found = getattr(module, "derivation", None)
     if isinstance(found, Derivation):
         return found
     sections = (getattr(value, "section", None) for value in vars(module).values())
-    own = tuple(dict.fromkeys([*MADE, *(one for one in sections if isinstance(one, Section))]))
+    stated = [one for one in MADE if any(place == str(file) for place, _ in one.lines.values())]
+    own = tuple(dict.fromkeys([*stated, *(one for one in sections if isinstance(one, Section))]))
     if not own:
         raise LibraryError(
             f"{file} states nothing: make a System(...), or define `derivation = Derivation(...)`"

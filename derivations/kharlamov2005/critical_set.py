@@ -55,7 +55,7 @@ for name, function in (("p", "p^2"), ("c1", "c_1"), ("c2", "c_2")):
             "what it means that the turns of the fields are directions along the level of (4)",
         ),
         on=everywhere,
-        says="the fields can turn about this axis",
+        says=f"${function}$ does not change when the fields turn about an axis",
     )
 
 # -- each of the three is critical; N^4 is in the paper on it ---------------------------------

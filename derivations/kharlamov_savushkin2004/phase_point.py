@@ -200,7 +200,13 @@ any_point = (
 )
 
 section.states(Identity, radicals, on=any_point, says="the radical at any point of $N^4$")
-section.states(Definition, psi, on=any_point, says="quantities in the formulas for the fields", equation=fields[1])
+section.states(
+    Definition,
+    psi,
+    on=any_point,
+    says="quantities in the formulas for the fields",
+    equation=fields[1],
+)
 section.states(Identity, fields, on=any_point, says="the fields at any point of $N^4$")
 section.states(Identity, velocity, on=any_point, says="the velocity at any point of $N^4$")
 section.states(Identity, rates, on=any_point, says="the motion of the variable on $N^4$")

@@ -134,9 +134,7 @@ on_N4 = (
     .defining(complex_integrals[1], complex_integrals[2])
 )
 
-section.states(
-    FirstIntegral, constants[2], on=any_level, says="a constant on $N^4$", ids=("l",)
-)
+section.states(FirstIntegral, constants[2], on=any_level, says="a constant on $N^4$", ids=("l",))
 section.states(Identity, relations[1], on=on_N4, says="$K$ on $N^4$", ids=("k",))
 section.states(Identity, relations[3], on=on_N4, says="the energy on $N^4$", ids=("h",))
 for k in (3, 4, 9):

@@ -16,8 +16,8 @@ from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.paper.texts import Printed
 
-PATIENCE = 100
-"""How many changes are tried for each mutant that is wanted."""
+PATIENCE = 10
+"""How often a token is drawn in vain before no other mutant is looked for."""
 
 Change = tuple[str, int, int, str]
 
@@ -71,9 +71,9 @@ def sample(audit: Audit, size: int, random: Random) -> list[Mutant]:
     """Different mutants, each at a random token and one of its random changes."""
     places, letters = sites(audit), letters_of(audit.session.texts.vocabulary)
     found: dict[str, Mutant] = {}
-    for _ in range(PATIENCE * size):
-        if len(found) == size or not places:
-            break
+    known = idle = 0
+    while len(found) < size and idle < PATIENCE * len(places):
+        known, idle = len(found), 0 if len(found) > known else idle + 1
         site = random.choice(places)
         changes = list(_changes(site.tokens, site.at, site.typed.tex, letters))
         if changes:

@@ -26,6 +26,8 @@ def value_of(formula: Application, setting: Meaning) -> Formula:
                 raise Meaningless(f"{name} is used with other velocities: define it anew")
             return substitute(body, values)
     what = f"the function {formula.function} has no meaning here"
-    if formula.function in (r"\ln", r"\log"):
-        what += ": print the exponential of both sides, a product of powers, as `find darboux` does"
+    if formula.function == r"\ln":
+        what += ": a logarithm is read in a first integral, with a constant factor"
+    elif formula.function == r"\log":
+        what += r": print \ln"
     raise Meaningless(what, formula.function)

@@ -90,8 +90,8 @@ class Examiner:
         """Check a proof; what stands in it is yielded."""
         groups = [[at.scalar(entry) for entry in group] for group in proof.product]
         if groups:
-            if not is_real(at.setting):
-                raise Unproved("cases need real names")
+            if not is_real(at.setting) or not all(groups):
+                raise Unproved("cases need real names, and each supposes something")
             for group, case in zip(groups, proof.cases, strict=True):
                 yield from group
                 yield from self._settle(goals, [*known, *group], case, at)

@@ -5,11 +5,14 @@ from random import Random
 
 import pytest
 
+from kowalevski_cas import System
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.catching import Caught, Measurement, measure
-from kowalevski_cas.audit.mutants import sample
+from kowalevski_cas.audit.mutants import every, sample
+from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli.mutants import report
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.pool import Pool
 from tests.audit.material import audited, base, source, work
 
@@ -18,6 +21,16 @@ def test_a_sample_is_repeated_by_its_seed():
     one, other = (sample(audited(), 20, Random(7)) for _ in range(2))
     assert [m.words for m in one] == [m.words for m in other]
     assert len({m.text for m in one}) == 20
+
+
+def test_a_sample_ends_with_the_mutants_that_there_are():
+    circle = System(r"\dot x=y, \dot y=-x")
+    circle.integral("x^2+y^2")
+    derivation = Derivation("circle", "", "", "", (circle.section,))
+    small = audit(synthetic(derivation), AuditSession(derivation))
+    found = sample(small, 10**400, Random(7))
+    assert {m.text for m in found} <= {m.text for m in every(small)}
+    assert len(found) > 10
 
 
 def test_a_mutant_is_one_token_away():

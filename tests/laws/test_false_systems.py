@@ -32,7 +32,7 @@ class Space:
         system = System(rf"\dot x={rates[0]}, \dot y={rates[1]}, \dot z={rates[2]}")
         pairs = zip((r"\{y,z\}", r"\{z,x\}", r"\{x,y\}"), self.bracket, strict=True)
         system.define(", ".join(f"{pair}={one.tex}" for pair, one in pairs))
-        system.seconds = 2
+        system.seconds = 5
         return system
 
     def fails(self, function):

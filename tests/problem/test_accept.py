@@ -240,6 +240,11 @@ class TestCases:
     def test_a_sum_of_squares_vanishes_with_each(self):
         accepted(self.GOAL, Shown(self.PROOF, ORIGIN))
 
+    @pytest.mark.parametrize("groups", [((),), (row("x", "y"), ()), ((), row("x", "y"))])
+    def test_a_case_that_supposes_nothing(self, groups):
+        proof = Proof((row(1),), groups, (self.CASE,) * len(groups))
+        rejected(self.GOAL, Shown(proof, ORIGIN), "each supposes something")
+
     def test_but_not_for_complex_names(self):
         goal = replace(self.GOAL, space=Space(("x", "y"), conjugates=(("x", "y"),)))
         rejected(goal, Shown(self.PROOF, ORIGIN), "real names")

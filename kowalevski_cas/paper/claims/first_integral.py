@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 
-from kowalevski_cas.notation import Formula, Name, Power, Relation
+from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Power, Relation
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import equations, members, rate, vanishes
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.logarithms import derived, has_logarithm
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank
-from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.problem.space import Equation, Meaningless
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,7 +27,8 @@ class FirstIntegral(Claim):
     All members of a printed chain are the same function, which is not constant by itself (nor is
     any component of it, if it is a vector): its differential is independent of those of the set at
     a real point. With a set, the claim includes that the set is invariant, and that the function
-    is not constant off the set.
+    is not constant off the set. Of logarithms, which stand with constant factors, it is the
+    derivatives that are stated.
     """
 
     given: tuple[Printed, ...] = ()
@@ -33,7 +36,11 @@ class FirstIntegral(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         space = on(self.scene)
-        chain = [parts(space.plain(member), space) for member in self.constants(on, space)]
+        printed = self.constants(on, space)
+        if any(map(has_logarithm, printed)):
+            yield from self._of_logarithms(space, printed)
+            return
+        chain = [parts(space.plain(member), space) for member in printed]
         for same in zip(*chain, strict=True):
             yield from self._goals(on, space, same)
 
@@ -49,6 +56,19 @@ class FirstIntegral(Claim):
             invariant = InvariantRelations(self.id, self.scene, None, "", self.given, self.main)
             yield from invariant.goals(on)
         yield Rank(space, (same[-1],), given, 1 + len(space.finder.differences(given)))
+
+    def _of_logarithms(self, space: Elaboration, printed: list[Formula]) -> Iterator[Goal]:
+        """The rate of a function with logarithms vanishes, and its differential does not."""
+        if len(printed) > 1 or self.given:
+            raise Meaningless("a function with logarithms is claimed by itself, on no set")
+
+        def vanishing(by: Callable[[Formula], Formula]) -> Equation:
+            return vanishes(space.plain(derived(printed[0], by, space)))
+
+        mark = "dot" if self.scene.time == "t" else "prime"
+        yield Follows(space, ((vanishing(lambda one: Derivative(one, mark)),),), ())
+        names = (*self.scene.variables, *space.velocities.values())
+        yield Fails(space, (tuple(vanishing(partial(Partial, by=name)) for name in names),))
 
     def constants(self, on: Elaborations, space: Elaboration) -> list[Formula]:
         """The members that have to be constant; not names that are defined by the others."""

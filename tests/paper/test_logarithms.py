@@ -1,0 +1,79 @@
+"""First integrals with logarithms, of which only derivatives are stated."""
+
+import pytest
+
+from kowalevski_cas import System
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.run import verify
+
+VOLTERRA = r"\dot x=\alpha x-\beta xy,\quad \dot y=\delta xy-\gamma y"
+INTEGRAL = r"\delta x-\gamma\ln x+\beta y-\alpha\ln y"
+
+
+@pytest.fixture(scope="module")
+def volterra():
+    return System(VOLTERRA)
+
+
+@pytest.mark.parametrize(
+    "tex",
+    [
+        INTEGRAL,
+        INTEGRAL + r"=\mathrm{const}",
+        r"\frac{\delta x-\gamma\ln|x|}{\alpha}+\frac{\beta y}{\alpha}-\ln|y|",
+        r"-(\gamma\ln x-\delta x)+\beta y-\frac{\alpha}{2}\ln y^2+1",
+        r"\delta x+\beta y-\frac{\alpha-\gamma}{2}\ln\frac{y}{x}-\frac{\alpha+\gamma}{2}\ln(xy)",
+    ],
+)
+def test_the_integral_of_volterra(volterra, tex):
+    claim = volterra.integral(tex)
+    assert claim.verdict is Verdict.CONDITIONAL
+    assert {"x ≠ 0", "y ≠ 0"} <= set(
+        repr(claim).partition("where ")[2].partition(";")[0].split(", ")
+    )
+
+
+@pytest.mark.parametrize("changed", [("-", "+"), (r"\gamma", r"\alpha"), (r"\ln x", r"\ln y"), ("y", "y^2"), (r"\ln x", r"2\ln x")])  # fmt: skip
+def test_a_mutant_is_refuted(volterra, changed):
+    old, new = changed
+    for k in range(INTEGRAL.count(old)):
+        pieces = INTEGRAL.split(old)
+        mutant = old.join(pieces[: k + 1]) + new + old.join(pieces[k + 1 :])
+        assert volterra.integral(mutant).verdict is Verdict.REFUTED, mutant
+
+
+@pytest.mark.parametrize("tex", [r"\ln\frac{x}{x}", r"\ln x-\ln|x|", r"\ln x^2-2\ln x", r"\ln 2"])
+def test_what_is_constant_by_itself_is_no_integral(volterra, tex):
+    assert volterra.integral(tex).verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize(
+    ("tex", "message"),
+    [
+        (r"x\ln x", "with a constant factor only"),
+        (r"\ln\ln x", "with a constant factor only"),
+        (r"(\ln x)^2", "with a constant factor only"),
+        (r"\frac{\ln x}{y}", "with a constant factor only"),
+        (r"\ln x=\ln y", "is claimed by itself"),
+        (r"\log x", r"print \ln"),
+    ],
+)
+def test_other_functions_with_logarithms_are_not_decided(volterra, tex, message):
+    outcome = volterra.integral(tex).outcome
+    assert outcome.verdict is Verdict.ERROR and message in outcome.message
+
+
+def test_all_arithmetics_and_the_checker_agree(tmp_path):
+    from kowalevski_cas.cli import main
+
+    system = System(VOLTERRA, "volterra")
+    system.integral(INTEGRAL)
+    run = verify(Derivation("v", "", "", "", (system.section,)), ["flint", "symengine", "sympy"])
+    assert [one.verdict for one in run.outcomes] == [Verdict.CONDITIONAL]
+    file = tmp_path / "volterra.py"
+    file.write_text(
+        f"from kowalevski_cas import System\nv = System(r'{VOLTERRA}')\nv.integral(r'{INTEGRAL}')\n"
+        f"v.integral(r'{INTEGRAL.replace('-', '+')}', expect='refuted')\n"
+    )
+    assert main(["record", str(file)]) == 0 and main(["check", str(file)]) == 0
