@@ -14,7 +14,6 @@ import signal
 import sys
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from contextlib import closing, contextmanager, suppress
-from itertools import islice
 from math import inf
 from select import select
 from time import monotonic
@@ -141,9 +140,9 @@ def _as_done(
     running = list[_Process[Item, Result]]()
     try:
         while True:
-            for process in islice(waiting, max(1, jobs) - len(running)):
-                process.start()
-                running.append(process)
+            while len(running) < max(1, jobs) and (more := next(waiting, None)) is not None:
+                more.start()
+                running.append(more)
             if not running:
                 return
             _listen(running, heard)

@@ -589,6 +589,35 @@ def test_a_derivation_and_a_system_have_one_vocabulary(lorenz):
     assert [outcome.verdict for outcome in run.outcomes] == [Verdict.PROVED]
 
 
+def test_what_is_proved_of_any_system_has_a_certificate(cli):
+    """Names of roots, matrices, velocities of vectors and moduli stand in certificates too."""
+    lines = ["from kowalevski_cas import System"]
+    for number, (field, integral) in enumerate(
+        [
+            (
+                r"\ddot{\mathbf r}=-\frac{\mu}{r^3}\mathbf r,\ r=|\mathbf r|",
+                r"\mathbf r\times\dot{\mathbf r}",
+            ),
+            (r"\dot x=\sqrt{\frac km}y,\ \dot y=-\sqrt{\frac km}x", r"\sqrt{x^2+y^2}"),
+            (
+                r"\begin{pmatrix}2&1\\1&1\end{pmatrix}\begin{pmatrix}\dot q_1\\\dot q_2\end{pmatrix}=\begin{pmatrix}0\\q_1\end{pmatrix}",
+                "2q_1+q_2",
+            ),
+            (r"\dot p_{r_0}=0,\ \mathcal{H}=p_{r_0}^2", r"\mathcal{H}"),
+            (r"\dot x=xy,\ \dot y=-y,\ i^2=-1", r"y+\ln x"),
+        ]
+    ):
+        given = "{r'\\mathbf{r}': ('x', 'y', 'z')}"
+        lines += [
+            f"s{number} = System(r'{field}', 's{number}', {given})",
+            f"s{number}.integral(r'{integral}')",
+        ]
+    file = "\n".join(lines)
+    assert cli("record", file)[0] == 0
+    code, out = cli("check", file)
+    assert code == 0 and "CERTIFIED 5 of 5" in out
+
+
 def test_a_display_is_taken_from_its_source(cli, tmp_path):
     (tmp_path / "paper.tex").write_text(
         r"\newcommand{\half}{\tfrac12}\begin{document}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import sys
 from collections.abc import Iterable, Iterator
@@ -96,11 +97,14 @@ def shortened(line: str) -> str:
 
 def wrapped(words: str, first: str = "", indent: int = 0) -> Iterator[str]:
     """The lines of words behind what stands ``first``; the others begin below these words."""
-    width = max(shutil.get_terminal_size().columns - indent, 40)
-    wrapper = TextWrapper(width, break_long_words=False, break_on_hyphens=False)
-    lines = wrapper.wrap(words) or [""]
-    for k, line in enumerate(lines):
-        yield (first if k == 0 else " " * indent) + line.replace("\xa0", " ")
+    width = max(shutil.get_terminal_size().columns, 40 + indent)
+    begins = len(re.sub("\x1b\\[\\d*m", "", first)) * " "
+    wrapper = TextWrapper(
+        width, begins, " " * indent, break_long_words=False, break_on_hyphens=False
+    )
+    start, *others = wrapper.wrap(words) or [begins]
+    for line in (first + start[len(begins) :], *others):
+        yield line.replace("\xa0", " ")
 
 
 def lines(blocks: Iterable[Block], indent: int = 0) -> Iterator[str]:

@@ -6,8 +6,10 @@ import argparse
 import os
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
+from time import time
 from typing import TYPE_CHECKING, TypeVar
 
 from kowalevski_cas.cli.exits import NOTHING, CommandError
@@ -164,6 +166,9 @@ def add_output(
     )
 
 
+KEPT = 30 * 24 * 3600.0
+"""Seconds after which nobody will go on with what was interrupted."""
+
 HOW = {"jobs", "scheduler", "timeout", "format", "write"}
 """Arguments that do not say what is asked, but how."""
 
@@ -184,7 +189,12 @@ def pool(arguments: argparse.Namespace) -> Pool:
     saved = max(file.stat().st_mtime_ns for file in package.rglob("*.py"))
     asked = {k: v for k, v in vars(arguments).items() if k not in HOW and not callable(v)}
     words = repr((package, saved, Path.cwd(), sorted(asked.items())))
-    folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "kowalevski-cas"
+    caches = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
+    folder = Path(caches) / "kowalevski-cas"
+    with suppress(OSError):
+        for old in folder.glob("*"):
+            if time() - old.stat().st_mtime > KEPT:
+                old.unlink()
     file = folder / sha256(words.encode()).hexdigest()[:32]
     return Pool(arguments.jobs, arguments.scheduler, file)
 

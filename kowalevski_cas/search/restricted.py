@@ -60,8 +60,13 @@ class _Search:
     def __init__(self, field: PolynomialField, relations: Sequence[Element]) -> None:
         self.field = field
         self.context = fmpq_mpoly_ctx.get(field.names, Ordering.deglex)
-        given = [polynomial_of(self.context, field.polynomial(one)) for one in relations]
-        self.basis = Basis([one for one in given if one], ()).reduced()
+        whole = (polynomial_of(self.context, field.polynomial(one)) for one in relations)
+        given = [one for one in whole if one]
+        if not given:
+            raise Meaningless("the relations hold everywhere")
+        self.basis = Basis(given, ()).reduced()
+        if any(one.is_constant() for one in self.basis):
+            raise Meaningless("the relations hold nowhere")
         self.leads = [tuple(map(int, one.monomial(0))) for one in self.basis]
         self.known: list[fmpq_mpoly] = []
         self.others = len(field.names) - field.size

@@ -315,8 +315,12 @@ def test_the_answer_comes_first_and_each_slip_once(cli, derivation, decided, mon
     assert max(map(len, out.splitlines()[:-1])) <= 70
 
 
-def test_claim_by_claim(cli):
+def test_claim_by_claim(cli, monkeypatch):
     only = ("--only", "eq9.i", "--only", "eq12", "--arithmetic", "flint")
+    monkeypatch.setenv("COLUMNS", "60")
+    _, narrow, _ = cli("verify", "kharlamov2002", "-v", *only)
+    assert max(map(len, narrow.splitlines()[:-1])) <= 60
+    monkeypatch.setenv("COLUMNS", "100")
     code, out, _ = cli("verify", "kharlamov2002", "-v", *only)
     assert code == 0
     for words in ("\n2. New solution with two invariant relations\n", "Counterexample. At α₁ = 2, ",

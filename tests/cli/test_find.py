@@ -1,6 +1,7 @@
 """The command that finds first integrals: what it finds is decided like any claim."""
 
 import json
+import os
 
 import pytest
 
@@ -216,8 +217,12 @@ def test_a_search_goes_on_from_what_was_found_when_its_time_was_over(tmp_path, c
     field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-bz"
     file.write_text(f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n")
     words = ["find", "darboux", str(file), "--degree", "4", "--special", "--jobs", "1"]
+    old = tmp_path / "cache" / "kowalevski-cas" / "old"
+    old.parent.mkdir(parents=True)
+    old.touch()
+    os.utime(old, (0, 0))
     assert main([*words, "--timeout", "1"]) == 3
-    assert [*(tmp_path / "cache").rglob("*/*")]
+    assert not old.exists() and [*(tmp_path / "cache").rglob("*/*")]
     assert main([*words, "--timeout", "60"]) == 0
     assert capsys.readouterr().out.endswith("11 found\n")
     assert not [*(tmp_path / "cache").rglob("*/*")]

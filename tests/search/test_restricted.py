@@ -44,6 +44,23 @@ def test_what_is_constant_on_a_set_only(motion, relations, expected):
     assert found(motion, 2, *relations) == expected
 
 
-def test_a_set_that_is_not_invariant_is_refused():
-    with pytest.raises(ValueError, match="are no combinations of them"):
-        found(CHAPLYGIN, 2, "p=0")
+@pytest.mark.parametrize(
+    ("relations", "why"),
+    [
+        (["p=0"], "are no combinations of them"),
+        (["p=p"], "hold everywhere"),
+        (["r=0", "m=0", "r=1"], "hold nowhere"),
+        (["p"], "is no equation"),
+    ],
+)
+def test_what_is_no_invariant_set_is_refused(relations, why):
+    with pytest.raises(ValueError, match=why):
+        found(CHAPLYGIN, 2, *relations)
+
+
+def test_what_excludes_each_other_is_refused():
+    top = System(CHAPLYGIN)
+    with pytest.raises(ValueError, match="either --on or --weighted"):
+        top.find_integrals(2, weighted=True, on=["p=0"])
+    with pytest.raises(ValueError, match="--cofactor or --special"):
+        top.find_darboux(1, special=True, cofactor="r")

@@ -75,6 +75,8 @@ def search(
     def formula(element: Element) -> Formula:
         return formula_of(element, on.texts.vocabulary)
 
+    if arguments.cofactor and arguments.special:
+        raise Meaningless("the constants are general for one K: take --cofactor or --special")
     if arguments.cofactor:
         yield from _with_cofactor(on, scene, arguments, pool)
         return

@@ -48,6 +48,8 @@ def search(
     """The integrals, the lowest degrees first, and that these are all."""
     from kowalevski_cas.search.integrals import first_integrals
 
+    if arguments.on and arguments.weighted:
+        raise Meaningless("relations need not be homogeneous: take either --on or --weighted")
     if arguments.on:
         yield from _on_a_set(on, scene, arguments)
         return
