@@ -205,16 +205,7 @@ def test_the_two_values_are_those_that_plain_python_finds(id, enough):
     assert checked
 
 
-NAMES = (
-    "eq10.1",
-    "eq10.5",
-    "theta-prime",
-    "eq12",
-    "U1-prime",
-    "eq14",
-    "F2-prime",
-    "eq13.conjugate",
-)
+NAMES = "eq10.1 eq10.5 theta-prime eq12 U1-prime eq14 F2-prime eq13.conjugate".split()
 
 
 @pytest.mark.parametrize("id", sampled(NAMES, 3))
