@@ -288,6 +288,15 @@ def test_linear_equations_are_solved_for_the_rates():
     assert [to_latex(one) for one in solved.conditions] == ["ad - bc"]
 
 
+def test_a_condition_is_printed_without_a_minus_before_most_terms():
+    two = System(
+        r"\ddot{\mathbf r}=\frac{\mathbf p-\mathbf r}{|\mathbf p-\mathbf r|^3},\quad \ddot{\mathbf p}=-\ddot{\mathbf r}",
+        vectors={R: ("x", "y"), P: ("u", "v")},
+    )
+    claim = two.integral(r"\dot{\mathbf r}+\dot{\mathbf p}")
+    assert repr(claim).startswith("conditional: where x² − 2xu + y² − 2yv + u² + v² ≠ 0; ")
+
+
 def test_matrices_depend_on_a_parameter():
     circle = System(r"\dot q=p,\ \dot p=-\omega^2q")
     L = circle.define(

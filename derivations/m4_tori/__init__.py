@@ -11,10 +11,10 @@ from . import angles, coincidences, levels
 derivation = Derivation(
     name="m4_tori",
     title="The levels and the tori of the class K = 0",
-    author="The kowalevski_cas authors",
+    author="Derived by the kowalevski_cas authors",
     source=(
-        "Derived here, in the notation of Kharlamov (2002); the class is O. I. Bogoyavlensky's (1984), "
-        "its topology is the subject of D. B. Zotev, Regul. Chaotic Dyn. 5 (2000)"
+        "O. I. Bogoyavlensky's class of 1984, in the notation of Kharlamov (2002); its topology is the "
+        "subject of D. B. Zotev, Regul. Chaotic Dyn. 5 (2000)"
     ),
     sections=(levels.section, angles.section, coincidences.section),
     rests_on=(kharlamov2002, kharlamov_savushkin2004, kharlamov2005),

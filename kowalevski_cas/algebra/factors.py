@@ -11,6 +11,7 @@ from kowalevski_cas.algebra.polynomials import Terms
 def irreducible_factors(terms: Terms) -> list[tuple[Terms, int]]:
     """The irreducible factors of a polynomial with their exponents, numbers left out.
 
+    >>> from fractions import Fraction
     >>> square = {(2, 0): Fraction(2), (1, 1): Fraction(-4), (0, 2): Fraction(2)}
     >>> irreducible_factors(square)
     [({(1, 0): Fraction(1, 1), (0, 1): Fraction(-1, 1)}, 2)]

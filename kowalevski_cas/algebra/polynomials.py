@@ -10,6 +10,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from functools import reduce
+from operator import itemgetter
 from typing import Any
 
 Polynomial = Any
@@ -49,12 +51,14 @@ class Polynomials(ABC):
         self, polynomial: Polynomial, values: Sequence[Polynomial], target: Polynomials
     ) -> Polynomial:
         """The polynomial with polynomials of ``target`` in place of its generators."""
-        total = target.zero
+        total, powers = target.zero, dict[tuple[int, int], Polynomial]()
         for exponents, coefficient in self.terms(polynomial).items():
             product = target.constant(coefficient)
-            for value, exponent in zip(values, exponents, strict=True):
-                for _ in range(exponent):
-                    product = target.product(product, value)
+            for power in filter(itemgetter(1), enumerate(exponents)):
+                if power not in powers:
+                    place, exponent = power
+                    powers[power] = reduce(target.product, [values[place]] * exponent)
+                product = target.product(product, powers[power])
             total = total + product
         return total
 

@@ -86,7 +86,6 @@ class Program(Element):
             return right
         if b == 1:
             return self
-        ring.products += 1
         return ring.step(Op.PRODUCT, (self, right))
 
     def __pow__(self, exponent: int) -> Program:
@@ -96,7 +95,6 @@ class Program(Element):
             return self.ring.number(self.number**exponent)
         if exponent < 2:
             return self if exponent else self.ring.one
-        self.ring.products += exponent.bit_length()
         return self.ring.step(Op.POWER, (self,), exponent)
 
     def inverse(self) -> Program:
@@ -120,13 +118,9 @@ def _program(element: Element) -> Program:
 
 
 class Programs:
-    """The programs in named generators and square roots; it makes them, and shares their numbers.
-
-    ``products`` counts the products that were written down.
-    """
+    """The programs in named generators and square roots; their numbers are shared."""
 
     def __init__(self, generators: Iterable[str]) -> None:
-        self.products = 0
         self.depths: dict[int, dict[Program, int]] = {}
         """How deep derivatives are nested, by the identity of the field."""
         self.roots: list[str] = []

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 import symengine
@@ -34,6 +34,9 @@ class Arithmetic(Polynomials):
 
     def derivative(self, polynomial: Expr, index: int) -> Expr:
         return polynomial.diff(self.symbols[index])
+
+    def composed(self, polynomial: Expr, values: Sequence[Expr], target: Polynomials) -> Expr:
+        return symengine.expand(polynomial.xreplace(dict(zip(self.symbols, values, strict=True))))
 
     def is_zero(self, polynomial: Expr) -> bool:
         return bool(symengine.expand(polynomial) == 0)

@@ -24,7 +24,7 @@ class Ring:
     """A tower of roots over ``polynomials``; it makes the elements.
 
     ``divisors`` lists the polynomials that were divided by, in the order in which
-    they were met; ``products`` counts multiplications of polynomials.
+    they were met.
     """
 
     def __init__(self, polynomials: Polynomials) -> None:
@@ -36,7 +36,6 @@ class Ring:
         self.below: list[Element | None] = []
         """What each root is over, as an element: the generator is this times the root."""
         self.divisors: list[Polynomial] = []
-        self.products = 0
         self._divisor_index: dict[frozenset[Any], int] = {}
         self._squares: dict[int, Parts] = {}
         self._numbers: dict[int | Fraction, Element] = {}
@@ -84,8 +83,7 @@ class Ring:
         return Element(self, {m: p for m, p in parts.items() if not is_zero(p)}, denominator)
 
     def multiply(self, left: Polynomial, right: Polynomial) -> Polynomial:
-        """The product of two polynomials, counted."""
-        self.products += 1
+        """The product of two polynomials."""
         one = self.polynomials.one
         if left is one or right is one:
             return right if left is one else left

@@ -8,8 +8,9 @@ is as recorded if it denies no verdict of the record.
 from __future__ import annotations
 
 import argparse
+import os
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -41,6 +42,9 @@ from kowalevski_cas.verify.record import (
 )
 from kowalevski_cas.verify.teller import disagreement
 
+CORES = os.cpu_count() or 1
+"""How many processes work at once."""
+
 PAUSE = 0.2
 """Seconds between two looks at the files that are watched."""
 
@@ -71,18 +75,43 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run_derivations(arguments: argparse.Namespace) -> list[Result]:
     """Run the derivations and compare them with their records."""
-    return session.watched(
-        lambda found: _result(arguments, *found),
-        session.derivations(arguments.derivations, arguments.only),
-    )
-
-
-def _result(arguments: argparse.Namespace, folder: Path, derivation: Derivation) -> Result:
+    chosen = session.derivations(arguments.derivations, arguments.only)
+    parts = [
+        (place, share)
+        for place, (_, derivation) in enumerate(chosen)
+        for share in _shares(derivation, arguments.only, CORES // len(chosen))
+    ]
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-    found = session.run(
-        folder, derivation, arithmetics, arguments.only, arguments.report is not None,
-        arguments.timeout, seed=arguments.seed,
-    )  # fmt: skip
+
+    def run(part: tuple[int, Sequence[str]]) -> Run:
+        place, share = part
+        return session.run(
+            *chosen[place], arithmetics, share, arguments.report is not None,
+            arguments.timeout, seed=arguments.seed,
+        )  # fmt: skip
+
+    runs: list[list[Run]] = [[] for _ in chosen]
+    for (place, _), found in zip(parts, session.watched(run, parts), strict=True):
+        runs[place].append(found)
+    return [_result(arguments, *one, found) for one, found in zip(chosen, runs, strict=True)]
+
+
+def _shares(derivation: Derivation, only: Sequence[str], parts: int) -> Iterator[Sequence[str]]:
+    """The claims of a derivation in parts, for as many cores: what is decided does not differ."""
+    claims = [claim.id for claim in derivation.claims if not only or claim.id in only]
+    parts = max(1, min(parts, len(claims)))
+    for part in range(parts):
+        yield claims[part::parts]
+
+
+def _result(
+    arguments: argparse.Namespace, folder: Path, derivation: Derivation, runs: Sequence[Run]
+) -> Result:
+    """The parts of a run, put together in the order of the paper, beside the record."""
+    outcomes = {outcome.claim: outcome for run in runs for outcome in run.outcomes}
+    found = replace(
+        runs[0], outcomes=tuple(outcomes[c.id] for c in derivation.claims if c.id in outcomes)
+    )
     if arguments.report is not None or arguments.format == "json":
         found = replace(found, versions=session.versions())
     return compared(folder, derivation, found, not arguments.only)

@@ -145,6 +145,7 @@ MATHML = MathML()
 def to_mathml(formula: Formula) -> str:
     r"""The formula in MathML, without the element ``math`` around it.
 
+    >>> from kowalevski_cas.notation import Name, Number, Quotient
     >>> to_mathml(Quotient(Name(r"\omega_1"), Number(2)))
     '<mfrac><mrow><msub><mi>ω</mi><mn>1</mn></msub></mrow><mn>2</mn></mfrac>'
     """

@@ -98,6 +98,7 @@ TYPST = Typst()
 def to_typst(formula: Formula) -> str:
     r"""The formula in the mathematics of Typst, without dollar signs.
 
+    >>> from kowalevski_cas.notation import Name, Quotient, Root
     >>> to_typst(Quotient(Name(r"\omega_1"), Root(Name("x"))))
     'frac(ω_(1), sqrt(x))'
     """

@@ -56,7 +56,7 @@ class _Annotated:
         self.run = run = Run(
             derivation.name, derivation.title, derivation.author, derivation.source,
             tuple((s.number, s.title) for s in derivation.sections),
-            tuple(audit.outcomes.values()), tuple(audit.session.arithmetics), {}, "",
+            tuple(audit.outcomes.values()), tuple(audit.session.arithmetics), {},
             audit.session.texts.vocabulary,
         )  # fmt: skip
         paper = sections(run, derivation, audit.session.texts)

@@ -166,7 +166,7 @@ class Contents:
         if self.programs:
             named = listed([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])
             text = (*text, " Of these certificates, ", *named, ".")
-        if not run.digest:  # an audit, which leaves no table
+        if not run.versions:  # an audit, which leaves no table
             return text
         table = Link(f"{run.derivation}.json", (f"{run.derivation}.json",), outside=True)
         return (*text, " Who confirms which, with all digests, is in ", table, ".")

@@ -23,7 +23,6 @@ def facts(run: Run, certified: Mapping[str, str], programs: Sequence[Witness]) -
             "confirmed by": [one.name for one in programs if outcome.claim in one.claims],
             "rests on": list(outcome.rests_on),
             "read with the corrections of": list(outcome.corrected),
-            "products": outcome.products,
         }
 
     content = {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -151,12 +151,3 @@ class Bench:
             return self.evaluations[key]
 
         return of
-
-    def _products(self) -> int:
-        return sum(at.ring.products for at in self._all_evaluations())
-
-    def _all_evaluations(self) -> Iterator[Evaluation]:
-        yield from self.evaluations.values()
-        for setting in self.elaborations.made():
-            if "finder" in setting.__dict__:
-                yield setting.finder

@@ -130,12 +130,12 @@ def _denominators(setting: Elaboration, stated: Sequence[Formula]) -> Iterator[F
 
 
 def _positive(divisor: Element, setting: Elaboration) -> Formula:
-    """A divisor as it is printed, without a minus before each term."""
+    """A divisor as it is printed, without a minus before most terms."""
     words = setting.texts.vocabulary
     formula = formula_of(divisor, words)
     terms = formula.terms if isinstance(formula, Sum) else (formula,)
-    negative = all(isinstance(term, Negative) for term in terms)
-    return formula_of(-divisor, words) if negative else formula
+    negative = sum(isinstance(term, Negative) for term in terms)
+    return formula_of(-divisor, words) if 2 * negative > len(terms) else formula
 
 
 def _granted(setting: Elaboration) -> Iterator[Element]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from enum import StrEnum
+from hashlib import sha256
 
 from kowalevski_cas.notation import Edit, Formula, Vocabulary, to_latex
 from kowalevski_cas.paper.texts import Printed
@@ -119,15 +120,13 @@ class Correction:
 class Outcome:
     """Everything a run says about one claim.
 
-    ``products`` counts the multiplications of polynomials that the decision
-    took: a cost that is the same on every machine. ``seconds`` and ``verdicts``
-    hold the measured time and the verdict of each arithmetic. ``chance`` bounds the
-    probability that ``probable`` is wrong, ``radius`` that of the ball of ``enclosed``.
-    ``formulas`` are those of the claim and ``source`` is how the paper prints them,
-    which stands in for them where they cannot be read. ``granted`` lists what the
-    scenes of the claim suppose not to vanish, ``branches`` the equations by which they choose one
-    of the two values of a printed root, ``corrected`` the claims whose accepted corrections
-    it rests on. Words have mathematics between dollars.
+    ``seconds`` and ``verdicts`` hold the measured time and the verdict of each arithmetic.
+    ``chance`` bounds the probability that ``probable`` is wrong, ``radius`` that of the ball of
+    ``enclosed``. ``formulas`` are those of the claim and ``source`` is how the paper prints them,
+    which stands in for them where they cannot be read. ``granted`` lists what the scenes of the
+    claim suppose not to vanish, ``branches`` the equations by which they choose one of the two
+    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. Words
+    have mathematics between dollars.
     """
 
     claim: str
@@ -144,7 +143,6 @@ class Outcome:
     rests_on: tuple[str, ...] = ()
     digest: str = ""
     message: str = ""
-    products: int = 0
     seconds: dict[str, float] = field(default_factory=dict)
     verdicts: dict[str, Verdict] = field(default_factory=dict)
     chance: float | None = None
@@ -159,8 +157,7 @@ class Run:
     """The outcomes of one derivation, in the order of the paper.
 
     ``sections`` lists number and heading; ``versions`` the programs and
-    libraries that took part; ``digest`` binds the statements that were decided; in
-    ``vocabulary`` the words of all outcomes can be read.
+    libraries that took part; in ``vocabulary`` the words of all outcomes can be read.
     """
 
     derivation: str
@@ -171,8 +168,13 @@ class Run:
     outcomes: tuple[Outcome, ...]
     arithmetics: tuple[str, ...]
     versions: dict[str, str]
-    digest: str
     vocabulary: Vocabulary
+
+    @property
+    def digest(self) -> str:
+        """What binds the statements that were decided."""
+        text = "\n".join(f"{outcome.claim} {outcome.digest}" for outcome in self.outcomes)
+        return sha256(text.encode()).hexdigest()[:16]
 
 
 def in_latex(formulas: Iterable[Formula]) -> str:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from hashlib import sha256
 from time import perf_counter
 
 from kowalevski_cas.algebra import POINTS, load, load_points
@@ -93,7 +92,6 @@ class Session(Mender):
             outcomes=tuple(outcomes),
             arithmetics=tuple(self.arithmetics),
             versions={},
-            digest=combined(f"{o.claim} {o.digest}" for o in outcomes),
             vocabulary=self.texts.vocabulary,
         )
 
@@ -128,7 +126,7 @@ class Session(Mender):
 
     def decide(self, claim: Claim) -> Outcome:
         """The outcome for one claim, if all stands that it rests on."""
-        on, before, start = self.on(claim), self._products(), perf_counter()
+        on, start = self.on(claim), perf_counter()
         try:
             with time_limit(self.timeout):
                 outcome = self._decided(claim, on)
@@ -144,7 +142,6 @@ class Session(Mender):
             correcting = perf_counter()
             outcome = self._with_correction(claim, on, outcome, correcting - start)
             outcome.seconds[self.arithmetics[0]] += perf_counter() - correcting
-        outcome = replace(outcome, products=self._products() - before)
         return self.with_acceptance(claim, outcome)
 
     def _decided(self, claim: Claim, on: Elaborations) -> Outcome:
@@ -176,8 +173,3 @@ class Session(Mender):
             return replace(outcome, verdict=verdict, message=outcome.message or late)
         except (FormatError, Unproved, ProcessDied) as error:
             return replace(outcome, verdict=Verdict.ERROR, message=str(error))
-
-
-def combined(parts: Iterable[str]) -> str:
-    """One digest of many texts."""
-    return sha256("\n".join(parts).encode()).hexdigest()[:16]

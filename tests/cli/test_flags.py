@@ -42,7 +42,7 @@ COMMANDS = (
 USES = ["\0".join(words).format(odd) for words in COMMANDS for odd in ODD]
 
 
-@pytest.mark.parametrize("use", sampled(USES, 30, id=lambda use: use[:60]))
+@pytest.mark.parametrize("use", sampled(USES, 15, id=lambda use: use[:60]))
 def test_no_flag_gives_a_traceback(use, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     try:

@@ -4,6 +4,7 @@ import pytest
 
 from kowalevski_cas import System
 from kowalevski_cas.verify.outcome import Verdict
+from tests.sample import sampled
 
 PROVED, REFUTED = Verdict.PROVED, Verdict.REFUTED
 
@@ -43,7 +44,9 @@ def test_jacobi():
     assert "of two variables" in plane.jacobi().outcome.message
 
 
-@pytest.mark.parametrize("mutant", ["x^2+y^2-z^2", "x^2+y^2+2z^2", "x^3+y^2+z^2", "x+y+z", "a"])
+@pytest.mark.parametrize(
+    "mutant", sampled(["x^2+y^2-z^2", "x^2+y^2+2z^2", "x^3+y^2+z^2", "x+y+z", "a"], 2)
+)
 def test_casimir_functions(mutant):
     body, H, K = euler()
     assert body.casimir(K).verdict is PROVED
@@ -52,7 +55,7 @@ def test_casimir_functions(mutant):
     assert "not an equation" in body.casimir(f"{mutant}=1").outcome.message
 
 
-@pytest.mark.parametrize("mutant", ["G=x^4+4x^2y^2+4u(uy-vx)", "G=x^4+4x^2y-4u(uy-vx)"])
+@pytest.mark.parametrize("mutant", sampled(["G=x^4+4x^2y^2+4u(uy-vx)", "G=x^4+4x^2y-4u(uy-vx)"], 1))
 def test_involution(mutant):
     system, H, G = henon_heiles()
     assert system.involution(H, G).verdict is PROVED

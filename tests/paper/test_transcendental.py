@@ -106,7 +106,8 @@ def test_rates_are_those_of_calculus(on, function, m, x, y, u):
         (r"\sin v", "its argument has to be made of variables that stand under such functions"),
         (r"\sin\frac x2", "with whole coefficients"),
         (r"e^x", "is not known here"),
-        (r"\ln v", r"the function \ln has no meaning here"),
+        (r"v\ln v", "a logarithm is read with a constant factor only"),
+        (r"\arctan v", r"the function \arctan has no meaning here"),
     ],
 )
 def test_what_is_not_known_is_an_error_that_says_so(tex, message):

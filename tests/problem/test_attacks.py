@@ -623,7 +623,7 @@ class TestCount:
 
 class TestNames:
     @pytest.mark.parametrize("name", ["х", "x y", "x = 0", "(x + y)", "", "1", "1/0", "x\n", "+", "x,y", "é",
-        "x\u202e", "{", "-x", "x^2", "x*y", "x*", "\\", "x{=0}", "x{a b}", ":x", "x^", "x{", "x}", "x{}", "x{\n}"])  # fmt: skip
+        "x\u202e", "{", "-x", "x^2", "x*y", "x*", "\\", "x{=0}", "x{a=b}", "x{a} b", ":x", "x^", "x{", "x}", "x{}", "x{\n}"])  # fmt: skip
     def test_odd_names(self, name):
         entry = [{"point": {"roots": [], "values": [[name, 0]]}}]
         rejected([{"variables": [name]}], [follows([name, name])], entry, "odd")

@@ -17,9 +17,10 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless, formulas_of, generators
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import load_certificates
-from kowalevski_cas.verify.run import Session, combined
+from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
 from tests.problem.tampering import changed, others, places
+from tests.sample import sampled
 
 ESTABLISHED = ["eq4.1", "eq6", "eq10.5", "eq12", "eq14", "eq16.1", "eq21"]
 
@@ -80,7 +81,8 @@ def test_parameters_are_part_of_the_statement(derivation):
 def test_different_claims_have_different_digests(run):
     found = [outcome.digest for outcome in run.outcomes]
     assert len(set(found)) == len(found)
-    assert run.digest == combined(f"{o.claim} {o.digest}" for o in run.outcomes)
+    changed = [replace(run, outcomes=(*run.outcomes[:k], *run.outcomes[k + 1 :])) for k in (0, -2)]
+    assert len({one.digest for one in (run, *changed)}) == 3
 
 
 # -- both papers, statement by statement -------------------------------------------
@@ -88,7 +90,7 @@ def test_different_claims_have_different_digests(run):
 PAPERS = {name: load(name) for name in ("kharlamov2002", "kharlamov_savushkin2004")}
 
 
-@pytest.fixture(scope="module", params=PAPERS)
+@pytest.fixture(scope="module", params=sampled(PAPERS, 1))
 def statements(request):
     session = Session(PAPERS[request.param], ["flint"])
     return request.param, [Statement(c, session.on(c)) for c in PAPERS[request.param].claims]

@@ -19,7 +19,7 @@ def undecided(derivation: Derivation) -> Run:
         for claim in section.claims
     )
     words = derivation.texts().vocabulary
-    return Run(derivation.name, "", "", "", (), outcomes, (), {}, "", words)
+    return Run(derivation.name, "", "", "", (), outcomes, (), {}, words)
 
 
 @pytest.fixture(scope="module")

@@ -60,7 +60,9 @@ def test_a_page_carries_it_small(tmp_path: Path) -> None:
     assert for_a_page(tmp_path / "noise.png") == small
 
 
-@pytest.mark.parametrize("engine", ["typst", pytest.param("latex", marks=needs_latex)])
+@pytest.mark.parametrize(
+    "engine", ["typst", pytest.param("latex", marks=[needs_latex, pytest.mark.slow])]
+)
 def test_they_are_in_the_pdf(tmp_path: Path, engine: pdf.Engine) -> None:
     offer(tmp_path / "motion")
     written = write_report(SMALL, in_order(SMALL), tmp_path, engine=engine)

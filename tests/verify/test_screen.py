@@ -16,7 +16,7 @@ BEYOND = {
 
 @pytest.fixture(
     scope="module",
-    params=[pytest.param(p, marks=pytest.mark.slow if p == "ball" else []) for p in POINTS],
+    params=[pytest.param(p, marks=[] if p == "modular" else pytest.mark.slow) for p in POINTS],
 )
 def screening(request, derivation, certificates, record):
     return verify(derivation, (request.param,), certificates=certificates, record=record)

@@ -63,7 +63,6 @@ def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
         "chance": outcome.chance,
         "radius": outcome.radius,
         "seconds": {name: round(value, 6) for name, value in outcome.seconds.items()},
-        "products": outcome.products,
         "counterexample": counterexample(outcome.counterexample),
         "correction": correction(outcome.correction),
         "branches": [to_latex(formula) for formula in outcome.branches],
