@@ -38,6 +38,9 @@ QUESTIONS = {
     "exponents": "the balances of the leading terms, and their Kowalevski exponents",
 }
 
+LONGEST = 400
+"""How many letters of formulas are printed on a line, if not all are asked for."""
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command, and those of each question."""
@@ -49,7 +52,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         one.add_argument("derivation", metavar="DERIVATION", help="name in the library, or folder")
         one.add_argument("--scene", metavar="NAME", help="the scene, by its name")
         module.add_arguments(one)
-        one.add_argument("--format", choices=("pretty", "json"), default="pretty")
+        session.add_format(one, ("pretty", "verbose", "json"), "formula")
         one.add_argument(
             "--write", action="store_true", help="append what is proved of the motion to the file"
         )
@@ -61,7 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     ((_, derivation),) = session.derivations([arguments.derivation])
     scene = _scene(derivation, arguments.scene)
-    forecast(scene, arguments.question, getattr(arguments, "degree", 0))
+    forecast(scene, arguments.question, getattr(arguments, "degree", 0) or 0)
     file, name = _owner(scene) if arguments.write else (None, "")
     pool = session.pool(arguments)
     (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments, name, pool), [None])
@@ -69,22 +72,34 @@ def run(arguments: argparse.Namespace) -> int:
         write(file, file.read_text(encoding="utf-8") + answer.claims)
     outcomes = answer.run.outcomes
     if arguments.format == "json":
-        print(json.dumps([_data(outcome) for outcome in outcomes], indent=1))
+        print(json.dumps([*map(_data, answer.findings, outcomes)], indent=1))
     else:
-        for outcome in outcomes:
+        verbose = arguments.format == "verbose"
+        for finding, outcome in zip(answer.findings, outcomes, strict=True):
             said = plain.words(outcome.words, answer.run.vocabulary)
-            shown = ", ".join(map(to_plain, outcome.formulas))
+            formulas = () if finding.steps and not verbose else outcome.formulas
+            shown = _cut(", ".join(map(to_plain, formulas)), verbose)
             print(f"{outcome.verdict}  {said}{':  ' if shown else ''}{shown}")
+            for one in finding.computed:
+                print(f"computed  {_cut(plain.words(one, answer.run.vocabulary), verbose)}")
         print(f"{len(outcomes)} found")
     if answer.unfinished:
         raise CommandError(answer.unfinished, UNDECIDED)
     return AS_RECORDED if all(one.verdict.green for one in outcomes) else UNDECIDED
 
 
+def _cut(shown: str, verbose: bool) -> str:
+    """As much as can be read, or all if it is asked for."""
+    if verbose or len(shown) <= LONGEST:
+        return shown
+    return f"{shown[:LONGEST]} … ({len(shown)} letters: -v shows all)"
+
+
 @dataclass(frozen=True)
 class _Answer:
     """What was found, and why nobody looked further, if something is left."""
 
+    findings: list[Finding]
     run: Run
     unfinished: str
     claims: str
@@ -111,7 +126,7 @@ def _answer(
     kinds = ", ".join(sorted({*kept.values()}))
     lines = [f"from kowalevski_cas.paper.claims import {kinds}"] if kept else []
     lines += kept
-    return _Answer(run, unfinished, "\n".join(["", *lines, ""]))
+    return _Answer(findings, run, unfinished, "\n".join(["", *lines, ""]))
 
 
 def found(search: Iterator[Finding], seconds: float) -> tuple[list[Finding], str]:
@@ -168,9 +183,10 @@ def _scene(derivation: Derivation, name: str | None) -> Scene:
     raise CommandError(f"{said}: --scene with one of {'; '.join(known)}", NOTHING)
 
 
-def _data(outcome: Outcome) -> dict[str, object]:
+def _data(finding: Finding, outcome: Outcome) -> dict[str, object]:
     return {
         "says": outcome.words,
+        "computed": finding.computed,
         "formulas": [to_latex(formula) for formula in outcome.formulas],
         "verdict": str(outcome.verdict),
         "digest": outcome.digest,

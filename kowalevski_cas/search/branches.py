@@ -58,7 +58,11 @@ def branches(
     """
     granted = tuple(factor for one in nonzero for factor in _factors(one))
     groups = [_factors(one) for one in equations if not one.is_zero()]
-    found = [*_split(groups, tuple(places), granted, ())]
+    yield from maximal([*_split(groups, tuple(places), granted, ())])
+
+
+def maximal(found: Sequence[Branch]) -> Iterator[Branch]:
+    """Those that are not seen to be a part of another one; of equal ones the first."""
     for k, one in enumerate(found):
         others = ((j, other) for j, other in enumerate(found) if j != k and one.is_part(other))
         if not any(j < k or not other.is_part(one) for j, other in others):

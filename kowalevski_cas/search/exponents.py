@@ -22,7 +22,7 @@ from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.polynomial_fields import PolynomialField
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.branches import Branch, solved, without
+from kowalevski_cas.search.branches import Branch, maximal, solved, without
 from kowalevski_cas.search.groebner import Basis
 
 LARGEST = 6
@@ -107,24 +107,27 @@ class LeadingPart:
         Raises:
             Meaningless: it is not seen of a case that it is a balance.
         """
-        equations = [
+        sides = [
             self.multiple * to_flint(w) * variable + part
             for w, variable, part in zip(self.weights, self.variables, self.leading, strict=True)
         ]
         homogeneous = [
             one + (self.scale - 1) * (one - part)
-            for one, part in zip(equations, self.leading, strict=True)
+            for one, part in zip(sides, self.leading, strict=True)
         ]
         tasks = (
             ([*homogeneous, *self.variables[:k]], self.places, [self.scale, variable])
             for k, variable in enumerate(self.variables)
         )
-        for found in chain.from_iterable(pool.map(solved, tasks)):
-            rest = self._rest(found)
+        found = []
+        for one in chain.from_iterable(pool.map(solved, tasks)):
+            rest = self._rest(one)
             if rest is not None:
-                at_one = ((place, self._at_one(one)) for place, one in found.solved)
-                pairs = tuple((place, _monic(one, place)) for place, one in at_one)
-                yield self._balance(equations, Branch(pairs, rest, ()))
+                at_one = ((place, self._at_one(equation)) for place, equation in one.solved)
+                pairs = tuple((place, _monic(equation, place)) for place, equation in at_one)
+                found.append(Branch(pairs, rest, ()))
+        for equations in maximal(found):
+            yield self._balance(sides, equations)
 
     def _at_one(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """A polynomial at the scale 1, with leading coefficient 1."""
@@ -157,7 +160,7 @@ class LeadingPart:
             parts = [divided(entry, solved) for entry in row]
             unit = prod({str(u): u for u, *_ in parts}.values(), start=self.context.constant(1))
             matrix.append(tuple(rest * (unit / u) for u, _, rest in parts))
-        characteristic = divided(_determinant(matrix), Branch((), equations.rest, ()))
+        characteristic = divided(determinant(matrix), Branch((), equations.rest, ()))
         exponents, factors = self._roots(characteristic[2])
         return Balance(equations, divisions, tuple(matrix), characteristic, exponents, factors)
 
@@ -180,7 +183,8 @@ class LeadingPart:
 def leading_weights(rates: Sequence[Sequence[tuple[int, ...]]]) -> tuple[Fraction, ...]:
     """The positive weights under which most terms lead, and none is heavier than these.
 
-    A term leads if it is heavier by 1 than the variable of which it stands in the derivative.
+    Whole weights are rather taken than halves. A term leads if it is heavier by 1 than the variable
+    of which it stands in the derivative.
 
     >>> [str(w) for w in leading_weights([[(0, 1)], [(3, 0), (1, 0)]])]
     ['1', '2']
@@ -191,7 +195,7 @@ def leading_weights(rates: Sequence[Sequence[tuple[int, ...]]]) -> tuple[Fractio
         for k, rate in enumerate(rates)
         for one in rate
     ]
-    best: tuple[int, Fraction, tuple[Fraction, ...]] | None = None
+    best: tuple[int, int, Fraction, tuple[Fraction, ...]] | None = None
     for scale in (1, 2):
         top, waiting = LARGEST * scale, [tuple[int, ...]()]
         while waiting:
@@ -204,11 +208,11 @@ def leading_weights(rates: Sequence[Sequence[tuple[int, ...]]]) -> tuple[Fractio
                 waiting += [(*own, weight) for weight in range(top, 0, -1)]
                 continue
             weights = tuple(Fraction(weight, scale) for weight in own)
-            found = (-leads, sum(weights, Fraction(0)), weights)
+            found = (-leads, scale, sum(weights, Fraction(0)), weights)
             best = min(best or found, found)
     if best is None:
         raise Meaningless(f"no term of the motion leads under positive weights up to {LARGEST}")
-    return best[2]
+    return best[-1]
 
 
 def _range(row: Sequence[int], own: Sequence[int], top: int) -> tuple[int, int]:
@@ -247,7 +251,7 @@ def _monic(equation: fmpq_mpoly, place: int) -> fmpq_mpoly:
     return equation / slope.leading_coefficient() if slope.is_constant() else equation
 
 
-def _determinant(matrix: Sequence[Sequence[fmpq_mpoly]]) -> fmpq_mpoly:
+def determinant(matrix: Sequence[Sequence[fmpq_mpoly]]) -> fmpq_mpoly:
     """The determinant, by the minors of the first rows."""
     size = len(matrix)
     minors: dict[tuple[int, ...], fmpq_mpoly] = {(): matrix[0][0].context().constant(1)}

@@ -19,7 +19,8 @@ class Finding:
     """A claim of some kind whose formulas are found, and stand in no paper.
 
     ``tex`` is the one formula of the claim, if it has one. TeX among the ``attributes`` becomes
-    places as well; the same TeX is the same place.
+    places as well; the same TeX is the same place. If the formula is only how the words are seen
+    to hold, it is of ``steps``. What is ``computed`` besides is stated by no claim.
     """
 
     kind: type[Claim]
@@ -27,6 +28,8 @@ class Finding:
     says: str
     tex: str = ""
     attributes: Mapping[str, Attribute] = field(default_factory=dict)
+    steps: bool = False
+    computed: tuple[str, ...] = ()
 
     def claim(self, id: str, place: Callable[[Any], Printed]) -> Claim:
         """The claim with this id; ``place`` says where a formula stands."""

@@ -161,14 +161,64 @@ def test_darboux_polynomials_and_the_constants_for_which_there_are_some(tmp_path
     assert lines[-1] == "4 found"
 
 
+TWO_FIELDS = ["find", "exponents", "kharlamov2002", "--scene", "Kowalevski case"]
+
+
 def test_kowalevski_exponents_of_two_fields(capsys):
-    words = ["find", "exponents", "kharlamov2002", "--scene", "Kowalevski case"]
-    assert main([*words, "--format", "json"]) == 0
-    found = json.loads(capsys.readouterr().out)
-    assert {one["verdict"] for one in found} == {"proved"}
-    principal = [one["says"] for one in found if ", principal" in one["says"]]
-    assert principal
-    assert all(one.startswith("exponents -1, 0, 0, 1, 2, 2, 3, 4, 4,") for one in principal)
+    assert main([*TWO_FIELDS, "--format", "json"]) == 0
+    weights, *found = json.loads(capsys.readouterr().out)
+    assert r"$\omega_3$ counts 1, $\alpha_1$ counts 2" in weights["says"]
+    assert {one["verdict"] for one in (weights, *found)} == {"proved"}
+    (principal,) = [one for one in found if ", principal" in one["says"]]
+    assert principal["says"].endswith(": exponents -1, 0, 0, 1, 2, 2, 3, 4, 4, principal")
+    assert any("is passed" in one for one in principal["computed"])
+    assert [len(one["computed"]) for one in found] == [2] * len(found)
+
+
+def test_the_steps_of_exponents_are_printed_only_if_they_are_asked_for(capsys):
+    assert main(TWO_FIELDS) == 0
+    short = capsys.readouterr().out.splitlines()
+    assert max(map(len, short)) < 400 and "counts" not in "".join(short[1:])
+    assert [line.split()[0] for line in short[:4]] == ["proved", "proved", "computed", "computed"]
+    assert main([*TWO_FIELDS, "-v"]) == 0
+    full = capsys.readouterr().out.splitlines()
+    assert all(long.startswith(line) for line, long in zip(short, full, strict=True))
+    assert sum("det(" in line for line in full) == sum("balance" in line for line in short) == 2
+
+
+def test_a_long_formula_is_cut(capsys):
+    words = [*CASE, "--degree", "4"]
+    printed = []
+    for more in ([], ["-v"]):
+        assert main([*words, *more]) == 0
+        printed.append(capsys.readouterr().out.splitlines())
+    short, full = printed
+    (cut,) = [k for k, line in enumerate(short) if line.endswith(" letters: -v shows all)")]
+    assert full[cut].startswith(short[cut].partition(" … (")[0]) and len(full[cut]) > 400
+    assert short[:cut] == full[:cut] and short[cut + 1 :] == full[cut + 1 :]
+
+
+def test_without_a_degree_the_largest_exponent_is_taken(tmp_path, capsys):
+    file = tmp_path / "toda.py"
+    field = r"\dot a=2a(v-u),\; \dot b=2b(w-v),\; \dot u=2a,\; \dot v=2b-2a,\; \dot w=-2b"
+    file.write_text(f"from kowalevski_cas import System\ntoda = System(r'{field}')\n")
+    assert main(["find", "integrals", str(file), "--weighted"]) == 0
+    *found, every, _ = capsys.readouterr().out.splitlines()
+    assert len(found) == 3 and "up to degree 3 is a polynomial in these" in every
+
+
+def test_the_painleve_test_of_the_lorenz_equations(tmp_path, capsys):
+    file = tmp_path / "lorenz.py"
+    field = r"\dot x=\sigma(y-x),\quad \dot y=\rho x-y-xz,\quad \dot z=xy-bz"
+    file.write_text(f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n")
+    assert main(["find", "exponents", str(file), "--write"]) == 0
+    printed = capsys.readouterr().out
+    assert (
+        "passed where σ = 1/2, b = 1, ρ = 0, or σ = 1, b = 2, ρ = 1/9, or σ = 1/3, b = 0;"
+        in printed
+    )
+    assert "are not critical here has weight 2 or 4" in printed
+    assert "Painlev" not in file.read_text()
 
 
 def test_an_integral_with_an_exponential_factor(tmp_path, capsys):

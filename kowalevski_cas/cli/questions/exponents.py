@@ -1,9 +1,10 @@
-r"""Find the Kowalevski exponents: the balances x = c t^-w of the leading terms, and what follows.
+r"""Find the Kowalevski exponents: the balances x = c t^-w of the leading terms.
 
 Where the motion is not homogeneous, the weights are those under which most terms lead. In the
 equations of a balance a variable stands for its c, and constants are in general position. A balance
-is principal if its exponents are -1, once, and natural numbers: only there can a Laurent series
-begin that has all its free coefficients. The Painlevé test asks for that, and for more.
+is principal if its exponents are -1, once, and natural numbers. The Painlevé test looks whether
+Laurent series with all their free constants begin there, and for which real constants of the motion
+they do. It is computed, and no claim states it; -v shows the identities that are claimed.
 """
 
 from __future__ import annotations
@@ -19,8 +20,10 @@ from kowalevski_cas.algebra.present import fraction_formula, name_formula, polyn
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
+    Name,
     Negative,
     Number,
+    Partial,
     Power,
     Relation,
     Sum,
@@ -34,11 +37,16 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.pool import HERE, Pool
+from kowalevski_cas.search.branches import Branch
 from kowalevski_cas.search.exponents import Balance, LeadingPart
+from kowalevski_cas.search.painleve import laurent
 from kowalevski_cas.verify.found import Finding
 
 LETTERS = (r"\rho", r"\lambda", *(rf"\rho_{k}" for k in range(10)))
 """Names for an exponent, of which the first that the scene does not have is taken."""
+
+FREE = ("C", "K", "c", "k")
+"""Letters for free constants: the first with which no name of the scene begins is taken."""
 
 BELOW = r" \\ "
 """What stands between the rows of a matrix."""
@@ -52,16 +60,24 @@ def search(
     on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
 ) -> Iterator[Finding]:
     """Of each balance that it solves the leading equations, and its exponents."""
+    part, scene, words = leading(on, scene)
+    told = _Told(part, scene, words)
+    said, tex = told.weights(), told.homogeneous()
+    yield Finding(Identity, scene, said, tex, steps=True)
+    for balance in part.balances(pool):
+        said, tex = told.balance(balance), told.steps(balance)
+        computed = (told.degrees(balance), told.painleve(balance))
+        yield Finding(Identity, scene, said, tex, steps=True, computed=computed)
+
+
+def leading(on: Elaborations, scene: Scene) -> tuple[LeadingPart, Scene, Vocabulary]:
+    """What leads in the motion, on the scene with a letter for an exponent, and its words."""
     letter = next(one for one in LETTERS if one not in {*scene.names()})
     scene = scene.having(constants=(letter,))
     words = on.texts.vocabulary
     words = replace(words, scalars=words.scalars | {letter})
     space = Elaborations(Texts(words, on.texts.sources, on.texts.edits))(scene)
-    part = LeadingPart(space.finder, letter)
-    told = _Told(part, scene, words)
-    for balance in part.balances(pool):
-        yield Finding(Identity, scene, told.balance(balance), told.equations(balance))
-        yield Finding(Identity, scene, told.exponents(balance), told.characteristic(balance))
+    return LeadingPart(space.finder, letter), scene, words
 
 
 class _Told:
@@ -70,62 +86,114 @@ class _Told:
     def __init__(self, part: LeadingPart, scene: Scene, words: Vocabulary) -> None:
         self.part, self.scene = part, scene
         self.names = [name_formula(name, words) for name in part.names]
+        known = scene.names()
+        letter = next(one for one in FREE if not any(name.startswith(one) for name in known))
+        self.names += [Name(f"{letter}_{k}") for k in range(1, part.size + 1)]
 
-    def balance(self, balance: Balance) -> str:
-        """The weights and the equations for c."""
+    def weights(self) -> str:
+        """The weights, and of what."""
         shown = zip(self.names, self.part.weights, strict=False)
-        weights = ", ".join(f"${to_latex(name)}$ counts {weight}" for name, weight in shown)
-        lower = " of the leading terms" if any(self.part.lower) else ""
-        return f"a balance{lower}, where {weights}: {self._where(balance)}"
+        counted = ", ".join(f"${to_latex(name)}$ counts {weight}" for name, weight in shown)
+        of = "what leads in the motion" if any(self.part.lower) else "the motion"
+        return f"{of} is homogeneous where {counted}"
 
-    def _where(self, balance: Balance) -> str:
-        """The equations for c."""
+    def homogeneous(self) -> str:
+        """The equations of Euler for the components of the field without its lower terms."""
+        members: list[Formula] = []
+        for k, weight in enumerate(self.part.weights):
+            side = self._leading(k)
+            terms = [
+                times(fraction_formula(own), name, Partial(side, letters))
+                for own, name, letters in zip(
+                    self.part.weights, self.names, self.part.names, strict=False
+                )
+            ]
+            more = times(fraction_formula(weight + 1), side)
+            members.append(Sum((*terms, Negative(more))))
+        return to_latex(Relation((*members, Number(0)), ("=",) * len(members)))
+
+    def _leading(self, place: int) -> Formula:
+        """A component of the field without its lower terms, times what makes it a polynomial."""
+        rate = Derivative(self.names[place], self.scene.time)
+        side, lower = times(self._formula(self.part.multiple), rate), self.part.lower[place]
+        return Sum((side, Negative(self._formula(lower)))) if lower else side
+
+    def _where(self, found: Branch) -> str:
+        """The equations of a case."""
         sides: list[tuple[Formula, Formula]] = []
-        for place, one in balance.equations.solved:
-            variable = self.part.variables[place - 1]
+        for place, one in found.solved:
+            variable = one.context().gens()[place]
             if one.derivative(place).is_one():
                 sides.append((self._formula(variable), self._formula(variable - one)))
             else:
                 sides.append((self._formula(one), Number(0)))
-        sides += [(self._formula(one), Number(0)) for one in balance.equations.rest]
+        sides += [(self._formula(one), Number(0)) for one in found.rest]
         return ", ".join(f"${to_latex(Relation(both, ('=',)))}$" for both in sides)
 
-    def equations(self, balance: Balance) -> str:
-        """That the field without its lower terms, and w c, vanish where these equations hold."""
-        given = [*(one for _, one in balance.equations.solved), *balance.equations.rest]
-        members: list[Formula] = []
-        for k, (unit, cofactors, _) in enumerate(balance.divisions):
-            weight = times(fraction_formula(self.part.weights[k]), self.names[k])
-            rate = Sum((Derivative(self.names[k], self.scene.time), weight))
-            side = times(self._formula(self.part.multiple), rate)
-            lower = self.part.lower[k]
-            side = Sum((side, Negative(self._formula(lower)))) if lower else side
-            terms = [Negative(one) for one in self._multiples(cofactors, given)]
-            members.append(Sum((times(self._formula(unit), side), *terms)))
-        return to_latex(Relation((*members, Number(0)), ("=",) * len(members)))
-
-    def exponents(self, balance: Balance) -> str:
-        """The roots of the determinant, and whether the balance is principal."""
+    def balance(self, balance: Balance) -> str:
+        """The equations for c, the roots of the determinant, and whether it is principal."""
         numbers = [str(one) for one in balance.exponents]
         numbers += [f"the roots of ${to_latex(self._formula(one))}$" for one in balance.factors]
         if len(self.scene.constants) > 1:
             numbers[-1] += " for general constants"
         said = "principal" if balance.is_principal() else "not principal"
-        return f"exponents {', '.join(numbers)}, {said}: {self._where(balance)}"
+        where = self._where(balance.equations)
+        return f"balance {where}: exponents {', '.join(numbers)}, {said}"
 
-    def characteristic(self, balance: Balance) -> str:
-        """The determinant with what is solved for put in, and its factors."""
+    def steps(self, balance: Balance) -> str:
+        """That it is a balance, and what the determinant of the exponents is."""
         rows = [" & ".join(to_latex(self._formula(e)) for e in row) for row in balance.matrix]
         matrix = rf"\begin{{pmatrix}}{BELOW.join(rows)}\end{{pmatrix}}"
         _, cofactors, rest = balance.characteristic
-        content, factors = rest.factor()
-        number = fraction_formula(to_fraction(content))
+        terms = [self._factored(rest), *self._multiples(cofactors, balance.equations.rest)]
+        sides = [*map(to_latex, self._equations(balance))]
+        return "=".join([*sides, rf"\det{matrix}{to_latex(Negative(total(terms)))}", "0"])
+
+    def _equations(self, balance: Balance) -> Iterator[Formula]:
+        """What vanishes if the field without its lower terms, and w c, do so at the balance."""
+        for k, (unit, cofactors, _) in enumerate(balance.divisions):
+            weight = times(fraction_formula(self.part.weights[k]), self.names[k])
+            side = Sum((self._leading(k), times(self._formula(self.part.multiple), weight)))
+            terms = self._multiples(cofactors, balance.equations.equations)
+            yield Sum((times(self._formula(unit), side), *map(Negative, terms)))
+
+    def degrees(self, balance: Balance) -> str:
+        """Which weights of first integrals the exponents leave, by a theorem of Yoshida."""
+        general = " for general constants" if balance.factors else ""
+        found = [*dict.fromkeys(str(one) for one in balance.exponents if one > 0)]
+        if not found:
+            return f"all integrals have leading terms that are critical here{general}"
+        shown = " or ".join(filter(None, (", ".join(found[:-1]), found[-1])))
+        return f"an integral whose leading terms are not critical here has weight {shown}{general}"
+
+    def painleve(self, balance: Balance) -> str:
+        """The Painlevé test at the balance."""
+        free = self.part.size - 1
+        none = f"no Laurent series with {free} free constants begins here"
+        whole = all(one.denominator == 1 for one in (*self.part.weights, *balance.exponents))
+        if balance.factors or not whole:
+            return f"{none}: not all weights and exponents are whole"
+        if not balance.is_principal():
+            return none
+        found = laurent(self.part, balance)
+        if found.logarithm is not None:
+            return f"the Painlevé test fails: constants are missing at {found.logarithm}"
+        if not found.conditions:
+            return f"the Painlevé test is passed: Laurent series with {free} free constants"
+        asked = "; ".join(
+            f"${to_latex(self._factored(one))}=0$ at {exponent}"
+            for exponent, one in found.conditions
+        )
+        cases = ", or ".join(map(self._where, found.cases)) or "never"
+        return f"the Painlevé test is passed where {cases}; it asks for {asked}"
+
+    def _factored(self, polynomial: fmpq_mpoly) -> Formula:
+        content, factors = polynomial.factor()
         powers = [
             self._formula(one) if k == 1 else Power(self._formula(one), Number(int(k)))
             for one, k in factors
         ]
-        terms = [times(number, *powers), *self._multiples(cofactors, balance.equations.rest)]
-        return rf"\det{matrix}={to_latex(total(terms))}"
+        return times(fraction_formula(to_fraction(content)), *powers)
 
     def _multiples(
         self, cofactors: Sequence[fmpq_mpoly], given: Sequence[fmpq_mpoly]
@@ -135,4 +203,4 @@ class _Told:
 
     def _formula(self, polynomial: fmpq_mpoly) -> Formula:
         terms = {e[1:]: value for e, value in terms_of(polynomial).items()}
-        return polynomial_formula(terms, self.names)
+        return polynomial_formula(terms, self.names[: len(polynomial.context().gens()) - 1])

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator
+from math import lcm
 
 from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.cli.questions.exponents import leading
 from kowalevski_cas.cli.session import natural
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.paper.claims import AllIntegrals, FirstIntegral
@@ -20,13 +22,19 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.found import Finding
 
+DEGREE = 2
+"""The highest degree, if none is given."""
+
 EVERYWHERE = "it is constant along every motion"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the question."""
     parser.add_argument(
-        "--degree", type=natural, default=2, metavar="N", help="the highest degree (2)"
+        "--degree",
+        type=natural,
+        metavar="N",
+        help="the highest degree (2, and with --weighted the largest Kowalevski exponent)",
     )
     parser.add_argument(
         "--on",
@@ -53,8 +61,10 @@ def search(
     if arguments.on:
         yield from _on_a_set(on, scene, arguments)
         return
-    at, degree, found = on(scene).finder, arguments.degree, list[str]()
+    at, degree, found = on(scene).finder, arguments.degree or DEGREE, list[str]()
     weights = _weights(at) if arguments.weighted else ()
+    if weights and not arguments.degree:
+        weights, degree = _by_exponents(on, scene, pool)
     for element in first_integrals(at, degree, weights, pool):
         found.append(to_latex(formula_of(element, on.texts.vocabulary)))
         yield Finding(FirstIntegral, scene, EVERYWHERE, found[-1])
@@ -75,7 +85,7 @@ def _on_a_set(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> 
 
     space, relations = on(scene), tuple(arguments.on)
     given = space.finder.differences(space.equations(relations))
-    for element in integrals_on(space.finder, given, arguments.degree):
+    for element in integrals_on(space.finder, given, arguments.degree or DEGREE):
         tex = to_latex(formula_of(element, on.texts.vocabulary))
         if space.finder.derivative(element).is_zero:
             yield Finding(FirstIntegral, scene, EVERYWHERE, tex)
@@ -92,3 +102,15 @@ def _weights(at: Evaluation) -> tuple[int, ...]:
     if weights is None:
         raise Meaningless("the motion is homogeneous for no positive weights: leave --weighted out")
     return weights
+
+
+def _by_exponents(on: Elaborations, scene: Scene, pool: Pool) -> tuple[tuple[int, ...], int]:
+    """Whole weights, and the largest Kowalevski exponent in these units.
+
+    The weight of an integral whose differential does not vanish at a balance is an exponent there.
+    """
+    part, *_ = leading(on, scene)
+    unit = lcm(*(one.denominator for one in part.weights))
+    weights = tuple(int(unit * one) for one in part.weights)
+    exponents = (one for balance in part.balances(pool) for one in balance.exponents)
+    return weights, max(DEGREE, int(unit * max(exponents, default=0)))
