@@ -47,12 +47,10 @@ class FollowsFinder(PointFinder):
             point = self.point(at, here, divided, holds, 0) if goal.given else None
             if point is None:
                 return None
-        one = len(conclusions) == 1
-        found = rows_of(alternatives(goal, at), known, goal.main) if one else None
+        found = rows_of(alternatives(goal, at), known, goal.main)
         by_cases = self._at_real_points(conclusions, known, at, found)
         if by_cases is not None:
             return Shown(by_cases, point)
-        found = found if one else rows_of(alternatives(goal, at), known, goal.main)
         if found is None:
             return None
         rows, power = found
