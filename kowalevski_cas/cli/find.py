@@ -35,7 +35,7 @@ QUESTIONS = {
     "darboux": "polynomials F with F' = KF, up to a degree, and their K",
     "closure": "an invariant set, from a function and its derivatives",
     "parameters": "values of constants for which a polynomial divides its derivative",
-    "exponents": "the balances of the leading terms, and their Kowalevski exponents",
+    "exponents": "weights, balances, their Kowalevski exponents, and the Painlevé test",
 }
 
 LONGEST = 400

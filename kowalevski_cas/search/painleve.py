@@ -18,6 +18,7 @@ from operator import mul
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.flint import to_flint
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.branches import Branch, branches, without
 from kowalevski_cas.search.exponents import Balance, LeadingPart, determinant
 from kowalevski_cas.search.groebner import Basis, remainder
@@ -45,7 +46,11 @@ class Laurent:
 
 
 def laurent(part: LeadingPart, balance: Balance) -> Laurent:
-    """The series of a principal balance under whole weights, up to its largest exponent."""
+    """The series of a principal balance under whole weights, up to its largest exponent.
+
+    Raises:
+        Meaningless: one choice of free constants does not serve for the whole balance.
+    """
     series, conditions = _Series(part, balance), list[tuple[int, fmpq_mpoly]]()
     if balance.exponents.count(Fraction(0)) > _dimension(part, balance):
         return Laurent((), (), 0)
@@ -131,12 +136,13 @@ class _Series:
     def _numerator(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """What has to vanish for a polynomial to do so; zero if it vanishes at all points."""
         polynomial = remainder(without(polynomial, 0, self.unit), self.rest)
-        if len(self.rest) > 1 and polynomial:
-            scale = self.context.gens()[0]
-            basis = Basis([*self.rest, scale * polynomial - 1], ()).minimal()
-            if not all(any(one.degrees()[: self.size + 1]) for one in basis):
-                return self.zero
-        return polynomial
+        inverse = self.context.gens()[0] * polynomial - 1
+        return self.zero if len(self.rest) > 1 and self._nowhere(inverse) else polynomial
+
+    def _nowhere(self, polynomial: fmpq_mpoly) -> bool:
+        """Whether a polynomial vanishes at no point of the balance."""
+        basis = Basis([*self.rest, polynomial], ()).minimal()
+        return not all(any(one.degrees()[: self.size + 1]) for one in basis)
 
     def extended(self, order: int) -> Vector | None:
         """One coefficient more; what has to vanish for it, or ``None`` if constants are missing.
@@ -182,14 +188,21 @@ class _Series:
         return branches(equations, places, [self.below])
 
     def _independent(self, columns: Sequence[Vector], times: int) -> tuple[int, ...]:
-        """The places of a principal minor that does not vanish: of a projection there is one."""
+        """The places of a principal minor that does not vanish: of a projection there is one.
+
+        Where a balance has several parts, it has to vanish at none of them.
+        """
         size = [sum(map(len, column)) for column in columns]
         order = sorted(range(self.size), key=size.__getitem__)
         minors = (
             (chosen, determinant([[columns[j][i] for j in chosen] for i in chosen]))
             for chosen in combinations(order, times)
         )
-        return next(chosen for chosen, minor in minors if self._numerator(minor))
+        for chosen, minor in minors:
+            if value := self._numerator(minor):
+                if len(self.rest) < 2 or self._nowhere(value):
+                    return chosen
+        raise Meaningless("it has several parts, with other free constants each")
 
     def _unit_vector(self, place: int) -> Vector:
         return [self.zero + (k == place) for k in range(self.size)]

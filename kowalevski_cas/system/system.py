@@ -253,7 +253,7 @@ class System(Claims):
         return self._found("parameters", self._tex(polynomial))
 
     def find_exponents(self) -> list[Stated]:
-        """The balances of the leading terms, and the Kowalevski exponents of each."""
+        """The weights, the balances of the leading terms, and the Kowalevski exponents of each."""
         return self._found("exponents")
 
     def _found(self, question: str, *words: str, **options: Any) -> list[Stated]:

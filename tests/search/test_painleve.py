@@ -38,6 +38,8 @@ def passes(field):
         r"\dot x=y-x,\quad \dot y=\frac19x-y-xz,\quad \dot z=xy-2z",
         r"\dot x=\frac13(y-x),\quad \dot y=\rho x-y-xz,\quad \dot z=xy",
         r"\dot x=yz,\quad \dot y=zx,\quad \dot z=xy",
+        r"A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A-B)pq",
+        r"\ddot x=-Ax-4x^3-4xy^2,\quad \ddot y=-By-4y^3-4x^2y",
     ],
 )
 def test_systems_with_the_property(field):
@@ -81,9 +83,16 @@ def test_the_three_cases_of_the_lorenz_equations():
     }
 
 
-def test_the_frequencies_of_henon_and_heiles():
-    part, results = answers(r"\ddot x=-Ax-2xy,\quad \ddot y=-By-x^2-y^2")
-    assert len(results) == 2
+@pytest.mark.parametrize(
+    ("field", "number"),
+    [
+        (r"\ddot x=-Ax-2xy,\quad \ddot y=-By-x^2-y^2", 2),
+        (r"\ddot x=-Ax-4x^3-12xy^2,\quad \ddot y=-By-4y^3-12x^2y", 1),
+    ],
+)
+def test_potentials_that_are_integrable_for_equal_frequencies(field, number):
+    part, results = answers(field)
+    assert len(results) == number
     for one in results:
         assert [values(part, case) for case in one.cases] == ["A - B"]
 

@@ -37,6 +37,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.pool import HERE, Pool
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.branches import Branch
 from kowalevski_cas.search.exponents import Balance, LeadingPart
 from kowalevski_cas.search.painleve import laurent
@@ -175,7 +176,10 @@ class _Told:
             return f"{none}: not all weights and exponents are whole"
         if not balance.is_principal():
             return none
-        found = laurent(self.part, balance)
+        try:
+            found = laurent(self.part, balance)
+        except Meaningless as error:
+            return f"the Painlevé test of this balance is not decided: {error}"
         if found.logarithm is not None:
             return f"the Painlevé test fails: constants are missing at {found.logarithm}"
         if not found.conditions:
