@@ -38,6 +38,9 @@ QUESTIONS = {
     "exponents": "weights, balances, their Kowalevski exponents, and the Painlevé test",
 }
 
+MANY = 2000
+"""How many monomials make a search long."""
+
 LONGEST = 400
 """How many letters of formulas are printed on a line, if not all are asked for."""
 
@@ -156,16 +159,17 @@ def _owner(scene: Scene) -> tuple[Path, str]:
 
 
 def forecast(scene: Scene, question: str, degree: int) -> None:
-    """Say beforehand that a question about polynomials up to a degree is too large."""
+    """Say beforehand how large a question about polynomials is, if it is, and whether too large."""
     from kowalevski_cas.problem.polynomial_fields import number_of_monomials
 
     if not degree:
         return
     largest = import_module(f"kowalevski_cas.search.{question}").LARGEST
     width = len(scene.variables)
-    if (size := number_of_monomials((1,) * width, degree)) > largest:
+    if (size := number_of_monomials((1,) * width, degree)) > min(MANY, largest):
         large = f"{width} variables have {size} monomials up to degree {degree}"
-        print(f"{large}: the search ends before, with what it has found", file=sys.stderr)
+        ends = "the search ends before, with what it has found"
+        print(f"{large}: {ends if size > largest else 'it may take long'}", file=sys.stderr)
 
 
 def _scene(derivation: Derivation, name: str | None) -> Scene:
