@@ -573,7 +573,9 @@ first.integral("x^2+y^2")
 second.integral("x^2+y^2", expect="refuted")
 """
     code, out = cli("verify", two.format("", ""))
-    assert code == 2 and "two sections or systems are called 1: give one another name" in out
+    assert (
+        code == 2 and "two sections or systems are called 1: give one another name, System(" in out
+    )
     code, out = cli("verify", two.format(', "circle"', ', "saddle"'), "-v", "--arithmetic", "flint")
     assert code == 0 and "circle-integral-x-2-y-2" in out and "saddle. x, y move" in out
 

@@ -169,7 +169,8 @@ class Derivation:
         ):
             twice = sorted({id for id in ids if ids.count(id) > 1})
             if twice:
-                raise ValueError(f"two {kind} are called {twice[0]}: give one another name")
+                how = ', System(r"…", "name")' if kind == "sections or systems" else ""
+                raise ValueError(f"two {kind} are called {twice[0]}: give one another name{how}")
 
     @property
     def claims(self) -> tuple[Claim, ...]:

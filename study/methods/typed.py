@@ -144,7 +144,7 @@ class Typed(Evaluation):
     """A space, typed into SymPy."""
 
     def __init__(self, setting: Setting) -> None:
-        replaced = dict(_replaced(setting))
+        replaced = _replaced(setting)
         names = [*(n for n in generators(setting) if n not in replaced.values()), *replaced]
         ring = Expressions(names)
         values = {name: ring.generator(name) for name in names}
@@ -187,11 +187,14 @@ class Typed(Evaluation):
         return exact(EXACT[0])(self.setting).time_sign
 
 
-def _replaced(setting: Setting) -> Iterable[tuple[str, str]]:
-    """Variables that are roots, with the constant that is replaced instead."""
+def _replaced(setting: Setting) -> dict[str, str]:
+    """Variables that are roots, with the constant that is replaced instead: a constant, once."""
+    found: dict[str, str] = {}
     for name in setting.roots:
         step = setting.step(name)
         sides = step.printed or () if isinstance(step, Adjoined) else ()
         for side in sides:
             if isinstance(side, Name) and side.name in setting.constants:
-                yield name, side.name
+                if side.name not in found.values():
+                    found[name] = side.name
+    return found

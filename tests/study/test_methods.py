@@ -44,6 +44,13 @@ def test_expand_leaves_something_of_a_true_identity_with_a_root(statements):
     assert decide("ratsimp", problem)["verdict"] == ACCEPTED
 
 
+@pytest.mark.slow
+def test_two_roots_that_are_printed_with_one_constant_are_both_typed():
+    found = labelled(0, ["kharlamov_savushkin2004"])
+    for one in [one for one in found if one.id.endswith(("/N4.4", "/squares.2", "/rates.2"))]:
+        assert one.truth and decide("cancel", one.statement.problem)["verdict"] == ACCEPTED
+
+
 def test_a_limit_of_time_or_memory_is_no_answer(statements, monkeypatch):
     def slow(_):
         sleep(60)
