@@ -197,7 +197,7 @@ def _line(axes: Axes, line: int, one: Summary) -> None:
     if one.words:
         left, right = axes.get_xlim()
         after = low * high < left * right  # where there is more room
-        text: dict[str, Any] = {"ha": "left" if after else "right", "va": "center", "size": 7}
+        text: dict[str, Any] = {"ha": "left" if after else "right", "va": "center", "size": 6.5}
         axes.annotate(
             one.words.replace("; ", "\n"), (high if after else low, line), (5 if after else -5, 0),
             textcoords="offset points", **text,
