@@ -1,6 +1,7 @@
 """What all tests share: the derivations with one run of each, and how hard Hypothesis looks."""
 
 import pickle
+import signal
 from fcntl import LOCK_EX, flock
 from os import environ
 from pathlib import Path
@@ -25,7 +26,8 @@ for profile, examples in (("quick", 10), ("slow", 100)):
 
 
 def pytest_configure(config):
-    """Without slow tests, Hypothesis looks less hard, too."""
+    """Without slow tests, Hypothesis looks less hard, too; Ctrl-C interrupts in the background."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     settings.load_profile("quick" if config.option.markexpr == "not slow" else "slow")
 
 
