@@ -16,7 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 from time import sleep
 
-from kowalevski_cas.algebra import EXACT, POINTS
+from kowalevski_cas.algebra import EXACT, POINTS, load, load_points
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import (
     AS_RECORDED,
@@ -82,6 +82,8 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
         for share in _shares(derivation, arguments.only, CORES // len(chosen))
     ]
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
+    for name in arithmetics:  # once for all processes
+        (load_points if name in POINTS else load)(name)
 
     def run(part: tuple[int, Sequence[str]]) -> Run:
         place, share = part
