@@ -13,7 +13,7 @@ from time import time
 from typing import TYPE_CHECKING, TypeVar
 
 from kowalevski_cas.cli.exits import NOTHING, CommandError
-from kowalevski_cas.library import LibraryError, available, find, load
+from kowalevski_cas.library import LibraryError, available, find, load, source
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.pool import Pool
@@ -183,12 +183,17 @@ def add_pool(parser: argparse.ArgumentParser, jobs: int = os.cpu_count() or 1) -
     )
 
 
-def pool(arguments: argparse.Namespace) -> Pool:
-    """Where tasks are done; what the same question had found when it was interrupted is there."""
+def pool(arguments: argparse.Namespace, folders: Sequence[Path] = ()) -> Pool:
+    """Where tasks are done; what the same question had found when it was interrupted is there.
+
+    It is another question if the program was changed since, or a derivation in one of ``folders``.
+    """
     package = Path(__file__).parents[1]
-    saved = max(file.stat().st_mtime_ns for file in package.rglob("*.py"))
+    read = {source(folder) for folder in folders}.union(*(one.rglob("*") for one in folders))
+    files = sorted(read.union(package.rglob("*.py")))
+    saved = [(str(file), file.stat().st_mtime_ns) for file in files]
     asked = {k: v for k, v in vars(arguments).items() if k not in HOW and not callable(v)}
-    words = repr((package, saved, Path.cwd(), sorted(asked.items())))
+    words = repr((saved, Path.cwd(), sorted(asked.items())))
     caches = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
     folder = Path(caches) / "kowalevski-cas"
     with suppress(OSError):

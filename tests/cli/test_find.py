@@ -124,6 +124,8 @@ def test_a_large_question_is_said_to_be_large_beforehand(tmp_path, capsys):
     said = capsys.readouterr()
     assert "3 variables have 23426 monomials up to degree 50: the search ends before" in said.err
     assert not said.out.startswith("0 found")
+    main(["find", "integrals", str(file), "--degree", "25", "--timeout", "0.1"])
+    assert "3 variables have 3276 monomials up to degree 25: it may take" in capsys.readouterr().err
 
 
 @pytest.mark.slow

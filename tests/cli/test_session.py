@@ -1,0 +1,62 @@
+"""What the commands share: claims in shares, and what is kept of an interrupted search."""
+
+import json
+import os
+from argparse import Namespace
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kowalevski_cas.cli import main, verify
+from kowalevski_cas.cli.session import pool
+from kowalevski_cas.cli.verify import _shares
+from kowalevski_cas.library import load
+
+CIRCLE = """
+from kowalevski_cas import System
+circle = System(r"\\dot x=y, \\dot y=-x")
+circle.integral("x^2+y^2")
+"""
+
+
+@given(parts=st.integers(-1, 100), data=st.data())
+def test_each_claim_is_in_one_share_and_no_share_is_empty(parts, data):
+    """An empty share would mean all claims, a lost one would be decided by nobody."""
+    derivation = load("kharlamov2002")
+    ids = [claim.id for claim in derivation.claims]
+    only = data.draw(st.lists(st.sampled_from(ids), max_size=4))
+    shares = [*_shares(derivation, only, parts)]
+    assert all(shares) and len(shares) <= max(1, parts)
+    chosen = [id for id in ids if not only or id in only]
+    assert sorted(id for share in shares for id in share) == sorted(chosen)
+
+
+def test_however_many_processes_decide_the_outcomes_are_the_same(monkeypatch, capsys):
+    found = []
+    for cores in (1, 2, 3):
+        monkeypatch.setattr(verify, "CORES", cores)
+        chosen = [f"--only={id}" for id in ("eq9.i", "eq10.1", "eq14", "eq12", "eq21")]
+        main(["verify", "kharlamov2002", "--arithmetic=flint", "--format=json", *chosen])
+        found.append(json.loads(capsys.readouterr().out, object_hook=untimed))
+    assert found[0] == found[1] == found[2]
+
+
+def untimed(data):
+    return {key: value for key, value in data.items() if key != "seconds"}
+
+
+def test_what_was_found_of_another_state_of_a_derivation_is_not_taken(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    file, folder = tmp_path / "circle.py", tmp_path / "circle.evidence"
+    folder.mkdir()
+    file.write_text(CIRCLE)
+
+    def kept():
+        return pool(Namespace(jobs=1, scheduler="", seed=1), [folder]).file
+
+    first = kept()
+    assert kept() == first
+    os.utime(file, ns=(1, 1))
+    assert (second := kept()) != first
+    (folder / "record.json").write_text("{}")
+    assert kept() not in (first, second)
