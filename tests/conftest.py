@@ -15,7 +15,7 @@ from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import Session, verify
 
-for profile, examples in (("quick", 10), ("slow", 100)):
+for profile, examples in (("quick", 6), ("slow", 100)):
     settings.register_profile(
         profile,
         max_examples=examples,

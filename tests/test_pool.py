@@ -6,7 +6,7 @@ from functools import partial
 from time import sleep
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.pool import Pool
@@ -78,7 +78,6 @@ def failing(numbers):
         yield number
 
 
-@settings(max_examples=10)
 @given(st.lists(st.integers(-2, 100), max_size=9), st.sampled_from([2, 3]))
 def test_the_results_are_those_of_a_serial_run(numbers, jobs):
     expected = taken(Pool(), square, failing(numbers))

@@ -30,7 +30,7 @@ A, B = Fraction(1), Fraction(2, 5)
 positive = st.fractions(Fraction(1, 20), 3, max_denominator=40)
 signed = st.fractions(-4, 4, max_denominator=40)
 
-few = settings(max_examples=settings.default.max_examples // 5)
+few = settings(max_examples=settings.default.max_examples // 3)
 """Motions through all tori of their constants are dear."""
 
 

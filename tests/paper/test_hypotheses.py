@@ -29,7 +29,7 @@ pytestmark = pytest.mark.usefixtures("uncorrected")
 
 NOTHING = "no real point is known that satisfies the hypotheses"
 
-few = settings(max_examples=settings.default.max_examples // 4)
+few = settings(max_examples=settings.default.max_examples // 3)
 """A search that has to come to its end is dear."""
 
 whole = st.integers(-3, 3)
