@@ -1,8 +1,8 @@
 """Derivations as tests of pytest, one a claim: files called ``derivation_*.py``.
 
 With ``--derivations`` those of installed packages too, which name their modules as entry points of
-the group ``kowalevski_cas.derivations``. A test fails if the verdict is another one than the
-recorded or expected one; what cannot be loaded is a test that fails, and hides no other.
+the group ``kowalevski_cas.derivations``. FLINT decides. A test fails if the verdict is another one
+than the recorded or expected one; what cannot be loaded is a test that fails, and hides no other.
 """
 
 from __future__ import annotations

@@ -53,8 +53,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--arithmetic",
         choices=(*EXACT, "all", *POINTS),
-        default="all",
-        help=f"decide in this arithmetic (all three, one after the other, if not given); "
+        default=EXACT[0],
+        help=f"decide in this arithmetic ({EXACT[0]}), or in all three, which have to agree; "
         f"{', '.join(POINTS)} screen at points",
     )
     parser.add_argument(
