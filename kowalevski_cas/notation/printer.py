@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 
@@ -46,10 +45,6 @@ COMPOUND = (*SIGNED, Product, CrossProduct, Summation)
 _BASES = (
     Name, Number, Application, Vector, ScalarProduct, PoissonBracket, Conjugate, Modulus, Commutator
 )  # fmt: skip
-_METHODS = {
-    node: re.sub(r"(?<!^)(?=[A-Z])", "_", node.__name__).lower()
-    for node in Formula.__subclasses__()
-}
 
 
 class Printer(ABC):
@@ -72,7 +67,7 @@ class Printer(ABC):
 
     def __call__(self, formula: Formula) -> str:
         """The formula as a source text."""
-        printed: str = getattr(self, _METHODS[type(formula)])(formula)
+        printed: str = getattr(self, formula.method)(formula)
         return printed
 
     # What a format has to say
