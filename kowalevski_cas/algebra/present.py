@@ -7,6 +7,7 @@ from fractions import Fraction
 from functools import cache
 from math import lcm
 
+from kowalevski_cas.algebra.factors import divided, irreducible_factors
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import (
@@ -119,27 +120,6 @@ def _fraction(
     return _over(top, [*bottom, *roots])
 
 
-def divided(terms: Terms, divisor: Terms) -> Terms | None:
-    """The quotient of two polynomials in neutral form, if the division leaves nothing."""
-    lead = max(divisor)
-    rest, quotient = dict(terms), Terms()
-    while rest:
-        top = max(rest)
-        shift = tuple(a - b for a, b in zip(top, lead, strict=True))
-        if min(shift) < 0:
-            return None
-        factor = rest[top] / divisor[lead]
-        quotient[shift] = factor
-        for exponents, value in divisor.items():
-            key = tuple(a + b for a, b in zip(exponents, shift, strict=True))
-            left = rest.get(key, Fraction(0)) - factor * value
-            if left:
-                rest[key] = left
-            else:
-                rest.pop(key, None)
-    return quotient
-
-
 def _generators_of(radicand: Element, divisors: dict[int, Terms]) -> list[int] | None:
     """The divisors whose product a radicand is, if it is a product of different generators."""
     parts = radicand.terms()
@@ -175,8 +155,6 @@ def _product(terms: Terms, names: Sequence[Formula]) -> Formula:
     """The formula of a polynomial in its irreducible factors, each with a positive term first."""
     if len(terms) < 2:
         return polynomial_formula(terms, names)
-    from kowalevski_cas.algebra.factors import irreducible_factors
-
     number, factors = terms[max(terms)], irreducible_factors(terms)
     factors.sort(key=lambda one: (len(one[0]), [-e for e in max(one[0])]))
     shown = []
