@@ -6,8 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import isqrt, prod
 
-from flint import fmpz
-
 from kowalevski_cas.algebra.polynomials import Polynomial, Polynomials, Terms
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element, Ring
@@ -174,6 +172,8 @@ class Substitution:
 
 def prime_factors(number: int) -> Iterator[tuple[int, int]]:
     """The prime factors of a positive number; beyond what is tried, what is left counts as one."""
+    from flint import fmpz
+
     for prime, exponent in fmpz(number).factor(trial_limit=TRIED):
         root = prime.isqrt()
         yield (int(root), 2 * exponent) if root**2 == prime else (int(prime), exponent)

@@ -7,7 +7,6 @@ from fractions import Fraction
 from functools import cache
 from math import lcm
 
-from kowalevski_cas.algebra.factors import divided, irreducible_factors
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import (
@@ -73,8 +72,15 @@ def formula_in(element: Element) -> Formula:
     return _fraction(terms, below, divisors, names, polynomial_formula)
 
 
+def written(rows: Iterable[Iterable[Element]]) -> tuple[tuple[Formula, ...], ...]:
+    """Rows of elements as formulas."""
+    return tuple(tuple(map(formula_in, row)) for row in rows)
+
+
 def _cancelled(element: Element) -> tuple[Ring, Terms, dict[int, int], dict[int, Terms]]:
     """The numerator, the divisors that are left below it, and all divisors, in neutral form."""
+    from kowalevski_cas.algebra.factors import divided
+
     ring = element.ring
     terms: Terms = {}
     for mask, part in element.terms().items():
@@ -155,6 +161,8 @@ def _product(terms: Terms, names: Sequence[Formula]) -> Formula:
     """The formula of a polynomial in its irreducible factors, each with a positive term first."""
     if len(terms) < 2:
         return polynomial_formula(terms, names)
+    from kowalevski_cas.algebra.factors import irreducible_factors
+
     number, factors = terms[max(terms)], irreducible_factors(terms)
     factors.sort(key=lambda one: (len(one[0]), [-e for e in max(one[0])]))
     shown = []

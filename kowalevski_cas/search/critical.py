@@ -22,7 +22,7 @@ from itertools import combinations, combinations_with_replacement, islice, permu
 from kowalevski_cas.algebra.derivation import gradient
 from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.polynomials import Terms
-from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.present import written
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.algebra.weights import weights
 from kowalevski_cas.notation import Formula
@@ -30,11 +30,10 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Point, Proof, Shown
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
-from kowalevski_cas.search.cases import Case, Splitter
+from kowalevski_cas.search.cases import Row, Splitter
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.place import Candidate
 from kowalevski_cas.search.real import real_points
-from kowalevski_cas.search.splits import Prover, Row, System, Unsplit
 
 PYTHAGOREAN = Fraction(3, 5)
 TRIES = 12
@@ -90,7 +89,7 @@ class Critical:
             if self.zero_level:
                 rows[-1][j] = rows[-1][j] + factor * self.goals[i]
         whole = [[*entries, -e] for entries, e in zip(rows, excess, strict=True)]
-        return Shown(Proof(tuple(tuple(map(formula_in, entries)) for entries in whole)), point)
+        return Shown(Proof(written(whole)), point)
 
     def converse(self) -> Evidence | None:
         """Critical points lie on the set: a proof by cases; or a point of an open case."""
@@ -100,23 +99,14 @@ class Critical:
         excess = self._excess(homogeneous)
         if excess is None:
             return None
-        system = self._system(homogeneous)
-        polynomials = self.at.ring.polynomials
-        targets, goals, granted = (
-            [element.parts.get(0, polynomials.zero) for element in elements]
-            for elements in (system.targets, system.goals, system.granted)
-        )
-        case = Splitter(polynomials, targets, goals, granted).case()
-        if any(one.kind == "open" for one in case.nodes()):
-            point = self._point_off_the_set(case, system)
+        targets, rows = self._targets(homogeneous), self._rows(excess)
+        splitter = Splitter(targets, self.goals, self.granted, rows, len(excess), self.value)
+        proof = splitter.proof(len(excess) + 1)
+        if splitter.open:
+            point = self._point_off_the_set(splitter.open)
             return None if point is None else At(point)
-        prover = Prover(system, self._rows(excess), len(excess), self.value)
-        try:
-            proof = prover.proof(case, len(excess) + 1, [])
-        except Unsplit:
-            return None
         point = self._point_of_the_set()
-        return None if point is None else Shown(proof, point)
+        return None if point is None or proof is None else Shown(proof, point)
 
     # -- the function and its derivatives ------------------------------------------------
 
@@ -181,13 +171,11 @@ class Critical:
             ]
         return fields
 
-    def _system(self, homogeneous: Element) -> System:
-        """The critical equations and consequences of them, the set, and what is granted."""
+    def _targets(self, homogeneous: Element) -> Row:
+        """The critical equations and consequences of them."""
         critical = self._derivatives(homogeneous)
         targets = [*critical, *(self._dot(field, critical) for field in self._fields())]
-        if self.zero_level:
-            targets.append(homogeneous)
-        return System(self.at.ring, targets, self.goals, self.granted)
+        return [*targets, homogeneous] if self.zero_level else targets
 
     def _rows(self, excess: Row) -> list[Row]:
         """The targets of the tree of cases, as combinations of the rates and the surface."""
@@ -226,16 +214,14 @@ class Critical:
             yield [ring.generator(first), ring.generator(second) - ring.number(PYTHAGOREAN)]
         yield []
 
-    def _point_off_the_set(self, case: Case, system: System) -> Point | None:
+    def _point_off_the_set(self, cases: Sequence[Row]) -> Point | None:
         """A critical point where an equation of the set fails, in one of the open cases."""
-        cases = [one for one in case.nodes() if one.kind == "open"]
         critical = self._rates(self.function)
 
         def good(candidate: Candidate) -> bool:
             return candidate.vanish(critical) and not candidate.vanish(self.goals)
 
-        for one in sorted(cases, key=lambda one: sum(map(len, one.known))):
-            known = [system.element(terms) for terms in one.known]
+        for known in sorted(cases, key=lambda one: sum(len(e.parts[0]) for e in one)):
             point = self._point([*known, self.beside], good, ([],))
             if point is not None:
                 return point
