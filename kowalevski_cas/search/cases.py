@@ -258,8 +258,8 @@ class Splitter:
         return result
 
     def _polynomial(self, element: Element) -> fmpq_mpoly:
-        zero: fmpq_mpoly = self.ring.polynomials.zero
-        return element.parts.get(0, zero)
+        polynomial: fmpq_mpoly = element.parts.get(0) or self.ring.polynomials.zero
+        return polynomial
 
     def _element(self, polynomial: fmpq_mpoly) -> Element:
         return self.ring.element({0: polynomial}, {})
