@@ -15,9 +15,9 @@ equations in the variables of which the surface is free.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import combinations, combinations_with_replacement, islice, permutations
+from itertools import combinations, combinations_with_replacement, permutations
 
 from kowalevski_cas.algebra.derivation import gradient
 from kowalevski_cas.algebra.numbers import rational
@@ -28,15 +28,12 @@ from kowalevski_cas.algebra.weights import weights
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Point, Proof, Shown
-from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.search.cases import Row, Splitter
 from kowalevski_cas.search.cofactors import cofactors
-from kowalevski_cas.search.place import Candidate
-from kowalevski_cas.search.real import real_points
+from kowalevski_cas.search.place import Candidate, Good, PointFinder
 
 PYTHAGOREAN = Fraction(3, 5)
-TRIES = 12
 
 
 class Critical:
@@ -56,7 +53,8 @@ class Critical:
         zero_level: bool,
         names: Sequence[str],
     ) -> None:
-        self.at, self.zero_level, self.names = at, zero_level, names
+        self.at, self.zero_level = at, zero_level
+        self.finder = PointFinder(lambda setting: at, lambda setting: names)
         self.variables = at.setting.variables
         self.function = at.scalar(function)
         self.level, self.value = (at.scalar(side) for side in level)
@@ -204,7 +202,8 @@ class Critical:
     def _point_of_the_set(self) -> Point | None:
         """A point of the set, on the surface, where what is granted does not vanish."""
         zero = [*self.goals, self.beside]
-        return self._point(zero, lambda candidate: candidate.vanish(zero), self._planes())
+        points = (self._point([*zero, *plane]) for plane in self._planes())
+        return next(filter(None, points), None)
 
     def _planes(self) -> Iterator[list[Element]]:
         """Planes that a quadric meets in rational points: a coordinate 0, another one 3/5."""
@@ -221,26 +220,10 @@ class Critical:
         def good(candidate: Candidate) -> bool:
             return candidate.vanish(critical) and not candidate.vanish(self.goals)
 
-        for known in sorted(cases, key=lambda one: sum(len(e.parts[0]) for e in one)):
-            point = self._point([*known, self.beside], good, ([],))
-            if point is not None:
-                return point
-        return None
+        in_order = sorted(cases, key=lambda one: sum(len(e.parts[0]) for e in one))
+        points = (self._point([*known, self.beside], good) for known in in_order)
+        return next(filter(None, points), None)
 
-    def _point(
-        self,
-        zero: Sequence[Element],
-        good: Callable[[Candidate], bool],
-        sections: Iterator[list[Element]] | tuple[list[Element], ...],
-    ) -> Point | None:
-        for section in sections:
-            for point in islice(
-                real_points(self.at, self.names, [*zero, *section], self.granted), TRIES
-            ):
-                candidate = Candidate(self.at, point)
-                if good(candidate) and not any(candidate(g).is_zero for g in self.granted):
-                    try:
-                        return candidate.point(self.names)
-                    except Misplaced:
-                        continue
-        return None
+    def _point(self, zero: Row, good: Good = lambda candidate: True) -> Point | None:
+        divided = [granted.inverse() for granted in self.granted]
+        return self.finder.point(self.at, zero, divided, good, most=0)
