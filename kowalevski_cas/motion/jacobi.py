@@ -17,7 +17,7 @@ from flint import arb, arb_poly
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion.oscillation import Oscillation
-from kowalevski_cas.motion.phases import Phase, expansion, parts_needed
+from kowalevski_cas.motion.phases import Phase, as_fraction, expansion, parts_needed
 
 Array = NDArray[np.float64]
 Quadruple = tuple[Array, Array, Array, Array]
@@ -46,7 +46,7 @@ class _Elementary:
     def __init__(self, oscillation: Oscillation, origin: arb) -> None:
         self.exponential = oscillation.kind == "exponential"
         scale = oscillation.rate / (2 if self.exponential else 1)
-        self.rate, self.origin = expansion(scale, 2), expansion(origin, 2)
+        self.rate, self.origin = (expansion(as_fraction(x), 2) for x in (scale, origin))
 
     def __call__(self, t: Array) -> Quadruple:
         since = (t - self.origin[0]) - self.origin[1]
