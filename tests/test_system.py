@@ -537,7 +537,7 @@ def test_a_notebook_shows_what_is_said(lorenz):
 
 
 def test_a_file_is_verified_recorded_and_certified(cli, tmp_path):
-    code, out = cli("verify", FILE, "--arithmetic", "flint")
+    code, out = cli("verify", FILE)
     assert code == 0
     assert "x, y, z move; σ, ρ, b are constant" in out
     assert "3 claims: 2 proved, 1 refuted" in out and "as expected" in out
@@ -545,12 +545,12 @@ def test_a_file_is_verified_recorded_and_certified(cli, tmp_path):
     assert (tmp_path / "lorenz.evidence" / "record.json").is_file()
     code, out = cli("check", FILE)
     assert code == 0 and "CERTIFIED 3 of 3" in out
-    code, out = cli("verify", FILE, "--arithmetic", "flint")
+    code, out = cli("verify", FILE)
     assert code == 0 and "as recorded" in out
 
 
 def test_what_is_otherwise_than_expected_is_a_difference(cli):
-    code, out = cli("verify", FILE.replace(', expect="refuted"', ""), "--arithmetic", "flint")
+    code, out = cli("verify", FILE.replace(', expect="refuted"', ""))
     assert code == 1
     assert "DIFFERENT FROM WHAT IS EXPECTED" in out
     assert "invariant-F.2: expected that it is true, found refuted" in out
@@ -559,7 +559,7 @@ def test_what_is_otherwise_than_expected_is_a_difference(cli):
 
 
 def test_a_claim_that_cannot_be_read_hides_no_other(cli):
-    code, out = cli("verify", FILE + 'lorenz.integral("w")\n', "--arithmetic", "flint")
+    code, out = cli("verify", FILE + 'lorenz.integral("w")\n')
     assert code == 2 and "2 proved" in out
     assert f"lorenz.py:{FILE.count(chr(10)) + 1}: integral-w: w is not declared here" in out
 
@@ -576,7 +576,7 @@ second.integral("x^2+y^2", expect="refuted")
     assert (
         code == 2 and "two sections or systems are called 1: give one another name, System(" in out
     )
-    code, out = cli("verify", two.format(', "circle"', ', "saddle"'), "-v", "--arithmetic", "flint")
+    code, out = cli("verify", two.format(', "circle"', ', "saddle"'), "-v")
     assert code == 0 and "circle-integral-x-2-y-2" in out and "saddle. x, y move" in out
 
 
@@ -640,7 +640,7 @@ circle = System(r"\\dot x=y, \\dot y=-x")
 E = circle.define(display("paper.tex", label="{}"))
 circle.integral(E)
 """
-    code, out = cli("verify", file.format("eq:14"), "--arithmetic", "flint")
+    code, out = cli("verify", file.format("eq:14"))
     assert code == 0, out
     code, out = cli("verify", file.format("eq:15"))
     assert code == 2 and "lorenz.py:4: " in out and "no displays with the label eq:15" in out
@@ -748,7 +748,7 @@ def test_each_save_is_verified_until_an_interruption(tmp_path):
     text = r"\begin{equation}\label{eq:1} x^2SIGNy^2 \end{equation}"
     paper.write_text(text.replace("SIGN", "-"))
     watching = subprocess.Popen(
-        [sys.executable, "-m", "kowalevski_cas", "verify", "--watch", "--arithmetic", "flint", "lorenz.py"],
+        [sys.executable, "-m", "kowalevski_cas", "verify", "--watch", "lorenz.py"],
         cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
         env={**os.environ, "PYTHONPATH": str(ROOT)},
     )  # fmt: skip
