@@ -19,6 +19,8 @@ from select import select
 from time import monotonic
 from typing import BinaryIO, Generic, NoReturn, TypeVar
 
+from kowalevski_cas import UserError
+
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
@@ -35,7 +37,7 @@ LONGEST = 3600.0
 """Seconds for which nobody looks at the clock."""
 
 
-class ProcessDied(RuntimeError):
+class ProcessDied(UserError, RuntimeError):
     """A process ended before its work was done; the message says how."""
 
 

@@ -15,6 +15,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
+from kowalevski_cas import UserError
+
 LARGEST = 4_000_000
 """Bytes in a source; the longest papers have a tenth of this."""
 
@@ -46,7 +48,7 @@ _BEGINNING = re.compile(r"\\begin\s*\{document\}")
 _PRINTING = re.compile(r"[^\r\n]")
 
 
-class SourceError(ValueError):
+class SourceError(UserError, ValueError):
     """A file that cannot be read as TeX; the message names the file and the reason."""
 
 

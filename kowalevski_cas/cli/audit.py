@@ -18,9 +18,8 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.listing import listing
 from kowalevski_cas.audit.session import AuditSession
-from kowalevski_cas.audit.source import Source, SourceError, read_source
+from kowalevski_cas.audit.source import Source, read_source
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.audit_formats import FORMATS, load_format
 from kowalevski_cas.cli.exits import (
     AS_RECORDED,
     DIFFERENT,
@@ -30,6 +29,7 @@ from kowalevski_cas.cli.exits import (
     USAGE,
     CommandError,
 )
+from kowalevski_cas.cli.formats import OF_AUDITS, load_format
 from kowalevski_cas.files import write
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
@@ -57,7 +57,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--list", action="store_true", help="only list the formulas, and whether they can be read"
     )
-    session.add_format(parser, FORMATS, "formula")
+    session.add_format(parser, OF_AUDITS, "formula")
     parser.add_argument(
         "--patch",
         action="store_true",
@@ -80,14 +80,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    try:
-        source = read_source(arguments.source, arguments.macros)
-        if arguments.list:
-            return _list(source, arguments.format)
-        (done,) = session.watched(lambda source: _audited(arguments, source), [source])
-    except SourceError as error:
-        raise CommandError(str(error)) from None
-    said, note, code = done
+    source = read_source(arguments.source, arguments.macros)
+    if arguments.list:
+        return _list(source, arguments.format)
+    ((said, note, code),) = session.watched(lambda one: _audited(arguments, one), [source])
     if arguments.patch:
         sys.stdout.flush()
         sys.stdout.buffer.write(said.encode(source.encoding, "replace"))
@@ -110,20 +106,16 @@ def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, str, i
         from kowalevski_cas.audit.patch import patch
 
         return patch(found), note, exit_code(found)
-    return load_format(arguments.format)(found), note, exit_code(found)
+    return load_format(arguments.format).audited(found), note, exit_code(found)
 
 
 def _written(found: Audit, folder: Path) -> str:
     """Write the page of an audit; where it is."""
     from kowalevski_cas.report.annotated import annotated
     from kowalevski_cas.report.html import render_html
-    from kowalevski_cas.report.prose import ProseError
 
     page = folder / f"{Path(found.source.path).stem}.html"
-    try:
-        write(page, render_html(annotated(found)))
-    except ProseError as error:
-        raise CommandError(str(error)) from None
+    write(page, render_html(annotated(found)))
     return f"{page} is written"
 
 
