@@ -86,7 +86,9 @@ class Cursor:
         self.at += 1
         number = self.tokens[self.at]
         if number.kind == "number" and len(number.text) > 1:
-            raise self.error(f"TeX puts {number.text[0]} there, and the rest on the line: set braces")
+            raise self.error(
+                f"TeX puts {number.text[0]} there, and the rest on the line: set braces"
+            )
 
     def index(self) -> str:
         """The index behind an underscore, in canonical LaTeX."""

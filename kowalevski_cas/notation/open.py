@@ -40,7 +40,7 @@ class OpenParser(Parser):
         """The node of a name; a d that belongs to no derivative is one."""
         if letter.startswith(BOLD) and not {letter, letter + index} & {*self.vocabulary.ranks}:
             name = letter + index
-            raise self.error(f'give its components, as in vectors={{r"{name}": ("a", "b")}}', token)
+            raise self.error(f"give its components: print {name}=(x,y,z) beside it", token)
         return Name("d" + index) if letter == "d" else super().declared(letter, index, token)
 
 
@@ -64,6 +64,21 @@ def independent(tex: str) -> list[str]:
         d, letter = [*tokens[below : below + 2], token, token][:2]
         if d.text == "d" and letter.kind == "letter":
             found[letter.text] = None
+    return [*found]
+
+
+def bold_names(tex: str) -> list[str]:
+    r"""The names in bold type in a display.
+
+    >>> bold_names(r"\dot{\bf r}={\bf r}\times\boldsymbol\omega_1")
+    ['\\mathbf{r}', '\\boldsymbol{\\omega}_1']
+    """
+    cursor, found = Cursor(tex, scan(tex), Vocabulary()), dict[str, None]()
+    while cursor.at < len(cursor.tokens):
+        token = cursor.take()
+        if token.kind == "letter" and token.text.startswith(BOLD):
+            here = cursor.tokens[cursor.at].kind == "_"
+            found[token.text + (cursor.index() if here else "")] = None
     return [*found]
 
 
