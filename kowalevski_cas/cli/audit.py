@@ -10,7 +10,6 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
@@ -96,11 +95,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, str, int]:
     """What is to be printed of an audit, what is to be noted, and the exit code."""
-    arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-    folder, derivation = chosen(source, arguments.derivation)
-    explain = arguments.report is not None
-    base = auditing(folder, derivation, arithmetics, arguments.timeout, explain)
-    found = audit(source, base)
+    found = audit(source, auditing(*chosen(source, arguments.derivation), arguments))
     note = _written(found, arguments.report) if arguments.report is not None else ""
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
@@ -136,16 +131,12 @@ def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
     return next(pair for pair in candidates if pair[1] is found)
 
 
-def auditing(
-    folder: Path,
-    derivation: Derivation,
-    arithmetics: Sequence[str],
-    timeout: float,
-    explain: bool = False,
-) -> AuditSession:
+def auditing(folder: Path, derivation: Derivation, arguments: argparse.Namespace) -> AuditSession:
     """The run of a derivation with which sources are compared."""
+    arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
     stored, record = load_certificates(folder), session.recorded(folder)
-    return AuditSession(derivation, arithmetics, stored, timeout, record, explain=explain)
+    explain = arguments.report is not None
+    return AuditSession(derivation, arithmetics, stored, arguments.timeout, record, explain=explain)
 
 
 def exit_code(found: Audit) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kowalevski_cas.notation.atoms import Atoms
-from kowalevski_cas.notation.cursor import END, Piece
+from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Derivative, Partial, Quotient
 
@@ -95,16 +95,6 @@ class Derivatives(Atoms):
             return False
         finally:
             self.at, self.level = start, level
-
-    def behind_group(self, at: int) -> int:
-        """The index behind the argument that begins at the given token."""
-        depth = 0
-        while self.tokens[at].kind != END:
-            depth += {"{": 1, "}": -1}.get(self.tokens[at].kind, 0)
-            at += 1
-            if depth == 0:
-                break
-        return at
 
     def denominator(self, at: int, d: str) -> list[str]:
         """The variables in the denominator that begins at the token; none if it is no such one."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from kowalevski_cas.notation.cursor import Cursor, Piece
@@ -38,28 +38,15 @@ class _Scripts:
     timed: bool = False
 
 
-class Symbols(Cursor, ABC):
+class Symbols(Cursor):
     """Reads names, accents, primes, powers and arguments."""
 
-    @abstractmethod
-    def sum(self) -> Piece:
-        """A sum, which the parser reads."""
-
-    @abstractmethod
-    def term(self) -> Piece:
-        """A term, which the parser reads."""
-
-    @abstractmethod
-    def factor(self) -> Piece:
-        """An atom with its powers and primes, which the parser reads."""
-
-    @abstractmethod
-    def bracket(self) -> Piece:
-        """A bracket, which the parser reads."""
-
-    @abstractmethod
-    def listed(self, pair: bool = False) -> tuple[Piece, ...]:
-        """A list in brackets, which the parser reads."""
+    # What the parser reads further on.
+    sum: Callable[[], Piece]
+    term: Callable[[], Piece]
+    factor: Callable[[], Piece]
+    bracket: Callable[[], Piece]
+    listed: Callable[[], tuple[Piece, ...]]
 
     # Names
 

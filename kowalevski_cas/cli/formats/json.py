@@ -54,7 +54,7 @@ def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
         "words": outcome.words,
         "verdict": str(outcome.verdict),
         "verdicts": {name: str(verdict) for name, verdict in outcome.verdicts.items()},
-        "conditions": conditions(outcome.conditions),
+        **_evidence(outcome),
         "failures": [
             {
                 "condition": to_latex(c.expression),
@@ -67,13 +67,20 @@ def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
         "chance": outcome.chance,
         "radius": outcome.radius,
         "seconds": {name: round(value, 6) for name, value in outcome.seconds.items()},
-        "counterexample": counterexample(outcome.counterexample),
-        "correction": correction(outcome.correction),
         "branches": [to_latex(formula) for formula in outcome.branches],
         "rests_on": list(outcome.rests_on),
         "corrected": list(outcome.corrected),
         "digest": outcome.digest,
-        "message": outcome.message,
+    }
+
+
+def _evidence(found: Outcome | Audited) -> dict[str, Any]:
+    """What a verdict depends on, what is against it, and what is said."""
+    return {
+        "conditions": conditions(found.conditions),
+        "counterexample": counterexample(found.counterexample),
+        "correction": correction(found.correction),
+        "message": found.message,
     }
 
 
@@ -107,13 +114,10 @@ def _formula(formula: Audited) -> dict[str, Any]:
         "tex": formula.tex,
         "verdict": formula.verdict,
         "claims": list(formula.claims),
-        "conditions": conditions(formula.conditions),
-        "counterexample": counterexample(formula.counterexample),
-        "correction": correction(formula.correction),
+        **_evidence(formula),
         "causes": list(formula.causes),
         "breaks": list(formula.breaks),
         "moved": formula.moved,
-        "message": formula.message,
     }
 
 
@@ -124,11 +128,8 @@ def _statement(audit: Audit, outcome: Outcome) -> dict[str, Any]:
         "words": outcome.words,
         "line": audit.lines.get(outcome.claim),
         "verdict": str(outcome.verdict),
-        "conditions": conditions(outcome.conditions),
-        "counterexample": counterexample(outcome.counterexample),
-        "correction": correction(outcome.correction),
+        **_evidence(outcome),
         "causes": [cause.place for cause in causes],
-        "message": outcome.message,
     }
 
 

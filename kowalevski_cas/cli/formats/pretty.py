@@ -31,17 +31,14 @@ def told(result: Result, claims: Iterable[str] = ()) -> str:
     run, contents = result.run, contents_of(result)
     named = filter(None, (run.author, run.title, run.source))
     title = contents.phrases.words("".join(f"{part}. " for part in named))
-    lines = [
-        *plain.wrapped(plain.text(title)),
-        "",
-        *plain.wrapped(contents.findings.lead()),
-        *plain.lines(contents.findings.blocks()),
-        *_errors(result),
-        *claims,
-        "",
-        *_summary(result),
-    ]
-    return "\n".join(lines) + "\n"
+    wrong = *plain.lines(contents.findings.blocks()), *_errors(result), *claims
+    return _page(plain.text(title), contents.findings, wrong, _summary(result))
+
+
+def _page(title: str, findings: Findings, wrong: Iterable[str], summary: Iterable[str]) -> str:
+    """The answer under a title, what is wrong, and a summary."""
+    head = *plain.wrapped(title), "", *plain.wrapped(findings.lead())
+    return "\n".join((*head, *wrong, "", *summary, ""))
 
 
 def contents_of(result: Result) -> Contents:
@@ -106,18 +103,9 @@ class Told:
         audit = self.audit
         findings = Findings(self.phrases, tuple(audit.outcomes.values()))
         source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
-        lines = [
-            *plain.wrapped(source),
-            "",
-            *plain.wrapped(findings.lead()),
-            *self.wrong(),
-            *plain.lines(findings.hypotheses()),
-            *details,
-            *(f"line {line}: {words}" for line, words in audit.notes),
-            "",
-            *self.summary(),
-        ]
-        return "\n".join(lines) + "\n"
+        notes = (f"line {line}: {words}" for line, words in audit.notes)
+        wrong = *self.wrong(), *plain.lines(findings.hypotheses()), *details, *notes
+        return _page(source, findings, wrong, self.summary())
 
     def wrong(self) -> Iterator[str]:
         """Formulas to look at, and statements in words that are refuted."""
