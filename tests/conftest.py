@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
+from kowalevski_cas import System
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.verify.certificate import load_certificates
@@ -80,4 +81,12 @@ def uncorrected():
     """No correction is looked for: what is refuted costs no more than its refutation."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Session, "correct", lambda *_: None)
+        yield
+
+
+@pytest.fixture(scope="module")
+def unlimited():
+    """A system has all the time for its answers: they are given here, and not in a process that is watched."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(System, "seconds", None)
         yield

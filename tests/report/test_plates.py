@@ -51,8 +51,7 @@ def test_a_list_that_cannot_be_read_shows_nothing(tmp_path: Path, text: str) -> 
 def test_a_page_carries_it_small(tmp_path: Path) -> None:
     rng = Random(1)
     size = (1600, 40)
-    noise = Image.new("RGB", size)
-    noise.putdata([tuple(rng.choices(range(256), k=3)) for _ in range(size[0] * size[1])])
+    noise = Image.frombytes("RGB", size, rng.randbytes(3 * size[0] * size[1]))
     noise.save(tmp_path / "noise.png")
     small = for_a_page(tmp_path / "noise.png")
     assert len(small) < (tmp_path / "noise.png").stat().st_size / 3
