@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from kowalevski_cas.motion import Inadmissible, load
 from kowalevski_cas.motion.critical import residuals
 from kowalevski_cas.motion.diagram import Fields
-from kowalevski_cas.motion.formulas import INTEGRALS, integrals
+from kowalevski_cas.motion.formulas import INTEGRALS, offered
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import regime_of
 from kowalevski_cas.motion.pictures.regions import filled
@@ -31,7 +31,7 @@ shares = st.floats(0.01, 0.99)
 
 
 def at(states):
-    return dict(zip(INTEGRALS, integrals()(*np.atleast_2d(states).T), strict=True))
+    return dict(zip(INTEGRALS, offered("integrals")(*np.atleast_2d(states).T), strict=True))
 
 
 def points_on_O4(count, seed):
