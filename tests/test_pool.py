@@ -76,11 +76,6 @@ def test_two_work_at_once():
     assert perf_counter() - start < 1.2
 
 
-def test_what_need_not_be_ordered_comes_when_it_is_there():
-    items = [0.5, 0]
-    assert [*Pool(jobs=2).map(lambda n: sleep(n) or n, items, ordered=False)] == [0, 0.5]
-
-
 @pytest.mark.parametrize("jobs", [1, 2])
 def test_interrupted_work_goes_on_from_what_is_kept(tmp_path, jobs):
     log, kept, numbers = tmp_path / "log", tmp_path / "kept", [1, 2, 3, -1, 4]
