@@ -32,7 +32,7 @@ def said(content: bytes) -> tuple[int, str]:
 def check(content: bytes) -> None:
     pages, text = said(content)
     assert 5 <= pages <= 12
-    for label in ("(4)", "(10)", "(16)", "(22)", "Before (9)", "M4 dimension"):
+    for label in ("(4)", "(10)", "(16)", "(22)", "Before (9)"):
         assert label in text.replace("- ", "-").replace("fi", "fi")
     for heading in ("Main equations", "misprints", "What rests on what", "What is proved"):
         assert heading in text
