@@ -19,7 +19,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any, TypeVar
 
-from kowalevski_cas.processes import ProcessDied, as_done
+from kowalevski_cas.processes import ProcessDied, each
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -121,7 +121,7 @@ class Pool:
         if self.scheduler:
             yield from _on_cluster(self.scheduler, work, batches)
         elif self.jobs > 1:
-            yield from as_done(work, batches, self.jobs)
+            yield from each(work, batches, self.jobs, ordered=False)
         else:
             yield from map(work, batches)
 

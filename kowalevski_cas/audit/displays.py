@@ -12,8 +12,8 @@ from dataclasses import dataclass
 DISPLAYS = (
     "equation displaymath eqnarray align alignat flalign gather multline dmath math subequations"
 ).split()
-ROWS = frozenset({"eqnarray", "align", "alignat", "flalign", "gather"})
-"""Environments in which every row has a number of its own."""
+ROWS = frozenset({"eqnarray", "align", "alignat", "flalign", "gather", "gather*"})
+"""Environments in which every row is a formula of its own."""
 
 LONGEST = 50_000
 """Characters in one formula."""
@@ -67,14 +67,13 @@ def find_formulas(text: str, start: int = 0) -> Iterator[Typed]:
             if begun == "alignat" and (columns := _COLUMNS.match(text, at)) is not None:
                 inside = columns.end()
             closing = _closing(text, inside, "end", begun)
-            numbered = not match["star"]
             if closing is None:
                 yield _broken(text, match.start(), inside, begun)
                 patience -= min(LONGEST, len(text) - inside)
                 if patience < 0:
                     return
                 continue
-            yield from _rows(text, inside, closing[0], begun + match["star"], numbered)
+            yield from _rows(text, inside, closing[0], begun + match["star"])
             at = closing[1]
         elif match["dollar"] or match["open"]:
             mark = match["dollar"] or match["open"]
@@ -121,13 +120,10 @@ def _labels(tex: str) -> tuple[str, ...]:
     return tuple(label.strip() for label in _LABEL.findall(tex))
 
 
-def _rows(text: str, start: int, end: int, kind: str, numbered: bool) -> Iterator[Typed]:
+def _rows(text: str, start: int, end: int, kind: str) -> Iterator[Typed]:
     """The formulas of an environment: one, or one for each number."""
     tex = text[start:end]
-    if kind.rstrip("*") not in ROWS:
-        yield Typed(tex, start, end, kind, _labels(tex))
-        return
-    if not numbered and kind != "gather*":
+    if kind not in ROWS:
         yield Typed(tex, start, end, kind, _labels(tex))
         return
     first = 0
@@ -135,9 +131,8 @@ def _rows(text: str, start: int, end: int, kind: str, numbered: bool) -> Iterato
         row = tex[first:last]
         if _UNNUMBERED.search(row) and following < len(tex):
             continue
-        whole = tex[first:last]
-        if whole.strip(" \t\r\n&"):
-            yield Typed(whole, start + first, start + last, kind, _labels(whole))
+        if row.strip(" \t\r\n&"):
+            yield Typed(row, start + first, start + last, kind, _labels(row))
         first = following
 
 

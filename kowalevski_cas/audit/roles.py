@@ -26,6 +26,11 @@ class Role:
     own: dict[str, None] = field(default_factory=dict)
 
     @property
+    def elsewhere(self) -> str:
+        """The role of a place about which nothing is claimed where it stands."""
+        return next((role for role in ORDER if role in self.roles - {"claim"}), self.name)
+
+    @property
     def name(self) -> str:
         """The role by which the place is called: what others rest on comes first."""
         return next((role for role in ORDER if role in self.roles), "none")

@@ -15,6 +15,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
+from kowalevski_cas import UserError
+
 LARGEST = 4_000_000
 """Bytes in a source; the longest papers have a tenth of this."""
 
@@ -46,7 +48,7 @@ _BEGINNING = re.compile(r"\\begin\s*\{document\}")
 _PRINTING = re.compile(r"[^\r\n]")
 
 
-class SourceError(ValueError):
+class SourceError(UserError, ValueError):
     """A file that cannot be read as TeX; the message names the file and the reason."""
 
 
@@ -94,22 +96,18 @@ def read_source(path: Path, styles: Iterable[Path] = ()) -> Source:
     try:
         # Opening a pipe would wait for a writer; so the kind is asked for first.
         kind = path.stat()
-        if not stat.S_ISREG(kind.st_mode):
-            raise SourceError(f"{path} is not a file")
-        if kind.st_size > LARGEST:
-            raise SourceError(
-                f"{path} has {kind.st_size:,} bytes; a source of more than {LARGEST:,} is not read"
-            )
-        with path.open("rb") as file:
-            data = file.read(LARGEST + 1)
+        is_file = stat.S_ISREG(kind.st_mode)
+        data = path.read_bytes() if is_file and kind.st_size <= LARGEST else b""
     except OSError as error:
         raise SourceError(f"{path} cannot be read: {error.strerror}") from None
     except ValueError as error:
-        if isinstance(error, SourceError):
-            raise
         raise SourceError(f"{os.fspath(path)!r} cannot be read: {error}") from None
-    if len(data) > LARGEST:
-        raise SourceError(f"{path} grows while it is read; it is left alone")
+    if not is_file:
+        raise SourceError(f"{path} is not a file")
+    if kind.st_size > LARGEST:
+        raise SourceError(
+            f"{path} has {kind.st_size:,} bytes; a source of more than {LARGEST:,} is not read"
+        )
     return replace(decode(str(path), data), styles=tuple(map(read_source, styles)))
 
 

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from kowalevski_cas.audit.catching import Measure, Measurement, measure
 from kowalevski_cas.audit.mutants import every, sample
-from kowalevski_cas.audit.source import Source, SourceError, read_source
+from kowalevski_cas.audit.source import Source, read_source
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.audit import chosen
@@ -45,10 +45,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     seed = random.SystemRandom().randrange(10**6) if arguments.seed is None else arguments.seed
     if arguments.source is not None and arguments.source.exists():
-        try:
-            source = read_source(arguments.source)
-        except SourceError as error:
-            raise CommandError(str(error)) from None
+        source = read_source(arguments.source)
         folder, derivation = chosen(source, arguments.derivation)
     else:
         name = [arguments.derivation] if arguments.derivation else []

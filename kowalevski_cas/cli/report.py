@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
+from kowalevski_cas.cli.exits import AS_RECORDED
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Run
 
@@ -54,13 +54,10 @@ def write(
     run: Run, paper: Sequence[Section], folder: Path, derivation: Path
 ) -> tuple[Checked, str]:
     """Write the report of a run; what the checker says of its certificates, and where it is."""
-    from kowalevski_cas.report.pdf import ReportError, write_report
+    from kowalevski_cas.report.pdf import write_report
 
     checked, digests = certified(run, derivation)
-    try:
-        written = write_report(run, paper, folder, digests)
-    except ReportError as error:
-        raise CommandError(f"the report: {error}") from None
+    written = write_report(run, paper, folder, digests)
     said = [*written.notes, f"{written.html} and {written.pdf} are written"]
     return checked, "\n".join(said)
 

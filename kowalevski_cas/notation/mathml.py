@@ -35,7 +35,7 @@ class MathML(Printer):
         "<mi>…</mi>",
         "<mi>const</mi>",
     )
-    comma = "<mo>,</mo>"
+    comma, thin = "<mo>,</mo>", '<mspace width="0.17em"></mspace>'
     round, square, braces, bars = (
         (f"<mo{_AS_IT_IS}>{left}</mo>", f"<mo{_AS_IT_IS}>{right}</mo>")
         for left, right in ("()", "[]", "{}", "||")

@@ -103,7 +103,9 @@ class Plain(Printer):
 
 
 def _word(text: str) -> bool:
-    return len(text) > 1 and text.isalpha()
+    """Whether a factor is a word, or a power of one."""
+    letters = text.rstrip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿ")
+    return len(letters) > 1 and letters.isalpha()
 
 
 def _slashed(formula: Formula) -> bool:

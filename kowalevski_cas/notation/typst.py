@@ -25,7 +25,7 @@ class Typst(Printer):
 
     minus, times, cross, prime, partial_d = "-", "⋅ ", "×", "'", "∂"
     dots, const, braces = "…", 'upright("const")', ("{", "}")
-    bars = ("abs⟮", "⟯")
+    bars, thin = ("abs⟮", "⟯"), "thin "
 
     def finished(self, text: str) -> str:
         return text.translate(_PRINTED)

@@ -83,10 +83,7 @@ class Findings:
         found = [
             (many[Verdict.PROVED], "as printed" if self.copied else "as stated here"),
             (where, "where their denominators do not vanish"),
-            (
-                len(self.lacking),
-                f"only under a hypothesis that the paper does not state{self._all()}",
-            ),
+            (len(self.lacking), f"only under {self._hypotheses()}"),
         ]
         what = counted(len(self.outcomes), "formula or statement", "formulas and statements")
         for n, how in found:
@@ -95,10 +92,12 @@ class Findings:
         holds = [f"{in_words(n)} {_verb('hold', n)} {how}" for n, how in found if n]
         return f"Of {what}, {_joined(holds) or 'none is proved'}.{self._wrong(many)}"
 
-    def _all(self) -> str:
-        """How many hypotheses are missing, if there are several."""
+    def _hypotheses(self) -> str:
+        """What is missing, and how many there are if there are several."""
         many = len(self.missing)
-        return f" ({in_words(many)} in all)" if many > 1 else ""
+        if many == 1:
+            return "a hypothesis that the paper does not state"
+        return f"hypotheses that the paper does not state ({in_words(many)} in all)"
 
     def _wrong(self, many: Mapping[Verdict, int]) -> str:
         """What does not hold, or is open."""

@@ -58,7 +58,7 @@ class HtmlSetter(Setter):
     def line(self, left: str, right: str, indent: int, leads: bool) -> str:
         space = f'<mspace width="{indent}em"></mspace>' if indent else ""
         if leads:
-            right = right.replace("<mo>", '<mo form="infix">', 1)
+            right = _infix(right)
         return f"<mtr><mtd>{left}</mtd><mtd>{space}{right}</mtd></mtr>"
 
     def lines(self, lines: Sequence[str]) -> str:
@@ -74,7 +74,13 @@ class HtmlSetter(Setter):
             parts[-1].append(piece)
         if measured(row) < 0.8 * _NARROW:
             parts = [[*row]]
-        return " ".join(f"<math>{joined(part, self.printer)}</math>" for part in parts)
+        texts = [joined(part, self.printer) for part in parts if part]
+        return " ".join(f"<math>{text}</math>" for text in (*texts[:1], *map(_infix, texts[1:])))
+
+
+def _infix(text: str) -> str:
+    """A part of a formula that begins with a sign, which stands between it and what is before."""
+    return text.replace("<mo>", '<mo form="infix">', 1)
 
 
 class HtmlWriter(Writer):

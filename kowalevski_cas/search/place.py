@@ -33,12 +33,8 @@ class Candidate:
         self.at = at
         self.numbers = number_ring(at.polynomials)
         values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
-        self._value = Substitution(at.ring, values, self.numbers, roots={})
+        self._value = Substitution(at.ring, values, self.numbers)
         for bit, name in enumerate(at.ring.roots):
-            own = values.get(name)
-            self._value.roots[bit] = (
-                self._value.root(self(at.ring.radicands[bit])) if own is None else own
-            )
             if name in negative:
                 self._value.roots[bit] = -self._value.roots[bit]
 

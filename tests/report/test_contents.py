@@ -9,13 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.notation import Formula
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.report import contents
 from kowalevski_cas.report.compare import unmarked
 from kowalevski_cas.report.document import (
     Claim,
     Display,
     Document,
+    Graph,
     Heading,
     Link,
     Paragraph,
@@ -143,6 +144,11 @@ class TestWrong:
         pair = [claim(n, "1", "x=x", n, C, conditions=(needed,)) for n in ("one", "other")]
         blocks = document(*pair).blocks
         assert "two hold only under a hypothesis that the paper" in said(blocks[0]).lower()
+        several = [
+            claim(n, "1", "x=x", n, C, conditions=(replace(needed, expression=Name(n)),))
+            for n in ("y", "z")
+        ]
+        assert "hypotheses that the paper does not state (two in all)" in said(document(*several))
         assert "One missing hypothesis" in said(blocks)
 
     def test_an_unmended_refutation_says_so(self) -> None:
@@ -207,6 +213,15 @@ class TestEvidence:
         told = (step("This says nothing:", "1=1"), step("This does:", "x=y"))
         text = said(document(claim("a", "1", "x=x", "", P, steps=told)).blocks)
         assert "This does:" in text and "says nothing" not in text
+
+    def test_a_box_of_the_graph_shows_what_is_stated_if_that_is_short(self) -> None:
+        long = "x=1+2+3+4+5+6+7+8+9+10+11+12"
+        one = claim("one", "1", "x=x", "", P)
+        two = claim("two", "1", "", "$x$ is real", P, rests_on=("one",))
+        three = claim("three", "1", long, "a statement of more words than there is room", P,
+            rests_on=("one",))  # fmt: skip
+        (drawn,) = (p.picture for p in parts(document(one, two, three)) if isinstance(p, Graph))
+        assert [box.label for box in drawn.boxes] == ["1.1 x = x", "1.2 x is real", "1.3"]
 
     def test_arithmetics_that_disagree_are_named(self) -> None:
         assert "FLINT says undecided and SymPy says timeout" in said(WHOLE.blocks)

@@ -11,12 +11,12 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 from flint import fmpq_mpoly
 
 from kowalevski_cas.algebra.flint import terms_of, to_fraction
 from kowalevski_cas.algebra.present import fraction_formula, name_formula, polynomial_formula
+from kowalevski_cas.cli.questions import with_constants
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
@@ -33,9 +33,9 @@ from kowalevski_cas.notation import (
     total,
 )
 from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.branches import Branch
@@ -61,8 +61,8 @@ def search(
     on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
 ) -> Iterator[Finding]:
     """Of each balance that it solves the leading equations, and its exponents."""
-    part, scene, words = leading(on, scene)
-    told = _Told(part, scene, words)
+    part, space = leading(on, scene)
+    scene, told = space.scene, _Told(part, space.scene, space.texts.vocabulary)
     said, tex = told.weights(), told.homogeneous()
     yield Finding(Identity, scene, said, tex, steps=True)
     for balance in part.balances(pool):
@@ -71,14 +71,11 @@ def search(
         yield Finding(Identity, scene, said, tex, steps=True, computed=computed)
 
 
-def leading(on: Elaborations, scene: Scene) -> tuple[LeadingPart, Scene, Vocabulary]:
-    """What leads in the motion, on the scene with a letter for an exponent, and its words."""
+def leading(on: Elaborations, scene: Scene) -> tuple[LeadingPart, Elaboration]:
+    """What leads in the motion, and what the scene means with a letter for an exponent."""
     letter = next(one for one in LETTERS if one not in {*scene.names()})
-    scene = scene.having(constants=(letter,))
-    words = on.texts.vocabulary
-    words = replace(words, scalars=words.scalars | {letter})
-    space = Elaborations(Texts(words, on.texts.sources, on.texts.edits))(scene)
-    return LeadingPart(space.finder, letter), scene, words
+    space = with_constants(on, scene, letter)
+    return LeadingPart(space.finder, letter), space
 
 
 class _Told:

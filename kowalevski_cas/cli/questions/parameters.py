@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.cli.questions import with_constants
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
@@ -29,7 +30,6 @@ from kowalevski_cas.paper.claims import Identity, Implication, Union
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.prune import mentions
 from kowalevski_cas.problem.space import Meaningless
@@ -55,10 +55,8 @@ def search(
             "nothing is to be determined: no constant stands in the motion, and none in the "
             "polynomial; give that coefficients, as in `x+Ay`"
         )
-    scene = scene.having(constants=(*unknown, *letters))
-    words = on.texts.vocabulary
-    words = replace(words, scalars=words.scalars.union(unknown, letters))
-    space = Elaborations(Texts(words, on.texts.sources, on.texts.edits))(scene)
+    space = with_constants(on, scene, *unknown, *letters)
+    scene, words = space.scene, space.texts.vocabulary
     ansatz = Ansatz(space.finder, space.finder.scalar(space.formula(arguments.polynomial)), letters)
 
     def formula(element: Element) -> Formula:
