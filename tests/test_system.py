@@ -386,6 +386,67 @@ def test_vectors_are_given_by_components():
     assert body.integral(rf"{gamma}\cdot{gamma}").verdict is Verdict.PROVED
 
 
+BODY = r"\dot{\mathbf M}=\mathbf M\times\boldsymbol\omega,\ "
+
+
+@pytest.mark.parametrize(
+    ("field", "moves", "integral"),
+    [
+        (BODY + r"\boldsymbol\omega=(aM_1,bM_2,cM_3)", "M₁, M₂, M₃ move", r"\omega_1M_1+\omega_2M_2+\omega_3M_3=2h"),
+        (BODY + r"\omega_1=aM_1, \omega_2=bM_2, \omega_3=cM_3", "M₁, M₂, M₃ move", r"\boldsymbol\omega\cdot\mathbf M"),
+        (BODY + r"\mathbf M=(u,v,w), \boldsymbol\omega=(u,v,2w)", "u, v, w move", r"u^2+v^2"),
+        (r"\ddot{\mathbf r}=-\frac{k\mathbf r}{|\mathbf r|^3},\ \mathbf r=(x,y)", "x, y move", r"x\dot y-y\dot x=\ell"),
+        (r"\dot{\mathbf x}={\bf Ax},\ {\bf A}=\begin{pmatrix}0&1\\-1&0\end{pmatrix},\ \mathbf x=(x,y)", "x, y move", r"\mathbf x^2=r^2"),
+        (r"\ddot{\vec r}=-\vec r, H=r_1^2+r_2^2", "r₁, r₂ move", r"\dot{\vec r}^2+H=2E"),
+        (r"\ddot{\bf r}=0, k=({\bf r}\times\dot{\bf r})\cdot{\bf a}", "r₁, r₂, r₃ move", r"{\bf L}={\bf r}\times\dot{\bf r}"),
+    ],
+)  # fmt: skip
+def test_vectors_have_the_components_that_are_printed(field, moves, integral):
+    system = System(field)
+    assert repr(system).partition(";")[0] == moves
+    assert system.integral(integral).verdict in (Verdict.PROVED, Verdict.CONDITIONAL)
+
+
+@pytest.mark.parametrize("claim", ["identity", "integral", "invariant"])
+@pytest.mark.parametrize(
+    "formula",
+    [
+        r"\mathbf r={}", r"{}=\mathbf r", r"\mathbf r+{}=0", r"(\mathbf r,{})=0", r"\mathbf r\times{}=0",
+        r"|\mathbf r+2{}|=x", r"3{}-y\mathbf r=0",
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("other", ["(1,x)", r"\mathbf s", "(1,x,y,z)"])
+def test_vectors_of_different_sizes_mean_nothing_together(claim, formula, other):
+    system = System(r"\dot{\mathbf r}=0,\ \dot{\mathbf s}=0,\ \mathbf r=(x,y,z),\ \mathbf s=(u,v)")
+    outcome = getattr(system, claim)(formula.format(other)).outcome
+    assert outcome.verdict is Verdict.ERROR and "components" in outcome.message
+
+
+def test_a_zero_stands_for_a_vector():
+    oscillator = System(r"\ddot{\mathbf r}=-\mathbf r,\ \mathbf r=(x,y,z)")
+    assert oscillator.invariant(r"\mathbf r\times\dot{\mathbf r}=0").verdict is Verdict.PROVED
+    assert oscillator.invariant(r"\mathbf r=0").verdict is Verdict.REFUTED
+    assert oscillator.implication("z=0", given=[r"\mathbf r=0"]).verdict is Verdict.PROVED
+    assert oscillator.identity(r"\mathbf r\times\dot{\mathbf r}=0").verdict is Verdict.REFUTED
+
+
+LEVELS = ("h", "2h", "h^2", "1", "0", r"\frac{h-k}{2}", r"\rho", r"\mathrm{const}")
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_the_value_of_an_integral_is_a_name_or_a_number(level):
+    circle = System(r"\dot x=\rho y, \dot y=-\rho x")
+    assert circle.integral(f"x^2+y^2={level}").verdict is Verdict.PROVED
+    assert circle.integral(f"2T=x^2-y^2={level}").verdict is Verdict.REFUTED
+
+
+@pytest.mark.parametrize("side", ["x", "hx", r"\dot x", "x^2+y^2+h", "2x^2+2y^2"])
+def test_what_moves_is_no_value_of_an_integral(side):
+    circle = System(r"\dot x=\rho y, \dot y=-\rho x")
+    verdict = circle.integral(f"x^2+y^2={side}").verdict
+    assert verdict in (Verdict.REFUTED, Verdict.ERROR)
+
+
 @pytest.mark.parametrize(
     ("field", "message"),
     [
@@ -416,7 +477,7 @@ def test_vectors_are_given_by_components():
         (r"\dot x=F, F=x=1", "F=x=1 gives F twice: leave one side out"),
         (
             r"\dot{\mathbf{x}}=y",
-            r'give its components, as in vectors=\{r"\\mathbf\{x\}": \("a", "b"\)\}',
+            r"give its components: print \\mathbf\{x\}=\(x,y,z\) beside it",
         ),
     ],
 )

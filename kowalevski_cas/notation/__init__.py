@@ -42,7 +42,7 @@ from kowalevski_cas.notation.heads import Heads, heads
 from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.mathml import to_mathml
-from kowalevski_cas.notation.open import OpenParser, independent
+from kowalevski_cas.notation.open import OpenParser, bold_names, independent
 from kowalevski_cas.notation.plain import to_plain
 from kowalevski_cas.notation.prose import Prose, print_prose, read_prose
 from kowalevski_cas.notation.reader import Statement, read, read_display

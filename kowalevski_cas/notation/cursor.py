@@ -84,6 +84,15 @@ class Cursor:
         self.tokens[self.at] = Token("number", token.text[1:], middle, token.end)
         return Token("number", token.text[0], token.start, middle)
 
+    def script(self) -> None:
+        """Move into an index or a power; of x^10 only the 1 is raised in print, and is no more."""
+        self.at += 1
+        number = self.tokens[self.at]
+        if number.kind == "number" and len(number.text) > 1:
+            raise self.error(
+                f"TeX puts {number.text[0]} there, and the rest on the line: set braces"
+            )
+
     def behind_group(self, at: int) -> int:
         """The index behind the argument that begins at the given token."""
         depth = 0
@@ -116,10 +125,10 @@ class Cursor:
 
     def index(self) -> str:
         """The index behind an underscore, in canonical LaTeX."""
-        self.at += 1
+        self.script()
         kind = self.tokens[self.at].kind
         if kind == "number":
-            return "_" + self.digit().text
+            return "_" + self.take().text
         if kind == "letter" or kind == "star":
             text = self.take().text
         elif kind == "{":

@@ -138,12 +138,12 @@ class Derivatives(Atoms):
         """The order of a derivative, printed as a power: 1 without one, 0 if it is no number."""
         if self.tokens[self.at].kind != "^":
             return 1
-        self.at += 1
+        self.script()
         braced = self.tokens[self.at].kind == "{"
         self.at += braced
         if self.tokens[self.at].kind != "number":
             return 0
-        digit = self.take() if braced else self.digit()
+        digit = self.take()
         self.at += braced
         return int(digit.text) if len(digit.text) < 3 else 0
 

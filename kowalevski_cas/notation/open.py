@@ -42,7 +42,7 @@ class OpenParser(Parser):
         """The node of a name; a d that belongs to no derivative is one."""
         if letter.startswith(BOLD) and not {letter, letter + index} & {*self.vocabulary.ranks}:
             name = letter + index
-            raise self.error(f'give its components, as in vectors={{r"{name}": ("a", "b")}}', token)
+            raise self.error(f"give its components: print {name}=(x,y,z) beside it", token)
         return Name("d" + index) if letter == "d" else super().declared(letter, index, token)
 
 
@@ -67,6 +67,16 @@ def independent(tex: str) -> list[str]:
         if d.text == "d" and letter.kind == "letter":
             found[letter.text] = None
     return [*found]
+
+
+def bold_names(tex: str) -> list[str]:
+    r"""The names in bold type in a display.
+
+    >>> bold_names(r"\dot{\bf r}={\bf r}\times\boldsymbol\omega_1")
+    ['\\mathbf{r}', '\\boldsymbol{\\omega}_1']
+    """
+    letters = Cursor(tex, scan(tex), Vocabulary()).letters()
+    return [*dict.fromkeys(one + index for one, index in letters if one.startswith(BOLD))]
 
 
 def _is_exponential(tokens: list[Token]) -> bool:

@@ -200,7 +200,7 @@ class Symbols(Cursor):
 
     def exponent(self) -> Piece:
         """What stands behind the sign of a power; a name in brackets there is no power."""
-        self.at += 1
+        self.script()
         bracket = self.tokens[self.at + (self.tokens[self.at].kind == "{")]
         piece = self.argument()
         if bracket.kind == "open" and isinstance(piece[0], Name | Number):

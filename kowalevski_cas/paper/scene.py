@@ -255,7 +255,7 @@ class Scene:
         for place in statements(*by):
             names = [name for name in place.heads.names if name not in known]
             if not names:
-                raise ValueError(f"{place.place} defines no new name on the scene “{self.name}”")
+                raise ValueError(f"{place.tex} defines no new name on the scene “{self.name}”")
             for name in names:
                 if not again:
                     self._is_new(name, definitions)
