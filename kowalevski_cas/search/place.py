@@ -30,12 +30,7 @@ class Candidate:
         self.at = at
         self.numbers = number_ring(at.polynomials)
         values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
-        self._value = Substitution(at.ring, values, self.numbers, roots={})
-        for bit, name in enumerate(at.ring.roots):
-            own = values.get(name)
-            self._value.roots[bit] = (
-                self._value.root(self(at.ring.radicands[bit])) if own is None else own
-            )
+        self._value = Substitution(at.ring, values, self.numbers)
 
     def __call__(self, element: Element) -> Element:
         """The value there; raises ``ZeroDivisionError`` on a zero of the denominator."""
