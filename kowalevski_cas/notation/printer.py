@@ -35,7 +35,7 @@ from kowalevski_cas.notation.formula import (
     Unwritten,
     Vector,
 )
-from kowalevski_cas.notation.unicode import symbol
+from kowalevski_cas.notation.unicode import SIGNS, symbol
 from kowalevski_cas.notation.values import applies
 
 # What stands in brackets behind a sign, and beside other factors.
@@ -80,9 +80,9 @@ class Printer(ABC):
     def upright(self, word: str) -> str:
         """A word in upright letters."""
 
-    @abstractmethod
     def sign(self, sign: str) -> str:
         """The sign of a relation."""
+        return SIGNS[sign]
 
     @abstractmethod
     def joined(self, parts: Iterable[str]) -> str:
