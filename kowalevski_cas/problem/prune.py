@@ -38,9 +38,9 @@ def mentions(formula: Formula) -> Mentions:
 class Reach:
     """What is reached of a setting, from formulas, through definitions of definitions."""
 
-    def __init__(self, setting: Setting, bound: Iterable[str] = ()) -> None:
+    def __init__(self, setting: Setting) -> None:
         self.setting = setting
-        self.bound = {*bound}
+        self.bound: set[str] = set()
         self.names: set[str] = set()
         self.steps: list[Step] = []
         self.moving = False
