@@ -89,10 +89,10 @@ class Atoms(Symbols):
         while (kind := self.tokens[self.at].kind) in ("_", "^") and kind not in limits:
             self.at += 1
             if kind == "_":
-                below = self.tokens[self.at : self.at + 3]
-                if [one.kind for one in below[:2]] != ["{", "letter"] or below[-1].text != "=":
+                first = self.tokens[self.at : self.at + 3]
+                if [one.kind for one in first[:2]] != ["{", "letter"] or first[-1].text != "=":
                     break
-                index = below[1].text
+                index = first[1].text
                 self.at += 3
                 limits[kind] = self.sum()
                 self.close("}")

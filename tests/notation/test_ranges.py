@@ -80,6 +80,7 @@ def test_what_is_defined_has_the_values_as_indices():
         (r"x_{ij}=y, i,j=9,10", "a product, or several indices"),
         (r"x_i=y^i, i=1,2", "is this a power or an index"),
         (r"x_i=\sum_{j=1}^iy_j, i=1,2", "is this a power or an index"),
+        (r"x=\sum_j", "print where the sum begins and ends"),
         (r"x=\sum_{i<j}y_{ij}", "print where the sum begins and ends"),
         (r"x=\sum_{i<2j}y_{ij}, i,j=1,2", "print where the sum begins and ends"),
         (r"x=\sum_{j=1}^{n}y_{kj}, x_i=\sum_{j\ne k}y_{ij}, i=1,2", "print where the sum begins"),
