@@ -98,13 +98,13 @@ class _Finder:
             if k in self.found:
                 continue
             free = [
-                (self.alike(k, j), -j)
+                (self.alike(k, j), formula.inline == display.inline, -j)
                 for j, formula in enumerate(self.formulas)
-                if j not in self.taken and formula.inline == display.inline
+                if j not in self.taken
             ]
-            best = max(free, default=(0.0, 0))
+            best = max(free, default=(0.0, False, 0))
             if best[0] >= MOVED and len(words(display.tex)) > 3:
-                self.take(k, -best[1])
+                self.take(k, -best[2])
 
     def alike(self, display: int, formula: int) -> float:
         """How much alike two formulas are; nothing is, once too many were compared."""

@@ -199,6 +199,8 @@ class Printer(ABC):
     def beside(self, left: Formula, right: Formula, text: str) -> str:
         """What stands between two factors, of which the right one is printed as ``text``."""
         # A number behind a factor would look like a part of it, a bracket like its argument.
+        if isinstance(_bare(left), Number) and isinstance(_bare(right), Number):
+            return self.cross
         if self.begins_with_number(text) or _is_applied(left, right):
             return self.times
         return self.thin if _is_word(left) or _is_word(right) else ""
