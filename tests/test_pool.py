@@ -34,19 +34,14 @@ def mortal(folder, number):
     return noted(folder / "done", number)
 
 
-def after(file, number):
-    """The number; for others than 0, when there is this file."""
-    for _ in range(3000):
-        if number == 0 or file.exists():
-            return number
-        sleep(0.02)
-    raise TimeoutError(f"nobody has made {file}")
-
-
 def met(folder, number):
     """Each of 1 and 2 waits until the other one has begun."""
     (folder / str(number)).touch()
-    return after(folder / str(3 - number), number)
+    for _ in range(3000):
+        if (folder / str(3 - number)).exists():
+            return number
+        sleep(0.02)
+    raise TimeoutError(f"{3 - number} has not begun")
 
 
 @pytest.fixture
@@ -91,13 +86,6 @@ def test_small_tasks_share_a_batch():
 
 def test_two_work_at_once(tmp_path):
     assert [*Pool(jobs=2).map(partial(met, tmp_path), [1, 2])] == [1, 2]
-
-
-def test_what_need_not_be_ordered_comes_when_it_is_there(tmp_path):
-    found = Pool(jobs=2).map(partial(after, tmp_path / "first"), [1, 0], ordered=False)
-    assert next(found) == 0
-    (tmp_path / "first").touch()
-    assert [*found] == [1]
 
 
 @pytest.mark.usefixtures("kept_at_once")
