@@ -292,10 +292,7 @@ def test_what_has_constants_of_its_own_is_written_and_certified_too(tmp_path, ca
     field = r"\dot x=y,\quad \dot y=6x^2+c"
     file.write_text(f"from kowalevski_cas import System\nelliptic = System(r'{field}')\n")
     assert main(["find", "exponents", str(file), "--write"]) == 0
-    assert (
-        main(["find", "parameters", str(file), "y^2+Ax^3+Bx", "--write", "--scene", "the system"])
-        == 0
-    )
+    assert main(["find", "parameters", str(file), "y^2+Ax^3+Bx", "--write"]) == 0
     lines = file.read_text().splitlines()
     assert r"elliptic.having('\\rho').states(" in lines[-5]
     assert "elliptic.having('A', 'B', " in lines[-1]
