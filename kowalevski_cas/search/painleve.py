@@ -158,7 +158,9 @@ class _Series:
         next_one, conditions = self._applied([q / value for q in quotient], known), Vector()
         if times:
             projection = [one / value for one in _with_roots(others)]
-            columns = [self._applied(projection, self._unit_vector(k)) for k in range(self.size)]
+            places = range(self.size)
+            units = ([self.zero + (j == k) for j in places] for k in places)
+            columns = [self._applied(projection, unit) for unit in units]
             moved = (self._times(column) for column in columns)
             kept = zip(moved, columns, strict=True)
             if any(
@@ -203,9 +205,6 @@ class _Series:
                 if len(self.rest) < 2 or self._nowhere(value):
                     return chosen
         raise Meaningless("it has several parts, with other free constants each")
-
-    def _unit_vector(self, place: int) -> Vector:
-        return [self.zero + (k == place) for k in range(self.size)]
 
     def _times(self, vector: Vector) -> Vector:
         """A times a vector."""

@@ -69,7 +69,8 @@ def eliminate(
     """Solve constraints that are linear in a variable with a constant coefficient."""
     eliminated: list[tuple[int, fmpq_mpoly]] = []
     while True:
-        found = next(((c, v) for c in constraints for v in variables if _gives(c, v)), None)
+        linear = ((c, v) for c in constraints for v in variables if c.degrees()[v] == 1)
+        found = next(((c, v) for c, v in linear if c.derivative(v).is_constant()), None)
         if found is None:
             return distinct(constraints), eliminated
         constraint, variable = found
@@ -95,10 +96,6 @@ def _entered(polynomial: fmpq_mpoly, eliminated: Sequence[tuple[int, fmpq_mpoly]
 def distinct(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
     """Polynomials of which none is another one times a number."""
     return list({str(p / p.leading_coefficient()): p for p in polynomials}.values())
-
-
-def _gives(constraint: fmpq_mpoly, variable: int) -> bool:
-    return constraint.degrees()[variable] == 1 and constraint.derivative(variable).is_constant()
 
 
 def _choices(constraints: list[fmpq_mpoly], variables: list[int]) -> Iterator[tuple[int, ...]]:
