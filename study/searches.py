@@ -8,7 +8,6 @@ from fractions import Fraction
 from functools import partial
 from itertools import count
 from time import perf_counter
-from typing import TYPE_CHECKING
 
 from flint import (
     Ordering,
@@ -19,6 +18,8 @@ from flint import (
     fmpz_mpoly_vec,
     nmod_mat,
 )
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
 from sympy import QQ, Poly, groebner, symbols
 from sympy.polys.matrices import DomainMatrix
 
@@ -46,9 +47,6 @@ from kowalevski_cas.tools import TOOLS
 from study.charts import look, seconds, shown
 from study.published import PUBLISHED, Published
 from study.step import Measured, Row, Task
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 TITLE = "searches"
 
@@ -269,8 +267,6 @@ POLYNOMIAL: dict[str, Prepared] = {
 
 def draw(rows: Sequence[Row]) -> Figure:
     """The share of systems that are finished, against time: integrals, and equations."""
-    from matplotlib.ticker import FuncFormatter
-
     figure = new_figure(height=4.6)
     panels = figure.subplots(1, 2, sharey=True)
     sides = ((LINEAR, "integrals"), (POLYNOMIAL, "darboux"))

@@ -21,6 +21,8 @@ from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import verify
 from tests.laws.systems import SYSTEMS
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 ROOT = Path(__file__).parents[1]
 
 LORENZ = r"""\begin{align}
@@ -229,7 +231,7 @@ def test_a_name_with_a_square_is_no_printed_root():
 numbers = st.integers(1, 60)
 
 
-@settings(max_examples=10)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(numbers, numbers, st.integers(-4, 4), numbers, st.booleans())
 def test_roots_of_numbers_depend_on_each_other_as_they_do(m, n, a, b, true):
     product = sympy.sqrt(m) * sympy.sqrt(n)
@@ -826,7 +828,6 @@ FACTORS = st.sampled_from(["1-kx^2", "k-3xy", "x+y", "ky-x^2+2", "xy-k"])
 
 
 @given(st.lists(FACTORS, min_size=1, max_size=2, unique=True))
-@settings(max_examples=6)
 def test_a_condition_is_named_as_its_denominator_is_printed(factors):
     system = System(r"\dot x=y, \dot y=-kx")
     below = "".join(f"({factor})" for factor in factors)

@@ -136,16 +136,10 @@ def _blanked(text: str) -> str:
     at = 0
     while (match := _SILENT.search(text, at)) is not None:
         start, end = match.span()
-        pieces.append(text[at:start])
         last = match.lastgroup
-        if last is None:
-            pieces.append(match[0])
-            at = end
-            continue
         if last == "end":
-            at = start
-            break
-        if last == "name":
+            end = len(text)
+        elif last == "name":
             closing = text.find(rf"\end{{{match['name']}}}", end)
             end = len(text) if closing < 0 else closing + len(match["name"]) + 6
         elif last == "mark":
@@ -153,13 +147,10 @@ def _blanked(text: str) -> str:
             end = end if closing < 0 or "\n" in text[end:closing] else closing + 1
         elif last == "off":
             end = _after_fi(text, end)
-        pieces.append(_PRINTING.sub(" ", text[start:end]))
+        piece = text[start:end]
+        pieces += [text[at:start], _PRINTING.sub(" ", piece) if last else piece]
         at = end
-    else:
-        pieces.append(text[at:])
-        return "".join(pieces)
-    pieces.append(_PRINTING.sub(" ", text[at:]))
-    return "".join(pieces)
+    return "".join([*pieces, text[at:]])
 
 
 _CONDITIONAL = re.compile(r"\\(if[a-zA-Z]*|fi)(?![A-Za-z])|\\(?:newif|\\)")

@@ -142,19 +142,16 @@ def auditing(folder: Path, derivation: Derivation, arguments: argparse.Namespace
 def exit_code(found: Audit) -> int:
     """The exit code that an audit asks for."""
     outcomes = found.outcomes.values()
+    verdicts = {outcome.verdict for outcome in outcomes}
     if any(disagreement(outcome.verdicts) for outcome in outcomes):
         return DISAGREEMENT
     if all(formula.line == 0 for formula in found.formulas):
         return NOTHING
-    if any(formula.wrong for formula in found.formulas):
+    if any(formula.wrong for formula in found.formulas) or Verdict.REFUTED in verdicts:
         return DIFFERENT
-    if any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
-        return DIFFERENT
-    if any(outcome.verdict is Verdict.ERROR for outcome in outcomes):
+    if Verdict.ERROR in verdicts:
         return USAGE
-    if any(outcome.verdict in (Verdict.UNDECIDED, Verdict.TIMEOUT) for outcome in outcomes):
-        return UNDECIDED
-    return AS_RECORDED
+    return UNDECIDED if verdicts & {Verdict.UNDECIDED, Verdict.TIMEOUT} else AS_RECORDED
 
 
 def _list(source: Source, format: str) -> int:

@@ -75,7 +75,8 @@ def _checked(names: list[str]) -> list[Checked]:
     for path in [Path(name) for name in names if name.endswith(".json")]:
         files.setdefault(path.parent.resolve(), []).append(path)
     folders = [name for name in names if not name.endswith(".json")] if names else available()
-    found = session.watched(_committed, [find(name) for name in folders])
+    derivations = [find(name) for name in folders]
+    found = session.watched(lambda at: check_committed(at, load_record(at) or {}), derivations)
     return [*(check_files(paths, _about(at)) for at, paths in files.items()), *found]
 
 
@@ -85,7 +86,3 @@ def _about(folder: Path) -> Expected | None:
     if folder.name != FOLDER or not source(folder.parent).is_file():
         return None
     return expected(folder.parent, load_record(folder.parent) or {})
-
-
-def _committed(folder: Path) -> Checked:
-    return check_committed(folder, load_record(folder) or {})

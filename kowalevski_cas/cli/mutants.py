@@ -10,7 +10,6 @@ from __future__ import annotations
 import argparse
 import random
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 
 from kowalevski_cas.audit.catching import Measure, Measurement, measure
@@ -21,7 +20,6 @@ from kowalevski_cas.cli import session
 from kowalevski_cas.cli.audit import chosen
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED, CommandError
 from kowalevski_cas.library import find
-from kowalevski_cas.paper.derivation import Derivation
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -53,7 +51,7 @@ def run(arguments: argparse.Namespace) -> int:
         source = synthetic(derivation)
     print(f"{source.path} by {derivation.name}, seed {seed}", flush=True)
 
-    pool = session.pool(arguments, [folder, *map(find, bases(derivation))])
+    pool = session.pool(arguments, [folder, *(find(one.name) for one in derivation.bases())])
 
     def measured(source: Source) -> Measurement:
         work = Measure(folder, source.path, source.text, arguments.timeout)
@@ -67,13 +65,6 @@ def run(arguments: argparse.Namespace) -> int:
         raise CommandError("no mutants can be made of this source", NOTHING)
     print(report(found), end="")
     return DIFFERENT if found.missed else UNDECIDED if found.late else AS_RECORDED
-
-
-def bases(derivation: Derivation) -> Iterator[str]:
-    """The names of the derivations on which one rests, near and far."""
-    for base in derivation.rests_on:
-        yield base.name
-        yield from bases(base)
 
 
 def report(found: Measurement) -> str:

@@ -195,14 +195,14 @@ def exit_code(result: Result) -> int:
     outcomes = result.run.outcomes
     if any(disagreement(o.verdicts) for o in outcomes):
         return DISAGREEMENT
-    if any(o.verdict is Verdict.ERROR for o in outcomes):
+    verdicts = {o.verdict for o in outcomes}
+    if Verdict.ERROR in verdicts:
         return USAGE
     screened = result.run.arithmetics[0] in POINTS
-    undecided = [o.verdict is Verdict.UNDECIDED for o in outcomes]
     # Some claims say what no point can show; a screening that saw nothing at all is no success.
-    if all(undecided) if screened else any(undecided):
+    if Verdict.UNDECIDED in verdicts and not (screened and len(verdicts) > 1):
         return UNDECIDED
-    if any(o.verdict is Verdict.TIMEOUT for o in outcomes):
+    if Verdict.TIMEOUT in verdicts:
         return UNDECIDED
     return DIFFERENT if result.differences else AS_RECORDED
 

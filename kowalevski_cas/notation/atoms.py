@@ -116,11 +116,8 @@ class Atoms(Symbols):
 
     def read_dots(self) -> Piece:
         """An ellipsis, in the place of terms or of a member."""
-        before, token, behind = (
-            self.tokens[self.at - 1].kind,
-            self.take(),
-            self.tokens[self.at].kind,
-        )
+        before, token = self.tokens[self.at - 1].kind, self.take()
+        behind = self.tokens[self.at].kind
         placed = before in _BEFORE_DOTS and behind in _BEHIND_DOTS
         if not placed or _SIGNS.isdisjoint((before, behind)):
             raise self.error("an ellipsis stands for terms, and for nothing else", token)

@@ -35,7 +35,7 @@ from kowalevski_cas.notation.formula import (
     Unwritten,
     Vector,
 )
-from kowalevski_cas.notation.unicode import symbol
+from kowalevski_cas.notation.unicode import SIGNS, symbol
 from kowalevski_cas.notation.values import applies
 
 # What stands in brackets behind a sign, and beside other factors.
@@ -80,9 +80,9 @@ class Printer(ABC):
     def upright(self, word: str) -> str:
         """A word in upright letters."""
 
-    @abstractmethod
     def sign(self, sign: str) -> str:
         """The sign of a relation."""
+        return SIGNS[sign]
 
     @abstractmethod
     def joined(self, parts: Iterable[str]) -> str:
@@ -199,6 +199,8 @@ class Printer(ABC):
     def beside(self, left: Formula, right: Formula, text: str) -> str:
         """What stands between two factors, of which the right one is printed as ``text``."""
         # A number behind a factor would look like a part of it, a bracket like its argument.
+        if isinstance(_bare(left), Number) and isinstance(_bare(right), Number):
+            return self.cross
         if self.begins_with_number(text) or _is_applied(left, right):
             return self.times
         return self.thin if _is_word(left) or _is_word(right) else ""

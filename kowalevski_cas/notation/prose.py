@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
+from itertools import chain
 
 from kowalevski_cas.notation.cursor import Cursor, Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
+from kowalevski_cas.notation.layout import printed
+from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.parser import Parser
-from kowalevski_cas.notation.reader import read
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -52,15 +54,18 @@ def read_prose(text: str, vocabulary: Vocabulary) -> Prose:
     parts = text.split("$")
     if len(parts) % 2 == 0:  # a dollar too many: none of them means mathematics
         return (text,)
-    runs = (_formula(part, vocabulary) if k % 2 else part for k, part in enumerate(parts))
-    return tuple(run for run in runs if run)
+    runs = (_formulas(part, vocabulary) if k % 2 else (part,) for k, part in enumerate(parts))
+    return tuple(run for run in chain.from_iterable(runs) if run)
 
 
-def _formula(tex: str, vocabulary: Vocabulary) -> str | Formula:
+def _formulas(tex: str, vocabulary: Vocabulary) -> Prose:
+    """The formulas between two dollars, with commas between them."""
     for parser in (_InWords, _Loosened):
         with suppress(NotationError):
-            return read(tex, vocabulary, parser)
-    return f"${tex}$"
+            each = (parser(tex, tokens, vocabulary) for tokens in printed(scan(tex), tex))
+            if runs := [run for one in each for run in (", ", one.statement()[0])]:
+                return tuple(runs[1:])
+    return (f"${tex}$",)
 
 
 def print_prose(

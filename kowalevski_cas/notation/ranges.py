@@ -145,7 +145,9 @@ def _sum(tokens: list[Token], printed: set[int], tex: str) -> Iterator[Token]:
     """A row of numbers and signs in an index, as one number if there are signs."""
     numbers = [token for token in tokens if token.kind == "number"]
     put = [token.start not in printed for token in numbers]
-    if not any(put) or (len(numbers) == len(tokens) and all(put) and _digits(numbers)):
+    if not any(put) or (
+        len(numbers) == len(tokens) and all(put) and all(len(one.text) == 1 for one in numbers)
+    ):
         yield from tokens
         return
     total = -1
@@ -156,7 +158,3 @@ def _sum(tokens: list[Token], printed: set[int], tex: str) -> Iterator[Token]:
         message = "a product, or several indices? write the statements out"
         raise NotationError(message, tex, tokens[0].start)
     yield Token("number", str(total), tokens[0].start, tokens[-1].end)
-
-
-def _digits(numbers: list[Token]) -> bool:
-    return all(len(number.text) == 1 for number in numbers)

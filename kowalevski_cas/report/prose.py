@@ -308,6 +308,8 @@ class _Article:
                 parts.append([])
             parts[-1].append(inner)
         self._apart(parts[0])
+        if node.environmentname == "thebibliography":
+            self._heading(1, ("References",))
         kept, self.blocks = self.blocks, []
         items: list[tuple[Block, ...]] = []
         for first, *rest in parts[1:]:

@@ -33,12 +33,12 @@ def test_each_claim_is_in_one_share_and_no_share_is_empty(parts, data):
 
 def test_however_many_processes_decide_the_outcomes_are_the_same(monkeypatch, capsys):
     found = []
-    for cores in (1, 2, 3):
+    for cores in (1, 3):
         monkeypatch.setattr(verify, "CORES", cores)
-        chosen = [f"--only={id}" for id in ("eq9.i", "eq10.1", "eq14", "eq12", "eq21")]
+        chosen = [f"--only={id}" for id in ("eq10.1", "eq14", "eq12", "eq21")]
         main(["verify", "kharlamov2002", "--format=json", *chosen])
         found.append(json.loads(capsys.readouterr().out, object_hook=untimed))
-    assert found[0] == found[1] == found[2]
+    assert found[0] == found[1]
 
 
 def untimed(data):

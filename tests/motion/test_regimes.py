@@ -30,6 +30,9 @@ A, B = Fraction(1), Fraction(2, 5)
 positive = st.fractions(Fraction(1, 20), 3, max_denominator=40)
 signed = st.fractions(-4, 4, max_denominator=40)
 
+few = settings(max_examples=settings.default.max_examples // 3)
+"""Motions through all tori of their constants are dear."""
+
 
 def radicands(m, ell, s1, s2):
     """S1², S2², f1², f2² as they are printed."""
@@ -105,7 +108,7 @@ def named(parameters):
     return {labels(parameters, signs) for signs in itertools.product((1, -1), repeat=2)}
 
 
-@settings(max_examples=8)
+@few
 @given(signed, signed, st.sampled_from([B, Fraction(0), Fraction(3, 4)]))
 @example(Fraction(-1), Fraction(1, 10), Fraction(0))
 def test_each_torus_has_signs_of_its_own_and_keeps_them(m, ell, b):
@@ -125,7 +128,7 @@ def test_each_torus_has_signs_of_its_own_and_keeps_them(m, ell, b):
     assert len(found) == tori(parameters)
 
 
-@settings(max_examples=6)
+@few
 @given(st.fractions(-3, Fraction(-1, 10), max_denominator=40), st.sampled_from([B, 0]))
 @example(Fraction(-3, 10), B)
 @example(Fraction(-3, 5), B)

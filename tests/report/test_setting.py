@@ -50,6 +50,8 @@ def test_words_stand_apart_from_other_factors():
     assert TYPST_SETTER.inline(WORDS) == 'k thin upright("sn")^(2) thin upright("cn") thin u'
     assert MATHML(WORDS).count("mspace width") == 3
     assert to_plain(WORDS) == "k sn² cn u"
+    nine = Product((Number(3), Number(3)))
+    assert (LATEX(nine), to_plain(nine)) == (r"3\times3", "3×3")
     assert LATEX(WORDS) == r"k\mathrm{sn}^2\mathrm{cn}u"  # what is read again has no spaces
 
 

@@ -67,8 +67,8 @@ def _summary(result: Result) -> Iterator[str]:
     counts = Counter(o.verdict for o in run.outcomes)
     shown = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
     seconds = sum(sum(o.seconds.values()) for o in run.outcomes)
-    claims = f"{len(run.outcomes)} claim{'s' * (len(run.outcomes) != 1)}"
-    head = f"{claims}: {shown}; {', '.join(run.arithmetics)}; {seconds:.2f} s"
+    claims, by = _many(len(run.outcomes), "claim"), ", ".join(run.arithmetics)
+    head = f"{claims}: {shown}; {by}; {seconds:.2f} s"
     noun, other = (
         ("recorded", "THE RECORD") if result.recorded else ("expected", "WHAT IS EXPECTED")
     )
@@ -155,9 +155,14 @@ class Told:
         correction: Correction | None,
         against: Counterexample | None,
     ) -> Iterator[str]:
+        said = self.phrases.words(head)
         if correction is not None:
-            head += f"{'; ' if correction.edit else '. Correct: '}{correction.words}"
-        yield from plain.wrapped(plain.text(self.phrases.words(f"{head}.")))
+            said += self.phrases.words(
+                f"{'; ' if correction.edit else '. Correct: '}{correction.words}"
+            )
+            if correction.conditions and not correction.edit:
+                said += (", where ", *self.phrases.where(correction.conditions))
+        yield from plain.wrapped(plain.text((*said, ".")))
         shown: list[Block] = []
         if printed or source:
             shown.append(Display(printed, source, Verdict.REFUTED))
@@ -171,8 +176,9 @@ class Told:
         """How many there are of each verdict."""
         audit = self.audit
         claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
-        yield f"{len(audit.formulas)} formulas: {_counted(audit.counts)}"
-        yield f"{len(audit.outcomes)} claims: {_counted(claims)}; {audit.seconds:.2f} s"
+        yield f"{_many(len(audit.formulas), 'formula')}: {_counted(audit.counts)}"
+        claimed = _many(len(audit.outcomes), "claim")
+        yield f"{claimed}: {_counted(claims)}; {audit.seconds:.2f} s"
 
 
 def _slip(formula: Audited) -> object:
@@ -180,6 +186,10 @@ def _slip(formula: Audited) -> object:
     if formula.correction is None or formula.place is None:
         return None
     return formula.correction.words, formula.place.display.id
+
+
+def _many(number: int, what: str) -> str:
+    return f"{number} {what}{'s' * (number != 1)}"
 
 
 def _counted(counts: Mapping[str, int]) -> str:

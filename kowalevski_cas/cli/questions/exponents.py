@@ -87,6 +87,7 @@ class _Told:
         known = scene.names()
         letter = next(one for one in FREE if not any(name.startswith(one) for name in known))
         self.names += [Name(f"{letter}_{k}") for k in range(1, part.size + 1)]
+        self.general = " for general constants" if len(scene.constants) > 1 else ""
 
     def weights(self) -> str:
         """The weights, and of what."""
@@ -132,8 +133,7 @@ class _Told:
         """The equations for c, the roots of the determinant, and whether it is principal."""
         numbers = [str(one) for one in balance.exponents]
         numbers += [f"the roots of ${to_latex(self._formula(one))}$" for one in balance.factors]
-        if len(self.scene.constants) > 1:
-            numbers[-1] += " for general constants"
+        numbers[-1] += self.general
         said = "principal" if balance.is_principal() else "not principal"
         where = self._where(balance.equations)
         return f"balance {where}: exponents {', '.join(numbers)}, {said}"
@@ -157,7 +157,7 @@ class _Told:
 
     def degrees(self, balance: Balance) -> str:
         """Which weights of first integrals the exponents leave, by a theorem of Yoshida."""
-        general = " for general constants" if balance.factors else ""
+        general = self.general if balance.factors else ""
         found = [*dict.fromkeys(str(one) for one in balance.exponents if one > 0)]
         if not found:
             return f"all integrals have leading terms that are critical here{general}"

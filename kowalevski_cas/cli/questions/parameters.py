@@ -79,7 +79,8 @@ def search(
         for case in cases
     )
     if all(sets):
-        said = f"F' = KF only where {_either(sets)}"
+        where = f"only where {_either(sets)}" if sets else "for no values of the constants"
+        said = f"F' = KF {where}"
         if not any(map(_is_number, ansatz.trivial())):
             said += ", unless F is constant"
             sets[tuple(tex(one, zero) for one in ansatz.trivial())] = None
@@ -103,7 +104,7 @@ def _at_rest(scene: Scene) -> Scene:
 def _either(sets: Iterable[tuple[str, ...]]) -> str:
     """In words that one of several sets of equations holds."""
     shown = (" and ".join(f"${one}$" for one in given) or "always" for given in sets)
-    return ", or ".join(shown) or "never"
+    return ", or ".join(shown)
 
 
 def _mention(space: Elaboration, sides: Iterable[Element], names: Iterable[str]) -> bool:
