@@ -67,7 +67,7 @@ def draw(motion: Motion) -> Figure:
 
 def _ends(oscillation: Oscillation) -> tuple[list[float], list[str]]:
     """The ends of an arc, or their inverses where it passes infinity, and their names."""
-    roots = oscillation.arc.roots[:2]
+    roots = oscillation.arc.ends
     values = [float(oscillation.root(root)) for root in roots]
     if not oscillation.arc.infinite:
         return values, [f"${root}$" for root in roots]
