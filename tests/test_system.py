@@ -210,6 +210,18 @@ def test_a_constant_can_be_a_root():
             "x, y move",
             r"\frac12(\dot x^2+\dot y^2)-\frac{1}{r}",
         ),
+        (
+            r"\ddot x_i=2g^2\sum_{j\ne i}\frac{1}{(x_i-x_j)^3},\quad i=1,2,3",
+            "x₁, x₂, x₃ move; g is constant",
+            r"\frac12\sum_{k=1}^3\dot x_k^2+\sum_{1\le i<j\le3}\frac{g^2}{(x_i-x_j)^2}",
+        ),
+        (
+            r"\dot x_i=-x_i\sum_{j=1}^2a_{ij}x_j,\quad i=1,2,\quad a_{11}=a_{22}=0",
+            "x₁, x₂ move; a₁₂, a₂₁ are constant",
+            "a_{21}x_1-a_{12}x_2=c",
+        ),
+        (r"\dot x_i=x_i(x_{i+1}-x_{i-1}),\quad i=1,2,3,\quad x_{i+3}=x_i", "x₁, x₂, x₃ move", "x_1x_2x_3=c"),
+        (r"2\ddot\alpha=e^{2\beta}, 2\ddot\beta=e^{2\beta}", "α, β move", r"\dot\beta^2-\frac12e^{2\beta}"),
     ],
 )  # fmt: skip
 def test_equations_as_textbooks_print_them(field, moves, integral):
@@ -475,6 +487,7 @@ def test_what_moves_is_no_value_of_an_integral(side):
         ),
         (r"\dot u=\partial u/\partial x, \dot x=1", "u is differentiated, and nothing defines it"),
         (r"\dot x=k(t)x", r"a product, or k at this argument\?"),
+        (r"\ddot q=-V_q, V=q^4", r"V_q is a name here: print .partial V/.partial q, or rename it"),
         (r"\dot x=x-\bar x", "x} is a conjugate, and all is real: rename it"),
         (r"\dot x=F, F=x=1", "F=x=1 gives F twice: leave one side out"),
         (

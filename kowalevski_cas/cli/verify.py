@@ -13,6 +13,7 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from time import sleep
 
@@ -94,11 +95,15 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
 
 
 def _shares(derivation: Derivation, only: Sequence[str], parts: int) -> Iterator[Sequence[str]]:
-    """The claims of a derivation in parts, for as many cores: what is decided does not differ."""
+    """The claims of a derivation in parts, for as many cores: what is decided does not differ.
+
+    Claims that follow each other stand on the same scenes, which each process elaborates anew.
+    """
     claims = [claim.id for claim in derivation.claims if not only or claim.id in only]
     parts = max(1, min(parts, len(claims)))
-    for part in range(parts):
-        yield claims[part::parts]
+    ends = [len(claims) * part // parts for part in range(parts + 1)]
+    for start, end in pairwise(ends):
+        yield claims[start:end]
 
 
 def _result(

@@ -89,10 +89,10 @@ class Atoms(Symbols):
         while (kind := self.tokens[self.at].kind) in ("_", "^") and kind not in limits:
             self.at += 1
             if kind == "_":
-                opening, letter, equal = self.tokens[self.at : self.at + 3]
-                if [opening.kind, letter.kind, equal.text] != ["{", "letter", "="]:
+                first = self.tokens[self.at : self.at + 3]
+                if [one.kind for one in first[:2]] != ["{", "letter"] or first[-1].text != "=":
                     break
-                index = letter.text
+                index = first[1].text
                 self.at += 3
                 limits[kind] = self.sum()
                 self.close("}")

@@ -80,11 +80,11 @@ def bold_names(tex: str) -> list[str]:
 
 
 def _is_exponential(tokens: list[Token]) -> bool:
-    """Whether the letter e is raised wherever it stands, and never to a number."""
-    behind = [
-        [t.kind for t in tokens[k + 1 : k + 4]] for k, t in enumerate(tokens) if t.text == "e"
-    ]
+    """Whether the letter e is raised wherever it stands, and never to a number alone."""
+    behind = (
+        [t.kind for t in tokens[k + 1 : k + 5]] for k, t in enumerate(tokens) if t.text == "e"
+    )
     return all(
-        kinds[:1] == ["^"] and "number" not in (kinds[1:2] if kinds[1:2] != ["{"] else kinds[2:])
+        kinds[:1] == ["^"] and kinds[1:2] != ["number"] and kinds[1:] != ["{", "number", "}"]
         for kinds in behind
     )

@@ -126,7 +126,7 @@ class Fold(ABC):
                 return None
             exponents, value = monomial
             terms[exponents] = terms.get(exponents, 0) + value
-        return self.ring.from_terms({0: {e: Fraction(v) for e, v in terms.items()}})
+        return self.ring.from_terms({0: terms})
 
     @cached_property
     def _places(self) -> dict[str, int]:

@@ -27,7 +27,6 @@ from kowalevski_cas.report.document import (
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
-from kowalevski_cas.report.plates import for_a_page
 from kowalevski_cas.report.setting import Setter
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Verdict
@@ -200,8 +199,7 @@ class HtmlWriter(Writer):
         return f'<div class="graph" tabindex="0">{svg(block.picture)}</div>'
 
     def shown(self, block: Shown) -> str:
-        picture = for_a_page(block.plate.file(self.beside))
-        image = b64encode(picture).decode()
+        image = b64encode(block.plate.file(self.beside).read_bytes()).decode()
         caption = self.text(block.caption)
         return (
             f'<figure><img alt="" src="data:image/png;base64,{image}">'

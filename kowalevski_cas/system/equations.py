@@ -87,6 +87,7 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
     constants = tuple(one for one in parts if one not in variables and one not in defined)
     _check_indices((*variables, *constants))
+    _check_derivatives(constants, defined, moving)
     title, time = name or "the system", min(words.times)
     scene = Scene(title, "the equations of motion", vectors, variables, constants, laws, time)
     for place in others:
@@ -148,6 +149,18 @@ def _check_indices(names: Sequence[str]) -> None:
             other == letter and index.isdigit() for other, index in map(letter_and_index, names)
         ):
             raise ValueError(f"{name} stands beside names with numbers: print {low}=1,2,3 behind")
+
+
+def _check_derivatives(
+    constants: Sequence[str], defined: Container[str], moving: Container[str]
+) -> None:
+    """Refuse an index that says by what a function is derived: it would be a constant."""
+    for name in constants:
+        letter, by = letter_and_index(name)
+        if letter in defined and by in moving:
+            raise ValueError(
+                rf"{name} is a name here: print \partial {letter}/\partial {by}, or rename it"
+            )
 
 
 def _with(scene: Scene, place: Printed, formula: Formula) -> Scene:
@@ -229,8 +242,10 @@ def with_levels(scene: Scene, place: Printed) -> Scene:
             scene = scene.naming(name, place)
     formula = read(place.tex, vocabulary((scene,)), OpenParser)
     members = formula.members if isinstance(formula, Relation) else ()
-    names = ({node.name for node in one.nodes() if isinstance(node, Name)} for one in members)
+    names = [{node.name for node in one.nodes() if isinstance(node, Name)} for one in members]
     new = {one for own in names if own.isdisjoint({*known, *place.heads.names}) for one in own}
+    if known.isdisjoint(one for own in names for one in own):
+        return scene  # of nothing that moves it is no value
     return scene.having(constants=tuple(sorted(new)))
 
 
