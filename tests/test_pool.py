@@ -6,7 +6,7 @@ from functools import partial
 from time import sleep
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.pool import Pool
@@ -73,6 +73,7 @@ def failing(numbers):
         yield number
 
 
+@settings(max_examples=settings.default.max_examples // 3)
 @given(st.lists(st.integers(-2, 100), max_size=9), st.sampled_from([2, 3]))
 def test_the_results_are_those_of_a_serial_run(numbers, jobs):
     expected = taken(Pool(), square, failing(numbers))
