@@ -371,6 +371,16 @@ def test_the_modulus_of_what_is_complex_is_real():
         System(r"\dot z=\bar z")
 
 
+@pytest.mark.parametrize("function", ["a^2-b^2", r"|a|^2-|b|^2", r"a\bar a+c\bar c", "a"])
+def test_what_is_real_has_no_imaginary_rate(function):
+    """Of three waves: their amplitudes are complex, and nothing is said of real ones."""
+    waves = System(r"i\dot a=\bar bc, i\dot b=\bar ac, i\dot c=ab, i^2=-1")
+    outcome = waves.integral(function).outcome
+    assert outcome.verdict is Verdict.ERROR and "rates of what is real" in outcome.message
+    with pytest.raises(ValueError, match="rates of what is real are imaginary"):
+        waves.find_integrals(2)
+
+
 @pytest.mark.parametrize("number", [2, 3, 5, 6, 7])
 def test_roots_of_numbers_are_refuted_too(number):
     """Modulo half of all primes there is no root of the number, and no point to try."""
