@@ -21,7 +21,7 @@ from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import verify
 from tests.laws.systems import SYSTEMS
 
-pytestmark = pytest.mark.usefixtures("uncorrected")
+pytestmark = pytest.mark.usefixtures("uncorrected", "unlimited")
 
 ROOT = Path(__file__).parents[1]
 
