@@ -22,7 +22,7 @@ help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(firstword $(MAKEFILE_LIST))
 
 verify: $(VENV)/.installed ## Prove or refute every formula, check the certificates, write the report
-	@$(RUN) verify --report reports
+	@$(RUN) verify --arithmetic all --report reports
 
 motion: $(VENV)/.installed ## Draw motions on N⁴ and O⁴, and the bifurcation diagrams, into reports/motion; the reports show them
 	@$(RUN) pictures

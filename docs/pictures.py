@@ -15,7 +15,6 @@ from kowalevski_cas.library import load
 from kowalevski_cas.report import Contents, sections
 from kowalevski_cas.report.document import Document, Link
 from kowalevski_cas.report.places import names
-from kowalevski_cas.report.plates import for_a_page
 from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.verify.run import verify
 
@@ -43,7 +42,7 @@ def pictures(target: Path) -> None:
     with tempfile.TemporaryDirectory() as folder:
         main(["pictures", *MOTION, "--output", folder])
         for picture, name in MOTION.items():
-            (target / name).write_bytes(for_a_page(Path(folder, f"{picture}.png")))
+            Path(folder, f"{picture}.png").replace(target / name)
         (target / "erratum.png").write_bytes(erratum(Path(folder)))
 
 

@@ -5,7 +5,13 @@ from typing import Any
 
 __version__ = "0.1.0"
 
-__all__ = ["System", "__version__", "display"]
+__all__ = ["System", "UserError", "__version__", "display"]
+
+
+class UserError(Exception):
+    """An error that the user can do something about; a command ends with its ``code``."""
+
+    code = 2
 
 
 def __getattr__(name: str) -> Any:

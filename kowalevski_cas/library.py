@@ -10,11 +10,12 @@ from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
+from kowalevski_cas import UserError
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.scene import Scene
 
 
-class LibraryError(ValueError):
+class LibraryError(UserError, ValueError):
     """A derivation that cannot be found or loaded; the message says what to do."""
 
 

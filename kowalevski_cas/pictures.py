@@ -23,6 +23,9 @@ INK = "#1a1a1a"
 FAINT = "#9a9a9a"
 """Grids, guides, and what is shown for comparison only."""
 
+COLOURS = 128
+"""How many colours a picture has."""
+
 WIDTH = 6.3
 """The width in inches of a picture that fills a line of the report."""
 
@@ -112,10 +115,16 @@ def mark(index: int) -> Mark:
 def save(figure: Figure, folder: Path, name: str) -> Path:
     """Write a figure as ``folder/name.png``, the one format that README, LaTeX and Typst all show.
 
-    The bytes depend on the figure and on the version of Matplotlib, on nothing else.
+    It has few colours, so that a page can carry it. The bytes depend on the figure and on the
+    versions of Matplotlib and of Pillow, on nothing else.
     """
-    path, drawn = folder / f"{name}.png", BytesIO()
+    from PIL import Image  # Matplotlib needs it
+
+    path, drawn, small = folder / f"{name}.png", BytesIO(), BytesIO()
     with style():
-        figure.savefig(drawn, format="png", metadata={"Software": None})
-    write(path, drawn.getvalue())
+        figure.savefig(drawn, format="png")
+    with Image.open(drawn) as image:
+        few = image.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
+    few.save(small, "PNG", optimize=True)
+    write(path, small.getvalue())
     return path

@@ -19,7 +19,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any, TypeVar
 
-from kowalevski_cas.processes import ProcessDied, as_done
+from kowalevski_cas.processes import ProcessDied, each
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -56,14 +56,11 @@ class Pool:
         """What the file had at first."""
         return {} if self.file is None else _read(self.file)
 
-    def map(
-        self, work: Callable[[Item], Result], items: Iterable[Item], ordered: bool = True
-    ) -> Iterator[Result]:
+    def map(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
         """The results of the work on every item, in their order; so is the first error raised.
 
-        If they need not be ``ordered``, each comes as soon as it is there. What is sent elsewhere
-        has to be plain data, and the work a function of a module, or an object of plain data.
-        Items are taken when they are needed.
+        What is sent elsewhere has to be plain data, and the work a function of a module, or an
+        object of plain data. Items are taken when they are needed.
 
         Raises:
             ProcessDied: two workers have died on a batch, or no cluster answers.
@@ -79,8 +76,8 @@ class Pool:
         for seconds, results in self._done(partial(_done, work), batches):
             found.update(results)
             self._keep(seconds, results)
-            yield from _in_order(waiting if ordered else deque(results), found)
-        yield from _in_order(waiting if ordered else deque(), found)
+            yield from _in_order(waiting, found)
+        yield from _in_order(waiting, found)
         for error in late:
             raise error
 
@@ -121,7 +118,7 @@ class Pool:
         if self.scheduler:
             yield from _on_cluster(self.scheduler, work, batches)
         elif self.jobs > 1:
-            yield from as_done(work, batches, self.jobs)
+            yield from each(work, batches, self.jobs, ordered=False)
         else:
             yield from map(work, batches)
 

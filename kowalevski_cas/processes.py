@@ -19,6 +19,8 @@ from select import select
 from time import monotonic
 from typing import BinaryIO, Generic, NoReturn, TypeVar
 
+from kowalevski_cas import UserError
+
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
@@ -35,7 +37,7 @@ LONGEST = 3600.0
 """Seconds for which nobody looks at the clock."""
 
 
-class ProcessDied(RuntimeError):
+class ProcessDied(UserError, RuntimeError):
     """A process ended before its work was done; the message says how."""
 
 
@@ -96,8 +98,11 @@ def each(
     items: Iterable[Item],
     jobs: int = os.cpu_count() or 1,
     heard: Callable[..., None] = lambda *words: None,
+    ordered: bool = True,
 ) -> Iterator[Result]:
     """The results of ``work`` on every item, in their order; the first error is raised here.
+
+    If they need not be ``ordered``, each comes as soon as it is there.
 
     Each item is worked on in a copy of this process, where the system makes such copies, and
     ``jobs`` of them at once: a fork costs milliseconds, a new start would cost as much as a proof.
@@ -111,17 +116,10 @@ def each(
     following = 0
     with closing(_as_done(work, items, jobs, heard)) as finished:
         for process in finished:
-            done[process.place] = process
+            done[process.place if ordered else following] = process
             while following in done:
                 yield done.pop(following).result
                 following += 1
-
-
-def as_done(work: Callable[[Item], Result], items: Iterable[Item], jobs: int) -> Iterator[Result]:
-    """The results of :func:`each` item, as they come."""
-    with closing(_as_done(work, items, jobs, lambda *words: None)) as finished:
-        for process in finished:
-            yield process.result
 
 
 def _as_done(

@@ -1,8 +1,8 @@
 """Derivations as tests of pytest, one a claim: files called ``derivation_*.py``.
 
 With ``--derivations`` those of installed packages too, which name their modules as entry points of
-the group ``kowalevski_cas.derivations``. A test fails if the verdict is another one than the
-recorded or expected one; what cannot be loaded is a test that fails, and hides no other.
+the group ``kowalevski_cas.derivations``. FLINT decides. A test fails if the verdict is another one
+than the recorded or expected one; what cannot be loaded is a test that fails, and hides no other.
 """
 
 from __future__ import annotations
@@ -14,6 +14,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
+from kowalevski_cas import UserError
 
 GROUP = "kowalevski_cas.derivations"
 
@@ -43,7 +45,6 @@ class Derivation(pytest.File):
     def collect(self) -> Iterator[Claim]:
         """A test for each claim, or for what is wrong with all."""
         from kowalevski_cas.cli import session
-        from kowalevski_cas.cli.exits import CommandError
         from kowalevski_cas.cli.verify import told
         from kowalevski_cas.verify.certificate import load_certificates
 
@@ -52,7 +53,7 @@ class Derivation(pytest.File):
                 [str(self.path) if self.path.is_file() else self.name]
             )
             stored = load_certificates(folder)
-        except CommandError as error:
+        except UserError as error:
             yield Claim.from_parent(self, name="loading", said=partial(str, error))
             return
         seconds = self.config.option.claim_timeout
@@ -70,12 +71,9 @@ class Claim(pytest.Item):
 
     def runtest(self) -> None:
         """Decide the claim."""
-        from kowalevski_cas.cli.exits import CommandError
-        from kowalevski_cas.processes import ProcessDied
-
         try:
             said = self.said()
-        except (CommandError, ProcessDied) as error:
+        except UserError as error:
             said = str(error)
         if said:
             pytest.fail(said, pytrace=False)

@@ -5,8 +5,10 @@ from __future__ import annotations
 import shutil
 from dataclasses import dataclass
 
+from kowalevski_cas import UserError
 
-class MissingTool(Exception):
+
+class MissingTool(UserError):
     """A tool is not installed, or does not run; the message says what to do."""
 
 

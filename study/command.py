@@ -1,6 +1,6 @@
 """Measure what each way of checking costs, how sure it is, and where it fails; draw the charts.
 
-Every measurement is stored at once: an interrupted study is continued by the same
+Measurements are stored in their order, at once: an interrupted study is continued by the same
 command. Rows that another machine or other versions measured are not continued. With several
 jobs the times are those of a machine that has other work.
 """

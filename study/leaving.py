@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from kowalevski_cas.motion import Motion, load
 from kowalevski_cas.motion.methods.integrators import initial_state
@@ -20,9 +20,6 @@ from kowalevski_cas.pictures import INK, new_figure
 from study.charts import curve, legend_below
 from study.motions import INTEGRATORS, MOTIONS, parameters, tolerances
 from study.step import Measured, Row, Task
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 TITLE = "leaving N⁴"
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import platform
 from functools import cache
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from kowalevski_cas.export.witness import version as told
+from kowalevski_cas.cli.session import installed
+from kowalevski_cas.export.witness import version
 from kowalevski_cas.tools import TOOLS, MissingTool, Tool
 
 LIBRARIES = ("python-flint", "symengine", "sympy", "numpy", "scipy", "matplotlib", "heyoka")
@@ -17,28 +17,21 @@ LIBRARIES = ("python-flint", "symengine", "sympy", "numpy", "scipy", "matplotlib
 @cache
 def machine() -> dict[str, str]:
     """Processor, cores, memory, system, and versions; what is not installed is left out."""
-    found = {
+    known = {
         "processor": _processor(),
         "cores": str(os.cpu_count()),
         "memory": _memory(),
         "system": f"{platform.system()} {platform.machine()}",
         "Python": platform.python_version(),
     }
-    for library in LIBRARIES:
-        try:
-            found[library] = version(library)
-        except PackageNotFoundError:
-            continue
-    for name, tool in TOOLS.items():
-        if shown := _number(tool):
-            found[name] = shown
-    return found
+    tools = {name: number for name, tool in TOOLS.items() if (number := _number(tool))}
+    return known | installed(*LIBRARIES) | tools
 
 
 def _number(tool: Tool) -> str:
     """The number of a system's version; empty if it is not installed."""
     try:
-        words = told(tool).split()
+        words = version(tool).split()
     except MissingTool:
         return ""
     return next((word for word in words if word[0].isdigit()), "")

@@ -22,6 +22,7 @@ from kowalevski_cas.notation import (
     Root,
     Sum,
     replace,
+    subtree,
 )
 from kowalevski_cas.notation.reader import Path
 from kowalevski_cas.paper.scene import Scene
@@ -109,10 +110,7 @@ def _branch(formula: Formula, scene: Scene, texts: Texts) -> Formula | None:
     path = next(_roots(formula, frozenset(scene.roots)), None)
     if path is None:
         return None
-    found = formula
-    for index in path:
-        found = found.children()[index]
-    return replace(formula, path, Negative(found))
+    return replace(formula, path, Negative(subtree(formula, path)))
 
 
 def _roots(formula: Formula, names: frozenset[str]) -> Iterator[Path]:

@@ -8,7 +8,6 @@ from fractions import Fraction
 from functools import partial
 from itertools import count
 from time import perf_counter
-from typing import TYPE_CHECKING
 
 from flint import (
     Ordering,
@@ -19,6 +18,10 @@ from flint import (
     fmpz_mpoly_vec,
     nmod_mat,
 )
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
+from sympy import QQ, Poly, groebner, symbols
+from sympy.polys.matrices import DomainMatrix
 
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint
 from kowalevski_cas.algebra.kernels import PRIME, kernel, residue
@@ -45,10 +48,10 @@ from study.charts import look, seconds, shown
 from study.published import PUBLISHED, Published
 from study.step import Measured, Row, Task
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
 TITLE = "searches"
+
+Prepared = Callable[[Published], Callable[[], int]]
+"""What prepares a system, and gives what is timed."""
 
 SECONDS = 5.0
 
@@ -80,7 +83,7 @@ def measure(quick: bool) -> Iterator[Task]:
                     yield Task(name, f"{one.question}: {one.name}", partial(_timed, method, one))
 
 
-def _timed(method: Callable[[Published], Callable[[], int]], one: Published) -> Measured:
+def _timed(method: Prepared, one: Published) -> Measured:
     """How long it takes, without the preparation, and how many solutions or cases there are."""
 
     def measured(work: Callable[[], int]) -> Measured:
@@ -135,51 +138,36 @@ def _entries(
     return max(1, len(rows)), places
 
 
-def _by_blocks(one: Published) -> Callable[[], int]:
-    columns = _columns(one)
-    return lambda: len(kernel(columns))
+def _by_blocks(columns: Sequence[Terms]) -> int:
+    return len(kernel(columns))
 
 
-def _modulo_a_prime(one: Published) -> Callable[[], int]:
-    columns = _columns(one)
-
-    def work() -> int:
-        height, places = _entries(columns)
-        matrix = nmod_mat(height, len(columns), PRIME)
-        for row, k, value in places:
-            matrix[row, k] = residue(value)
-        return len(columns) - int(matrix.rank())
-
-    return work
+def _modulo_a_prime(columns: Sequence[Terms]) -> int:
+    height, places = _entries(columns)
+    matrix = nmod_mat(height, len(columns), PRIME)
+    for row, k, value in places:
+        matrix[row, k] = residue(value)
+    return len(columns) - int(matrix.rank())
 
 
-def _rational(one: Published) -> Callable[[], int]:
-    columns = _columns(one)
-
-    def work() -> int:
-        height, places = _entries(columns)
-        matrix = fmpq_mat(height, len(columns))
-        for row, k, value in places:
-            matrix[row, k] = to_flint(value)
-        return len(columns) - int(matrix.rref()[1])
-
-    return work
+def _rational(columns: Sequence[Terms]) -> int:
+    height, places = _entries(columns)
+    matrix = fmpq_mat(height, len(columns))
+    for row, k, value in places:
+        matrix[row, k] = to_flint(value)
+    return len(columns) - int(matrix.rref()[1])
 
 
-def _rational_by_sympy(one: Published) -> Callable[[], int]:
-    from sympy import QQ
-    from sympy.polys.matrices import DomainMatrix
+def _rational_by_sympy(columns: Sequence[Terms]) -> int:
+    height, places = _entries(columns)
+    rows: dict[int, dict[int, object]] = {}
+    for row, k, value in places:
+        rows.setdefault(row, {})[k] = QQ(value.numerator, value.denominator)
+    return int(DomainMatrix(rows, (height, len(columns)), QQ).nullspace().shape[0])
 
-    columns = _columns(one)
 
-    def work() -> int:
-        height, places = _entries(columns)
-        rows: dict[int, dict[int, object]] = {}
-        for row, k, value in places:
-            rows.setdefault(row, {})[k] = QQ(value.numerator, value.denominator)
-        return int(DomainMatrix(rows, (height, len(columns)), QQ).nullspace().shape[0])
-
-    return work
+def _kernel(of: Callable[[Sequence[Terms]], int], one: Published) -> Callable[[], int]:
+    return partial(of, _columns(one))
 
 
 def _search(one: Published) -> Callable[[], int]:
@@ -187,12 +175,12 @@ def _search(one: Published) -> Callable[[], int]:
     return lambda: len([*first_integrals(at, one.degree)])
 
 
-LINEAR = {
+LINEAR: dict[str, Prepared] = {
     "search": _search,
-    "blocks": _by_blocks,
-    "modular": _modulo_a_prime,
-    "python-flint": _rational,
-    "sympy": _rational_by_sympy,
+    "blocks": partial(_kernel, _by_blocks),
+    "modular": partial(_kernel, _modulo_a_prime),
+    "python-flint": partial(_kernel, _rational),
+    "sympy": partial(_kernel, _rational_by_sympy),
 }
 
 
@@ -245,8 +233,6 @@ def _by_flint(one: Published) -> Callable[[], int]:
 
 
 def _by_sympy(one: Published) -> Callable[[], int]:
-    from sympy import Poly, groebner, symbols
-
     equations, places = _equations(one)
     names = symbols([f"g{k}" for k in places])
     polynomials = [Poly(terms_of(equation), *names) for equation in equations]
@@ -267,7 +253,7 @@ def _by_singular(one: Published) -> Callable[[], int]:
     return work
 
 
-POLYNOMIAL = {
+POLYNOMIAL: dict[str, Prepared] = {
     "cases": _by_cases,
     "basis": _with_cofactors,
     "python-flint": _by_flint,
@@ -281,8 +267,6 @@ POLYNOMIAL = {
 
 def draw(rows: Sequence[Row]) -> Figure:
     """The share of systems that are finished, against time: integrals, and equations."""
-    from matplotlib.ticker import FuncFormatter
-
     figure = new_figure(height=4.6)
     panels = figure.subplots(1, 2, sharey=True)
     sides = ((LINEAR, "integrals"), (POLYNOMIAL, "darboux"))

@@ -25,10 +25,6 @@ Row = dict[str, Any]
 """A stored measurement: ``method`` and ``case`` of its task with what was measured."""
 
 
-class LeftOut(Exception):
-    """A measurement is not made; the message says why."""
-
-
 @dataclass(frozen=True)
 class Task:
     """One measurement: a method on a case.
@@ -50,7 +46,7 @@ class Task:
         start = perf_counter()
         try:
             found = self.run()
-        except (LeftOut, MissingTool, ModuleNotFoundError) as missing:
+        except (MissingTool, ModuleNotFoundError) as missing:
             found = {"seconds": None, "verdict": LEFT_OUT, "reason": str(missing)}
         except Exception as error:
             reason = f"{type(error).__name__}: {error}"

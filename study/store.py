@@ -1,4 +1,4 @@
-"""Rows on disk: one JSON a line, written at once, so that an interrupted study loses nothing."""
+"""Rows on disk: one JSON a line, written in their order, so that an interrupted study goes on."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def measure(
     write(path, "".join(map(_line, (header, *rows.values()))))
     _TASKS[name, quick] = tasks
     missing = [key for key in tasks if key not in rows]
-    for done, row in enumerate(pool.map(partial(_row, name, quick), missing, ordered=False), 1):
+    for done, row in enumerate(pool.map(partial(_row, name, quick), missing), 1):
         with path.open("a", encoding="utf-8") as file:
             file.write(_line(row))
         progress(f"{name}: {row['method']}, {row['case']}", len(rows) + done, len(tasks))

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import partial
 from statistics import median
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
 
 from kowalevski_cas.motion import MotionO4, ParametersO4, load
 from kowalevski_cas.motion.general import AnyMotion
@@ -24,9 +25,6 @@ from study.motions import (
     tolerances,
 )
 from study.step import Measured, Row, Task
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 TITLE = "work against precision"
 
@@ -127,8 +125,6 @@ def _integrated(method: str, found: Sequence[float], motion: AnyMotion) -> Measu
 
 def draw(rows: Sequence[Row]) -> Figure:
     """Seconds against the relative error: down is cheaper, to the right is more exact."""
-    from matplotlib.ticker import FuncFormatter
-
     figure = new_figure(height=3.9)
     panels = figure.subplots(1, len(CASES), sharex=True, sharey=True)
     for axes, (name, (words, _)) in zip(panels, CASES.items(), strict=True):

@@ -4,6 +4,8 @@ import re
 import sys
 from itertools import combinations
 
+from PIL import Image
+
 from kowalevski_cas import pictures
 
 
@@ -23,6 +25,11 @@ def test_the_same_figure_gives_the_same_bytes(tmp_path):
     second = pictures.save(figure(), tmp_path / "b", "x")
     assert first.name == "x.png"
     assert first.read_bytes() == second.read_bytes()
+
+
+def test_a_page_can_carry_a_file(tmp_path):
+    with Image.open(pictures.save(figure(), tmp_path, "x")) as image:
+        assert image.mode == "P" and len(image.getcolors()) <= pictures.COLOURS
 
 
 def test_files_carry_no_date_and_no_version(tmp_path):

@@ -1,13 +1,10 @@
 """Derivations as tests of pytest: one a claim, and a broken one hides no other."""
 
-import os
-import subprocess
-import sys
-from pathlib import Path
+from contextlib import redirect_stdout
+from io import StringIO
+from multiprocessing import get_context
 
 import pytest
-
-ROOT = Path(__file__).parents[1]
 
 CIRCLE = r"""
 from kowalevski_cas import System
@@ -17,20 +14,25 @@ circle.integral("x^2-y^2"{})
 """
 
 
+def said_by_pytest(options):
+    """The exit code of pytest here, and what it prints."""
+    with redirect_stdout(StringIO()) as said:
+        code = pytest.main(["-p", "kowalevski_cas.pytest_plugin", "-v", *options])
+    return code, said.getvalue()
+
+
 @pytest.fixture
-def run(tmp_path):
+def run(tmp_path, monkeypatch):
     """Let pytest test files in a folder of their own; the exit code, and what it prints."""
 
     def run(files, *options):
         for name, text in files.items():
             (tmp_path / name).parent.mkdir(exist_ok=True)
             (tmp_path / name).write_text(text, encoding="utf-8")
-        done = subprocess.run(
-            [sys.executable, "-m", "pytest", "-p", "kowalevski_cas.pytest_plugin", "-v", *options],
-            capture_output=True, text=True, cwd=tmp_path,
-            env={**os.environ, "PYTHONPATH": f"{ROOT}{os.pathsep}{tmp_path}"},
-        )  # fmt: skip
-        return done.returncode, done.stdout
+        monkeypatch.chdir(tmp_path)
+        monkeypatch.syspath_prepend(tmp_path)
+        with get_context("fork").Pool(1) as copy:  # of this process, which need not import anew
+            return copy.apply(said_by_pytest, (options,))
 
     return run
 

@@ -45,7 +45,7 @@ for k, letter in enumerate("LM", 1):
         Definition,
         pair[k],
         on=spectral,
-        says="a matrix of the Lax pair",
+        says="the matrices of the Lax pair",
         ids=(letter,),
         equation=lax[1],
     )

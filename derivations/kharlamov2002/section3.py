@@ -218,7 +218,8 @@ section.claim(
         "appelrot-dimension",
         reduced_space,
         None,
-        "in the five-dimensional reduced phase space (18), (19) define a set of dimension three",
+        "in the five-dimensional reduced phase space the relations (18), (19) define a set of "
+        "dimension three",
         levels=(*norm,),
         equations=(*eq18, *eq19),
         dimension=3,

@@ -70,7 +70,7 @@ section.states(
     DoubleZero,
     K_alone[1],
     on=everywhere,
-    says="a function that vanishes with its gradient on $M^4$",
+    says="this function and its gradient vanish on $M^4$",
     ids=("M4-critical",),
     given=(*zero_level,),
 )
@@ -81,7 +81,7 @@ section.states(
     DoubleZero,
     surface[1],
     on=everywhere.having(constants=("s",), nonzero=("s", r"\omega_3")).defining(forces),
-    says="a function that vanishes with its gradient on $O^4$, where $s$ has the value at the point",
+    says="this function and its gradient vanish on $O^4$, where $s$ has the value at the point",
     ids=("O4-critical",),
     given=(polynomial[3], polynomial[4], polynomial[5]),
     main=(("w_1", "w_2"), (r"\omega_3",)),
@@ -130,7 +130,7 @@ N_2 = \lambda\left[x_2w_1E_1-x_1w_2E_2-\omega_3(x_2z_1w_1-x_1z_2w_2)+x_1x_2(y_2-
         "combinations of the critical equations",
     ),
     on=at_critical,
-    says="a consequence at a critical point",
+    says="consequences at a critical point",
     given=(*critical,),
 )
 
@@ -151,7 +151,7 @@ consequences_without_G = section.states(
         "combinations of the critical equations",
     ),
     on=at_critical.defining(without_G),
-    says="a consequence at a critical point",
+    says="consequences at a critical point",
     given=(*critical_without_G,),
 )
 

@@ -18,7 +18,7 @@ section.states(
     Implication,
     on_M4,
     on=real.adjoining(p),
-    says=("$K$ on $M^4$", "$G$ on $M^4$, where $J_3=j$"),
+    says="the integrals on $M^4$, where $J_3=j$",
     ids=("M4.k", "M4.g"),
     given=(*eq7,),
     main=((r"\alpha_1", r"\alpha_2"),),
@@ -28,7 +28,7 @@ section.states(
     Implication,
     on_N4,
     on=by_functions.naming("h", level[1]).naming("g", solved[1]).naming("k", solved[2]),
-    says="the three integrals on $N^4$",
+    says="the integrals on $N^4$",
     ids=("N4.g",),
     given=(*eq15,),
 )

@@ -44,7 +44,7 @@ section.claim(
         "O4",
         near_O4,
         None,
-        "$R_1=0$, $R_2=0$ defines an invariant set",
+        "the equations $R_1=0$, $R_2=0$ define an invariant set",
         relations=(*O4,),
         main=(FIELDS,),
     )
@@ -82,7 +82,7 @@ section.states(
     FirstIntegral,
     partial,
     on=with_constants,
-    says="a constant on $O^4$",
+    says=r"$s$ and $\tau_3$ are constant on $O^4$",
     ids=("s", "tau"),
     given=(*O4,),
     main=(FIELDS,),
@@ -149,13 +149,17 @@ on_O4 = (
 
 for k in range(1, 5):
     section.states(
-        Identity, eq10[k], on=on_O4, says="the fields on $O^4$ move by (10)", ids=(f"O4.{k}",)
+        Identity,
+        eq10[k],
+        on=on_O4,
+        says="the fields on $O^4$ move by (10) of Kharlamov (2002)",
+        ids=(f"O4.{k}",),
     )
 
 section.states(
     Identity,
     polynomial,
     on=on_O4,
-    says="the points of this form obey the relations, with the constant $s$",
+    says="these points satisfy the two relations, with the constant $s$",
     ids=[f"O4.point.{k}" for k in range(1, 6)],
 )

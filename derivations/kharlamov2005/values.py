@@ -43,7 +43,7 @@ section.states(
     Identity,
     on_O4_values,
     on=with_integrals,
-    says=("the energy on $O^4$", "$K$ on $O^4$", "$G$ on $O^4$"),
+    says="the integrals on $O^4$",
     ids=("O4.h", "O4.k", "O4.g"),
 )
 
@@ -64,5 +64,5 @@ s^4-2hs^3+(h^2+p^2-k)s^2-2gs+\frac{p^4-r^4}{4} = 0, \quad
         "what it means that $s$ is a double root of $s^4-2hs^3+(h^2+p^2-k)s^2-2gs+(p^4-r^4)/4$",
     ),
     on=constants,
-    says=("$s$ is a root", "$s$ is a double root"),
+    says="$s$ is a double root of this polynomial",
 )

@@ -34,10 +34,7 @@ section.states(
 (\tau_3-X)(\tau_3-r^2)^2+2\tau_3\xi(\tau_3-r^2)+\tau_3\xi^2+\sigma X = -4\tau_3r^2\beta_3^2""",
     ),
     on=anywhere,
-    says=(
-        r"the quadratic polynomial of $u_1$, $u_2$ at $-\tau_3-r^2$",
-        r"the quadratic polynomial of $u_1$, $u_2$ at $-\tau_3+r^2$",
-    ),
+    says="the quadratic polynomial with the roots $u_1$, $u_2$ at two points",
     given=(*no_c,),
 )
 
@@ -75,7 +72,7 @@ w_1^2 = \frac{\left(x_1z_2-(y_1+2s)z_1\right)^2}{2s\left((y_1+2s)(y_2+2s)-x_1x_2
     on=on_O4.described("O⁴ where ω3 is not zero", "the same with $\\tau_3$")
     .having(nonzero=("s", r"\omega_3"))
     .defining(partial[2]),
-    says=(r"$\tau_3$ by the fields and $s$", "$w_1$ by the fields and $s$"),
+    says=r"$\tau_3$ and $w_1$ by the fields and $s$",
 )
 
 by_fields = (

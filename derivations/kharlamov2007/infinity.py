@@ -48,20 +48,20 @@ with_P = (
     .defining(solved)
 )
 
-section.states(Identity, products, on=with_P, says="a root as a product of two others")
+section.states(Identity, products, on=with_P, says="two roots as products of others")
 for k in (1, 2):
     section.states(
         Identity,
         radicals[k],
         on=with_P,
-        says="the product has the square of the radical",
+        says="the products have the squares of the radicals",
         ids=(f"one-variable.mu{k}",),
     )
 section.states(
     Identity,
     quotient,
     on=with_P,
-    says=("the square of $E$, times $\\varepsilon$", "two forms of it"),
+    says=r"$\varepsilon E^2$, in two forms",
 )
 
 # With u2 = n/v the formulas keep their form, for both signs ε; what has a hat is regular
@@ -124,24 +124,20 @@ section.states(
     Identity,
     eq4,
     on=chart,
-    says=(
-        "the length of the first field",
-        "the length of the second field",
-        "the fields are orthogonal",
-    ),
+    says="the fields have the lengths $a$ and $b$ and are orthogonal",
     ids=("infinity.a", "infinity.b", "infinity.c"),
 )
 section.states(
     Identity,
     eq3,
     on=chart,
-    says=("the motion of the first field", "the motion of the second field"),
+    says="the fields move by (3) of Kharlamov (2002)",
     ids=("infinity.alpha", "infinity.beta"),
 )
 section.states(
     Identity,
     eq5,
     on=chart,
-    says="the motion of the body",
+    says="the body moves by (5) of Kharlamov (2002)",
     ids=("infinity.omega_1", "infinity.omega_2", "infinity.omega_3"),
 )

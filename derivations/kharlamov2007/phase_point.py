@@ -102,34 +102,30 @@ section.states(
     on=by_u.described("separated by u", "the same, where $k$ is the constant of $O^4$")
     .moving(rates)
     .defining(on_O4_values[2]),
-    says=("the first separated equation", "the second separated equation"),
+    says="the separated equations",
 )
 section.states(
     Identity,
     eq4,
     on=point,
-    says=(
-        "the length of the first field",
-        "the length of the second field",
-        "the fields are orthogonal",
-    ),
+    says="the fields have the lengths $a$ and $b$ and are orthogonal",
     ids=("point.a", "point.b", "point.c"),
 )
 section.states(
     Identity,
     eq3,
     on=point,
-    says=("the motion of the first field", "the motion of the second field"),
+    says="the fields move by (3) of Kharlamov (2002)",
     ids=("point.alpha", "point.beta"),
 )
 section.states(
     Identity,
     eq5,
     on=point,
-    says="the motion of the body",
+    says="the body moves by (5) of Kharlamov (2002)",
     ids=("point.omega_1", "point.omega_2", "point.omega_3"),
 )
-section.states(Identity, p, on=point, says="the constant $p$", ids=("point.p",))
+section.states(Identity, p, on=point, says="the constant $p$ by the fields", ids=("point.p",))
 with_unit = (
     by_u.described(
         "phase point on O⁴ with the unit", "the same with the complex variables as abbreviations"
@@ -148,7 +144,7 @@ z_1 = \frac{E}{2r}(A_1A_2+iB_1B_2), \quad
 w_1 = -\frac{E(A_1B_2+iA_2B_1)(\mu_2K_1+i\mu_1K_2)}{4sr(u_1-u_2)}""",
     ),
     on=with_unit,
-    says=("$x_1$ at the point", "$y_1$ at the point", "$z_1$ at the point", "$w_1$ at the point"),
+    says="$x_1$, $y_1$, $z_1$ and $w_1$ at the point",
     ids=("point.x1", "point.y1", "point.z1", "point.w1"),
 )
 
@@ -163,7 +159,7 @@ w_2 = -\frac{E(A_1B_2-iA_2B_1)(\mu_2K_1-i\mu_1K_2)}{4sr(u_1-u_2)}""",
         "the conjugates of the line above",
     ),
     on=with_unit,
-    says=("$x_2$ at the point", "$y_2$ at the point", "$z_2$ at the point", "$w_2$ at the point"),
+    says="$x_2$, $y_2$, $z_2$ and $w_2$ at the point",
     ids=("point.x2", "point.y2", "point.z2", "point.w2"),
 )
 
@@ -183,13 +179,7 @@ x_1x_2 = \frac{(u_1-u_2)^2}{d^2} = \tau_3(1-\varepsilon E^2), \quad
 z_1z_2 = \frac12\varepsilon E^2(u_1+u_2+2\tau_3), \quad
 V^2+T^2 = 4s^2d^2, \quad \Pi^2+\Lambda^2 = r^4(u_1-u_2)^2""",
     on=short,
-    says=(
-        "$x_1x_2$ at the point",
-        r"$\xi$ at the point",
-        "$z_1z_2$ at the point",
-        "the norm of $V+iT$",
-        r"the norm of $\Pi+i\Lambda$",
-    ),
+    says=r"$x_1x_2$, $\xi$ and $z_1z_2$ at the point, and the norms of $V+iT$ and $\Pi+i\Lambda$",
 )
 
 section.states(
@@ -199,7 +189,5 @@ section.states(
     says="the point is on $O^4$",
     ids=[f"point.O4.{k}" for k in range(1, 6)],
 )
-section.states(
-    Identity, partial[2], on=short, says=r"the value of $\tau_3$ at the point", ids=("point.tau",)
-)
+section.states(Identity, partial[2], on=short, says=r"$\tau_3$ at the point", ids=("point.tau",))
 section.states(Identity, xi, on=short, says=r"$\xi$ by the velocity", ids=("point.xi",))

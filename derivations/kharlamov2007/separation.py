@@ -43,13 +43,7 @@ X = \frac{\eta^2+\frac14\omega_3^2(z_1z_2-2sw_1w_2)^2}{w_1w_2z_1z_2}, \quad
         "the variables of the plane by those of $O^4$",
     ),
     on=plane,
-    says=(
-        r"$\sigma$ by $K$",
-        "the first variable of the plane",
-        r"the constant $\tau_3$",
-        "the motion of the first variable",
-        "the motion of the second variable",
-    ),
+    says="the constants, the variables of the plane, and their motion on $O^4$",
 )
 
 root = section.lemma(
@@ -126,7 +120,7 @@ section.states(
         "the quadratic equation at its roots",
     ),
     on=in_plane,
-    says="the roots of the quadratic equation",
+    says="$u_1$ and $u_2$ are the roots of a quadratic equation",
 )
 
 section.states(
@@ -143,10 +137,5 @@ section.states(
         "both sides of the separated equations, by those of the equations in $X$ and $\\xi$",
     ),
     on=in_plane,
-    says=(
-        "the left side of the first separated equation",
-        "the left side of the second separated equation",
-        "the right side of the first separated equation",
-        "the right side of the second separated equation",
-    ),
+    says=r"both sides of the separated equations, by $X$ and $\xi$",
 )

@@ -21,7 +21,7 @@ sum_of_U = section.states(
         "the quotient of the two entries of the cofactor matrix of (15) is $2(U_1+U_2)$",
     ),
     on=with_U,
-    says="the quotient of the entries is constant",
+    says="$U_1+U_2$ is constant on $N^4$",
 )
 
 exponent = section.states(
@@ -32,5 +32,5 @@ exponent = section.states(
         r"on the left the product of the two entries: minus the square of the exponents in the time $t$",
     ),
     on=with_U,
-    says="the exponents by the separated variables",
+    says="minus the square of the exponents, by the separated variables",
 )

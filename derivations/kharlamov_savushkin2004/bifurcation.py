@@ -29,7 +29,7 @@ distance = section.states(
     Identity,
     section.lemma("distance", r"A-C = \frac1m", r"the roots of $\varphi$ never meet"),
     on=values,
-    says=r"the distance of the roots of $\varphi$",
+    says=r"the roots of $\varphi$ never meet",
 )
 
 resultants = section.states(
@@ -42,10 +42,7 @@ resultants = section.states(
         "where $A$ or $C$ meets $\\pm a$, and where $\\pm b$",
     ),
     on=values,
-    says=(
-        r"a root of $\varphi$ meets $\pm a$ on two curves",
-        r"a root of $\varphi$ meets $\pm b$ on two curves",
-    ),
+    says=r"a root of $\varphi$ meets $\pm a$ on two curves, and $\pm b$ on two others",
     ids=("resultant.a", "resultant.b"),
 )
 

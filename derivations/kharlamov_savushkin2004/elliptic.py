@@ -18,9 +18,9 @@ factors = section.lemma(
     "factors", r"\varphi(s) = 4m(s-A)(s-C)", "what it means that $A$ and $C$ are the roots"
 )
 
-first = section.inline("B-D.1", r"B=a, \quad D=-a")
+first = section.lemma("B-D.1", r"B=a, \quad D=-a", "in the equation for $s_1$ we put")
 
-second = section.inline("B-D.2", r"B=b, \quad D=-b")
+second = section.lemma("B-D.2", r"B=b, \quad D=-b", "in the equation for $s_2$ we put")
 
 parameters = section.display(
     "parameters",
@@ -74,10 +74,18 @@ any_regime = (
 )
 
 section.states(
-    Identity, parameters[1], on=any_regime, says="the modulus by the roots", ids=("modulus",)
+    Identity,
+    parameters[1],
+    on=any_regime,
+    says=r"the modulus, the factor of the time, and $\kappa$, by the roots",
+    ids=("modulus",),
 )
 section.states(
-    Identity, parameters[3], on=any_regime, says=r"$\kappa$ by the roots", ids=("kappa",)
+    Identity,
+    parameters[3],
+    on=any_regime,
+    says=r"the modulus, the factor of the time, and $\kappa$, by the roots",
+    ids=("kappa",),
 )
 
 section.states(
@@ -88,7 +96,7 @@ section.states(
         "the derivatives of the other two",
     ),
     on=any_regime,
-    says=(r"the derivative of $\mathrm{cn}$", r"the derivative of $\mathrm{dn}$"),
+    says=r"the derivatives of $\mathrm{cn}$ and $\mathrm{dn}$",
     ids=("cn", "dn"),
 )
 
@@ -96,21 +104,21 @@ section.states(
     Definition,
     solution[1],
     on=any_regime,
-    says="the solution between $B$ and $A$, in any regime",
+    says="the solutions in any regime, $s_1$ between $B$ and $A$, $s_2$ between $D$ and $C$",
     equation=quartic[1],
 )
 section.states(
     Definition,
     solution[2],
     on=any_regime,
-    says="the solution between $D$ and $C$, in any regime",
+    says="the solutions in any regime, $s_1$ between $B$ and $A$, $s_2$ between $D$ and $C$",
     equation=quartic[2],
 )
 section.states(
     Definition,
     parameters[2],
     on=any_regime,
-    says="the factor of the time",
+    says=r"the modulus, the factor of the time, and $\kappa$, by the roots",
     ids=("frequency",),
     equation=quartic[1],
 )
@@ -142,7 +150,7 @@ section.states(
     Definition,
     roots_of_phi,
     on=for_s1,
-    says=(r"one root of $\varphi$", r"the other root of $\varphi$"),
+    says=r"the roots of $\varphi$",
     ids=("A", "C"),
     equation=factors[1],
 )
@@ -150,13 +158,13 @@ section.states(
     Identity,
     separated[1],
     on=for_s1,
-    says="the solution of the first separated equation",
+    says="the solutions satisfy the separated equations",
     ids=("elliptic.1",),
 )
 section.states(
     Identity,
     separated[2],
     on=for_s2,
-    says="the solution of the second separated equation",
+    says="the solutions satisfy the separated equations",
     ids=("elliptic.2",),
 )

@@ -79,40 +79,36 @@ section.states(
     Identity,
     separated,
     on=point,
-    says=("the first separated equation", "the second separated equation"),
+    says="the separated equations",
     ids=("point.separated.1", "point.separated.2"),
 )
 section.states(
     Identity,
     eq4,
     on=point,
-    says=(
-        "the length of the first field",
-        "the length of the second field",
-        "the fields are orthogonal",
-    ),
+    says="the fields have the lengths $a$ and $b$ and are orthogonal",
     ids=("point.a", "point.b", "point.c"),
 )
-section.states(Identity, p, on=point, says="the constant $p$", ids=("point.p",))
+section.states(Identity, p, on=point, says="the constant $p$ by the fields", ids=("point.p",))
 section.states(
     Identity,
     eq3,
     on=point,
-    says=("the motion of the first field", "the motion of the second field"),
+    says="the fields move by (3) of Kharlamov (2002)",
     ids=("point.alpha", "point.beta"),
 )
 section.states(
     Identity,
     eq5,
     on=point,
-    says="the motion of the body",
+    says="the body moves by (5) of Kharlamov (2002)",
     ids=("point.omega_1", "point.omega_2", "point.omega_3"),
 )
 section.states(
     Identity,
     relations,
     on=point,
-    says=("the value of $K$", "the value of $G$", "the value of the energy"),
+    says="the integrals at the point",
     ids=("point.k", "point.g", "point.h"),
 )
 
@@ -133,7 +129,7 @@ x_1 = -\frac{r^2(\psi+if_1f_2)}{2d^2}, \quad x_2 = -\frac{r^2(\psi-if_1f_2)}{2d^
         "the complex variables $x_1$, $x_2$ at the point",
     ),
     on=with_unit,
-    says=("$x_1$ at the point", "$x_2$ at the point"),
+    says="$x_1$ and $x_2$ at the point",
     ids=("point.x1", "point.x2"),
 )
 
@@ -141,7 +137,7 @@ real_c = section.states(
     Identity,
     section.lemma("real-c", r"c_1 = r^2, \quad c_2 = r^2", "the constants $c_1$, $c_2$ for $c=0$"),
     on=with_unit,
-    says=("$c_1$ at the point", "$c_2$ at the point"),
+    says="$c_1$ and $c_2$ at the point",
     ids=("point.c1", "point.c2"),
 )
 
@@ -170,14 +166,14 @@ section.states(
     Identity,
     constants,
     on=complex_point,
-    says=("the value of $m$", r"the value of $\ell$"),
+    says=r"$m$ and $\ell$ at the point",
     ids=("point.m", "point.l"),
 )
 section.states(
     Identity,
     s,
     on=complex_point,
-    says=("$s_1$ at the point", "$s_2$ at the point"),
+    says="$s_1$ and $s_2$ at the point",
     ids=("point.s1", "point.s2"),
 )
 
@@ -199,14 +195,14 @@ any_point = (
     .defining(real_c, psi, inverse, solved)
 )
 
-section.states(Identity, radicals, on=any_point, says="the radical at any point of $N^4$")
+section.states(Identity, radicals, on=any_point, says="the radicals at any point of $N^4$")
 section.states(
     Definition,
     psi,
     on=any_point,
-    says="quantities in the formulas for the fields",
+    says=r"$\psi$ and $d$ in the formulas for the fields",
     equation=fields[1],
 )
 section.states(Identity, fields, on=any_point, says="the fields at any point of $N^4$")
-section.states(Identity, velocity, on=any_point, says="the velocity at any point of $N^4$")
-section.states(Identity, rates, on=any_point, says="the motion of the variable on $N^4$")
+section.states(Identity, velocity, on=any_point, says="the angular velocity at any point of $N^4$")
+section.states(Identity, rates, on=any_point, says="the motion of $s_1$ and $s_2$")

@@ -79,7 +79,7 @@ m = \frac{1}{r^2}\frac{X_2}{X_1}(W_1^2+X_1), \quad
         "the constants of the motion in the turned variables",
     ),
     on=rotation,
-    says=("$p$ stays the same", "$m$ stays the same", r"$\ell$ stays the same"),
+    says=r"$p$, $m$ and $\ell$ stay the same",
     ids=("turned.p", "turned.m", "turned.l"),
     given=(unit_modulus[1], *angle),
 )

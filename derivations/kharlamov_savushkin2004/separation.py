@@ -25,7 +25,7 @@ with_root = (
     .adjoining(r"\sqrt{x_1x_2}")
 )
 
-section.states(Identity, eq10, on=with_root, says="an equation of motion in the time $\\tau$")
+section.states(Identity, eq10, on=with_root, says=r"the equations of motion in the time $\tau$")
 section.states(
     FirstIntegral,
     constants[1],
@@ -47,7 +47,7 @@ section.states(
     Implication,
     real[1],
     on=with_root,
-    says="reality on $N^4$",
+    says=r"$m$ and $\ell$ are real on $N^4$",
     ids=("m-real",),
     given=(eq15[2],),
 )
@@ -55,14 +55,14 @@ section.states(
     Implication,
     m_conjugate,
     on=with_root,
-    says="$m$ by the conjugate formula",
+    says="the conjugate formula for $m$",
     given=(eq15[2],),
 )
 section.states(
     Implication,
     real[2],
     on=with_root,
-    says="reality on $N^4$",
+    says=r"$m$ and $\ell$ are real on $N^4$",
     ids=("l-real",),
     given=(eq15[2],),
 )
@@ -135,11 +135,15 @@ on_N4 = (
 )
 
 section.states(FirstIntegral, constants[2], on=any_level, says="a constant on $N^4$", ids=("l",))
-section.states(Identity, relations[1], on=on_N4, says="$K$ on $N^4$", ids=("k",))
-section.states(Identity, relations[3], on=on_N4, says="the energy on $N^4$", ids=("h",))
+section.states(Identity, relations[1], on=on_N4, says="the integrals on $N^4$", ids=("k",))
+section.states(Identity, relations[3], on=on_N4, says="the integrals on $N^4$", ids=("h",))
 for k in (3, 4, 9):
     section.states(
-        Identity, eq10[k], on=on_N4, says="the variables on $N^4$ move by (10)", ids=(f"N4.{k}",)
+        Identity,
+        eq10[k],
+        on=on_N4,
+        says="the variables on $N^4$ move by (10) of Kharlamov (2002)",
+        ids=(f"N4.{k}",),
     )
 
 squares = section.states(
@@ -152,7 +156,7 @@ squares = section.states(
         "the derivatives of what defines $w_1$, $w_2$ on $N^4$",
     ),
     on=on_N4,
-    says="the variables on $N^4$ move by (10)",
+    says="the variables on $N^4$ move by (10) of Kharlamov (2002)",
 )
 
 with_G = (
@@ -170,14 +174,14 @@ section.states(
     Implication,
     relations[2],
     on=with_G,
-    says="$G$ on $N^4$",
+    says="the integrals on $N^4$",
     ids=("g",),
     given=(*eq15,),
     main=((r"\omega_3",),),
 )
 for k in (1, 2):
     section.states(
-        Definition, s[k], on=on_N4, says="the variable that separates", equation=separated[k]
+        Definition, s[k], on=on_N4, says="the variables that separate", equation=separated[k]
     )
 section.states(
     Definition,
@@ -194,5 +198,5 @@ section.states(
     Identity,
     separated,
     on=on_N4,
-    says=("the first separated equation", "the second separated equation"),
+    says="the separated equations",
 )

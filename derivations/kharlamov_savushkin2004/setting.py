@@ -28,7 +28,9 @@ initial = (
 
 complex_variables = initial.changed(eq9, tau[1], keeping=(r"\omega_3",)).having(conjugates=PAIRS)
 
-section.states(Identity, r, on=initial, says="the constant $r$")
+section.states(
+    Identity, r, on=initial, says="the constant $r$ by $c_1$ and $c_2$, and by $a$, $b$ and $c$"
+)
 
 inverse = section.states(
     Identity,
@@ -45,7 +47,7 @@ inverse = section.states(
         "equations (9) solved for the initial variables",
     ),
     on=initial,
-    says="an initial variable by the complex ones",
+    says="the initial variables by the complex ones",
 )
 
 complex_integrals = section.states(
@@ -59,10 +61,6 @@ p^2 = \frac12(x_1x_2+y_1y_2) + z_1z_2""",
         "the integrals in the variables (9)",
     ),
     on=initial,
-    says=(
-        "the energy in complex variables",
-        "the integral $K$ in complex variables",
-        "the constant $p$ in complex variables",
-    ),
+    says="the energy, the integral $K$ and the constant $p$ in complex variables",
     ids=("complex-energy", "complex-K", "complex-p"),
 )

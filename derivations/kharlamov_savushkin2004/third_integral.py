@@ -32,7 +32,7 @@ real = (
     .naming("g", G[1])
 )
 
-section.states(FirstIntegral, G[1], on=real, says="the third integral", ids=("G",))
+section.states(FirstIntegral, G[1], on=real, says="$G$ is a first integral", ids=("G",))
 
 bracket = section.display(
     "bracket",
@@ -57,7 +57,7 @@ hamilton = section.states(
         "the equations (3), (5) in Hamilton's form",
     ),
     on=hamiltonian,
-    says="the bracket with $H$ is the motion",
+    says="the equations of motion in Hamilton's form",
 )
 
 involution = section.states(
@@ -68,7 +68,7 @@ involution = section.states(
         "what it means that the integrals are in involution",
     ),
     on=hamiltonian,
-    says="two integrals in involution",
+    says="the integrals are in involution",
 )
 
 constants = section.display(
@@ -94,7 +94,7 @@ by_F = section.identity(
     "G-by-F",
     r"2G - p^2H = \frac12(U_1+U_2) - \frac12F_1^2, \quad c_1c_2K = U_1U_2",
     on=everything,
-    says=("$G$ on $N^4$ and near it", "$K$ through $U_1$ and $U_2$"),
+    says="$G$ and $K$ by $F_1$, $U_1$ and $U_2$",
     ids=("G-by-F", "K-by-U"),
 )
 
@@ -121,7 +121,7 @@ combined = section.states(
     DoubleZero,
     section.inline("combined", r"(2G-p^2H)^2 - r^4K"),
     on=by_functions,
-    says="a function that vanishes with its gradient on $N^4$",
+    says="this function and its gradient vanish on $N^4$",
     given=(*eq15,),
 )
 

@@ -68,7 +68,11 @@ by_angles = (
 
 for k in range(1, 10):
     section.states(
-        Identity, eq10[k], on=by_angles, says="the point moves by (10)", ids=(f"angles.{k}",)
+        Identity,
+        eq10[k],
+        on=by_angles,
+        says="the point moves by (10) of Kharlamov (2002)",
+        ids=(f"angles.{k}",),
     )
 
 section.states(
@@ -89,14 +93,14 @@ section.identity(
     "roots",
     r"F(u_1) = 0, \quad F(u_2) = 0, \quad F(u_3) = 0",
     on=with_integrals,
-    says="a root of the cubic polynomial",
+    says="$u_1$, $u_2$ and $u_3$ are the roots of the cubic polynomial",
 )
 
 section.identity(
     "radicals-M4",
     r"v_1^2 = -R(u_1), \quad v_2^2 = -R(u_2), \quad v_3^2 = -R(u_3)",
     on=with_integrals,
-    says="a radical by the polynomial of degree 4",
+    says="the radicals by the polynomial of degree 4",
 )
 
 section.identity(
@@ -109,5 +113,5 @@ section.identity(
 \frac{(\kappa_1^4+1)\kappa_1'}{\kappa_1^3v_1}+\frac{(\kappa_2^4+1)\kappa_2'}{\kappa_2^3v_2}
 +\frac{(\kappa_3^4+1)\kappa_3'}{\kappa_3^3v_3} = \frac{1}{r^2j}""",
     on=by_angles.having(nonzero=("v_1", "v_2", "v_3")),
-    says="an Abelian integral",
+    says="the equations of motion, as Abelian integrals",
 )

@@ -31,7 +31,7 @@ section.states(
     Identity,
     on_M4,
     on=common,
-    says=("$K$ on both", "$G$ on both"),
+    says="the integrals on both $M^4$ and $O^4$",
     ids=("both.k", "both.g"),
 )
 

@@ -46,7 +46,11 @@ on_M4 = (
 
 for k in range(1, 5):
     section.states(
-        Identity, eq10[k], on=on_M4, says="the fields on $M^4$ move by (10)", ids=(f"M4.{k}",)
+        Identity,
+        eq10[k],
+        on=on_M4,
+        says="the fields on $M^4$ move by (10) of Kharlamov (2002)",
+        ids=(f"M4.{k}",),
     )
 
 quartic = section.display(
@@ -78,7 +82,7 @@ j^2F(u)+\left[j^2(Y-u)-W(r^4-u^2)\right]^2+W^2R(u) = 0, \quad
 2F(u) = -(r^2-u)\left[(r^2+u)(w_1+w_2)-j(z_1+z_2)\right]^2
 -(r^2+u)\left[(r^2-u)(w_1-w_2)+j(z_1-z_2)\right]^2""",
     on=with_integrals,
-    says=("the two polynomials", "the cubic one by squares"),
+    says="the cubic polynomial $F$ by $R$, and by squares",
 )
 
 section.identity(
@@ -87,7 +91,7 @@ section.identity(
 r^2(z_1+z_2)^2 = (Y+r^2)^2-2(p^2+r^2)W^2, \quad
 r^2(z_1-z_2)^2 = (Y-r^2)^2-2(p^2-r^2)W^2""",
     on=with_integrals,
-    says=(r"$\alpha_3$ by $W$ and $Y$", r"$\beta_3$ by $W$ and $Y$"),
+    says=r"$\alpha_3$ and $\beta_3$ by $W$ and $Y$",
 )
 
 section.identity(
@@ -99,7 +103,7 @@ section.identity(
         constants=("u", "h", "j", "p", "r"),
         nonzero=("j",),
     ).defining(quartic),
-    says="the roots of both polynomials of degree 4",
+    says="the roots of $Q$ by those of $R$",
 )
 
 NUMBERS = (r"\xi", "h", "j", "p", "r")

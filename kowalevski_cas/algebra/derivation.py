@@ -35,7 +35,7 @@ def along(element: Element, field: Field) -> Element:
     result = total * Element(ring, {0: ring.polynomials.one}, element.denominator)
     for index, exponent in element.denominator.items():
         change = _polynomial_along(ring, ring.divisors[index], field)
-        if not change.is_zero:
+        if not change.is_zero or change.denominator:
             over = Element(ring, {0: ring.polynomials.constant(Fraction(-exponent))}, {index: 1})
             result = result + element * change * over
     return result
@@ -50,8 +50,8 @@ def _polynomial_along(ring: Ring, polynomial: Polynomial, field: Field) -> Eleme
     total = ring.zero
     for index, name in enumerate(ring.polynomials.generators):
         component = field.get(name)
-        if component is None or component.is_zero:
-            continue
+        if component is None or (component.is_zero and not component.denominator):
+            continue  # a zero remembers what it was divided by
         partial = ring.polynomials.derivative(polynomial, index)
         if not ring.polynomials.is_zero(partial):
             total = total + Element(ring, {0: partial}, {}) * component

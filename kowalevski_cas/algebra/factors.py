@@ -1,4 +1,4 @@
-"""Irreducible factors of polynomials, found with FLINT."""
+"""Irreducible factors and quotients of polynomials, found with FLINT."""
 
 from __future__ import annotations
 
@@ -16,9 +16,17 @@ def irreducible_factors(terms: Terms) -> list[tuple[Terms, int]]:
     >>> irreducible_factors(square)
     [({(1, 0): Fraction(1, 1), (0, 1): Fraction(-1, 1)}, 2)]
     """
+    factors = polynomial_of(_context(terms), terms).factor()[1]
+    return [(terms_of(factor), int(exponent)) for factor, exponent in factors]
+
+
+def divided(terms: Terms, divisor: Terms) -> Terms | None:
+    """The quotient of two polynomials, if the division leaves nothing."""
+    above, below = (polynomial_of(_context(divisor), one) for one in (terms, divisor))
+    quotient, rest = divmod(above, below)
+    return None if rest else terms_of(quotient)
+
+
+def _context(terms: Terms) -> fmpq_mpoly_ctx:
     size = len(next(iter(terms)))
-    context = fmpq_mpoly_ctx.get(tuple(f"g{k}" for k in range(size)), Ordering.lex)
-    return [
-        (terms_of(factor), int(exponent))
-        for factor, exponent in polynomial_of(context, terms).factor()[1]
-    ]
+    return fmpq_mpoly_ctx.get(tuple(f"g{k}" for k in range(size)), Ordering.lex)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import copyreg
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.polynomials import Polynomials, Terms
+from kowalevski_cas.algebra.polynomials import Coefficients, Polynomials, Terms
 
 
 def to_fraction(value: fmpq) -> Fraction:
@@ -27,8 +27,8 @@ def terms_of(polynomial: fmpq_mpoly) -> Terms:
     return {tuple(map(int, e)): to_fraction(value) for e, value in polynomial.to_dict().items()}
 
 
-def polynomial_of(context: fmpq_mpoly_ctx, terms: Mapping[tuple[int, ...], Fraction]) -> fmpq_mpoly:
-    """The polynomial with this neutral form."""
+def polynomial_of(context: fmpq_mpoly_ctx, terms: Coefficients) -> fmpq_mpoly:
+    """The polynomial with these coefficients."""
     return context.from_dict({exponents: to_flint(value) for exponents, value in terms.items()})
 
 
@@ -70,7 +70,7 @@ class Arithmetic(Polynomials):
     def terms(self, polynomial: fmpq_mpoly) -> Terms:
         return terms_of(polynomial)
 
-    def from_terms(self, terms: Mapping[tuple[int, ...], Fraction]) -> fmpq_mpoly:
+    def from_terms(self, terms: Coefficients) -> fmpq_mpoly:
         return polynomial_of(self.context, terms)
 
 

@@ -172,16 +172,11 @@ class Substitution:
 
 def prime_factors(number: int) -> Iterator[tuple[int, int]]:
     """The prime factors of a positive number; beyond what is tried, what is left counts as one."""
-    for prime in range(2, TRIED):
-        exponent = 0
-        while number % prime == 0:
-            number, exponent = number // prime, exponent + 1
-        if exponent:
-            yield prime, exponent
-        if prime * prime > number:
-            break
-    if number > 1:
-        yield (root, 2) if (root := isqrt(number)) ** 2 == number else (number, 1)
+    from flint import fmpz
+
+    for prime, exponent in fmpz(number).factor(trial_limit=TRIED):
+        root = prime.isqrt()
+        yield (int(root), 2 * exponent) if root**2 == prime else (int(prime), exponent)
 
 
 def _gaussian(values: Sequence[Element], numbers: Ring) -> list[Polynomial] | None:

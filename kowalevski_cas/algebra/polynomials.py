@@ -20,6 +20,9 @@ Polynomial = Any
 Terms = dict[tuple[int, ...], Fraction]
 """The neutral form of a polynomial: exponents of the generators to coefficient."""
 
+Coefficients = Mapping[tuple[int, ...], int | Fraction]
+"""What a polynomial is made of; whole numbers may be integers of Python."""
+
 
 class Polynomials(ABC):
     """The ring of polynomials over the rationals in named generators."""
@@ -75,5 +78,5 @@ class Polynomials(ABC):
         """The neutral form of a polynomial."""
 
     @abstractmethod
-    def from_terms(self, terms: Mapping[tuple[int, ...], Fraction]) -> Polynomial:
-        """The polynomial with this neutral form."""
+    def from_terms(self, terms: Coefficients) -> Polynomial:
+        """The polynomial with these coefficients."""

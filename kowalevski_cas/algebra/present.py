@@ -72,8 +72,15 @@ def formula_in(element: Element) -> Formula:
     return _fraction(terms, below, divisors, names, polynomial_formula)
 
 
+def written(rows: Iterable[Iterable[Element]]) -> tuple[tuple[Formula, ...], ...]:
+    """Rows of elements as formulas."""
+    return tuple(tuple(map(formula_in, row)) for row in rows)
+
+
 def _cancelled(element: Element) -> tuple[Ring, Terms, dict[int, int], dict[int, Terms]]:
     """The numerator, the divisors that are left below it, and all divisors, in neutral form."""
+    from kowalevski_cas.algebra.factors import divided
+
     ring = element.ring
     terms: Terms = {}
     for mask, part in element.terms().items():
@@ -117,27 +124,6 @@ def _fraction(
             power = _power(divisor, exponent)
             bottom += power.factors if isinstance(power, Product) else (power,)
     return _over(top, [*bottom, *roots])
-
-
-def divided(terms: Terms, divisor: Terms) -> Terms | None:
-    """The quotient of two polynomials in neutral form, if the division leaves nothing."""
-    lead = max(divisor)
-    rest, quotient = dict(terms), Terms()
-    while rest:
-        top = max(rest)
-        shift = tuple(a - b for a, b in zip(top, lead, strict=True))
-        if min(shift) < 0:
-            return None
-        factor = rest[top] / divisor[lead]
-        quotient[shift] = factor
-        for exponents, value in divisor.items():
-            key = tuple(a + b for a, b in zip(exponents, shift, strict=True))
-            left = rest.get(key, Fraction(0)) - factor * value
-            if left:
-                rest[key] = left
-            else:
-                rest.pop(key, None)
-    return quotient
 
 
 def _generators_of(radicand: Element, divisors: dict[int, Terms]) -> list[int] | None:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 
 import symengine
 from symengine import Expr
 
-from kowalevski_cas.algebra.polynomials import Polynomials, Terms
+from kowalevski_cas.algebra.polynomials import Coefficients, Polynomials, Terms
 
 
 class Arithmetic(Polynomials):
@@ -26,7 +26,7 @@ class Arithmetic(Polynomials):
     def generator(self, index: int) -> Expr:
         return self.symbols[index]
 
-    def constant(self, value: Fraction) -> Expr:
+    def constant(self, value: int | Fraction) -> Expr:
         return symengine.Rational(value.numerator, value.denominator)
 
     def product(self, left: Expr, right: Expr) -> Expr:
@@ -39,7 +39,7 @@ class Arithmetic(Polynomials):
         return symengine.expand(polynomial.xreplace(dict(zip(self.symbols, values, strict=True))))
 
     def is_zero(self, polynomial: Expr) -> bool:
-        return bool(symengine.expand(polynomial) == 0)
+        return bool(symengine.expand(polynomial) == self.zero)
 
     def terms(self, polynomial: Expr) -> Terms:
         expanded = symengine.expand(polynomial)
@@ -51,11 +51,12 @@ class Arithmetic(Polynomials):
             for base, exponent in monomial.as_powers_dict().items():
                 if base in self.index:
                     exponents[self.index[base]] = int(exponent)
-            if value != 0:
-                terms[tuple(exponents)] = Fraction(str(value))
+            value = value * self.one  # a number of SymEngine, also where it is one of Python
+            if value != self.zero:
+                terms[tuple(exponents)] = Fraction(int(value.p), int(value.q))
         return terms
 
-    def from_terms(self, terms: Mapping[tuple[int, ...], Fraction]) -> Expr:
+    def from_terms(self, terms: Coefficients) -> Expr:
         total = self.zero
         for exponents, value in terms.items():
             product = self.constant(value)

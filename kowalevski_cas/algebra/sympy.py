@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
@@ -15,7 +14,7 @@ from sympy import ZZ
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement, PolyRing
 
-from kowalevski_cas.algebra.polynomials import Polynomials, Terms
+from kowalevski_cas.algebra.polynomials import Coefficients, Polynomials, Terms
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +79,7 @@ class Arithmetic(Polynomials):
             for exponents, value in polynomial.whole.terms()
         }
 
-    def from_terms(self, terms: Mapping[tuple[int, ...], Fraction]) -> Scaled:
+    def from_terms(self, terms: Coefficients) -> Scaled:
         below = lcm(*(value.denominator for value in terms.values()))
         whole = {e: value.numerator * (below // value.denominator) for e, value in terms.items()}
         return Scaled(self.ring.from_dict(whole), below)

@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import Any
 
-from kowalevski_cas.algebra.polynomials import Polynomial, Polynomials, Terms
+from kowalevski_cas.algebra.polynomials import Coefficients, Polynomial, Polynomials, Terms
 
 Parts = dict[int, Polynomial]
 
@@ -162,8 +162,8 @@ class Ring:
         indices = sorted({index for element in elements for index in element.denominator})
         return [Element(self, {0: self.divisors[index]}, {}) for index in indices]
 
-    def from_terms(self, parts: Mapping[int, Terms]) -> Element:
-        """An element without denominator, from the neutral form of its numerator."""
+    def from_terms(self, parts: Mapping[int, Coefficients]) -> Element:
+        """An element without denominator, from the coefficients of its numerator."""
         convert = self.polynomials.from_terms
         return self.element({m: convert(t) for m, t in parts.items()}, {})
 

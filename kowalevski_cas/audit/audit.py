@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from time import perf_counter
 
-from kowalevski_cas.audit.audited import Audited
+from kowalevski_cas.audit.audited import SUSPECT, Audited
 from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.displays import Typed, find_formulas
@@ -19,7 +19,7 @@ from kowalevski_cas.audit.session import AuditSession, formulas
 from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import words
 from kowalevski_cas.paper.texts import Display
-from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
 
 MOST = 20_000
 """Formulas in one source."""
@@ -63,6 +63,30 @@ class Audit:
         seen = {claim for formula in self.formulas if formula.wrong for claim in formula.claims}
         refuted = (one for one in self.statements if one.verdict is Verdict.REFUTED)
         return [outcome for outcome in refuted if outcome.claim not in seen]
+
+    def explained(self, formula: Audited) -> str:
+        """What is wrong with a formula, in one sentence, with mathematics between dollars."""
+        parts = self.said(formula)
+        if formula.correction is not None:
+            parts.append(f"correct: ${in_latex(formula.correction.formulas)}$")
+        return "; ".join(parts)
+
+    def said(self, formula: Audited) -> list[str]:
+        """The same in parts, without the correction."""
+        parts = formula.message.splitlines()[:1]
+        if formula.breaks and not formula.claims:
+            parts.append(f"because of it these do not hold: {', '.join(formula.breaks)}")
+        if causes := [self.located(cause) for cause in formula.causes if cause != formula.name]:
+            parts.append(f"because of {', '.join(causes)}")
+        changed = formula.place in self.session.changed
+        if formula.verdict == SUSPECT and formula.correction is None and changed:
+            parts.append("it is not what the derivation has here")
+        return parts
+
+    def located(self, place: str) -> str:
+        """A place with its line in the source."""
+        found = next((formula for formula in self.formulas if formula.name == place), None)
+        return f"{found.id} (line {found.line})" if found else place
 
     @property
     def wrong(self) -> int:

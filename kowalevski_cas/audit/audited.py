@@ -48,6 +48,11 @@ class Audited:
     """What is read there."""
 
     @property
+    def name(self) -> str:
+        """Its place in the derivation, or its id if it has none."""
+        return self.id if self.place is None else self.place.place
+
+    @property
     def wrong(self) -> bool:
         """Whether the author has to look at it."""
         return self.verdict in WRONG

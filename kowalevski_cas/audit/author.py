@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import replace
+from itertools import zip_longest
 
 from kowalevski_cas.audit.session import AS_BEFORE, AuditSession, formulas
 from kowalevski_cas.notation.errors import NotationError
@@ -61,8 +62,8 @@ class AuthorSession(AuditSession):
 
     def _changed(self, display: Display) -> Iterator[Printed]:
         new, old = formulas(self.texts, display), formulas(self.base.texts, display)
-        for number in range(1, max(len(new), len(old)) + 1):
-            if new[number - 1 : number] != old[number - 1 : number]:
+        for number, (one, other) in enumerate(zip_longest(new, old), 1):
+            if one != other:
                 yield display[number]
 
     def decide(self, claim: Claim) -> Outcome:

@@ -100,11 +100,6 @@ class Measure:
         """The audit of the source as it is."""
         return _audited(self)
 
-    @property
-    def verdicts(self) -> dict[str, object]:
-        """What that says, by claim and by formula."""
-        return _signature(self.base)
-
     def __call__(self, mutant: Mutant) -> Caught:
         """The result for one mutant, in a process in which limits hold."""
         if not watched():
@@ -114,11 +109,11 @@ class Measure:
         start = perf_counter()
         found = audit(Source(self.path, mutant.text), self.base.session.base)
         seconds = perf_counter() - start
-        after = _signature(found)
+        before, after = _signature(self.base), _signature(found)
         changed = tuple(
             name
-            for name in {**self.verdicts, **after}
-            if self.verdicts.get(name) != after.get(name) and not _late(after.get(name))
+            for name in {**before, **after}
+            if before.get(name) != after.get(name) and not _late(after.get(name))
         )
         reason = ""
         if not changed:

@@ -34,7 +34,7 @@ _COUNT = re.compile(r"\[\s*([0-9])\s*\]\s*")
 _PARAMETERS = re.compile(r"((?:#[1-9])*)\s*(?=\{)")
 _BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
 _SPACE = re.compile(r"\s*")
-_MACRO = re.compile(r"\\(?:[A-Za-z@]+|.)", re.DOTALL)
+MACRO = re.compile(r"\\(?:[A-Za-z@]+|.)", re.DOTALL)
 _NESTING = re.compile(
     r"(?P<open>\{|\\[\[(]|\\(?:begingroup|bgroup)(?![A-Za-z])|\\begin\s*\{(?!\s*document\s*\})[^{}]*\})"
     r"|(?P<close>\}|\\[\])]|\\(?:endgroup|egroup)(?![A-Za-z])|\\end\s*\{(?!\s*document\s*\})[^{}]*\})"
@@ -76,7 +76,7 @@ class Definitions:
             return self.everything
         if any(start < offset < end for start, end in self.conditional):
             return "it stands in a conditional, which is not executed"
-        names = {*_MACRO.findall(tex), *re.findall(r"\\begin\{(\w+)", tex), kind.rstrip("*")}
+        names = {*MACRO.findall(tex), *re.findall(r"\\begin\{(\w+)", tex), kind.rstrip("*")}
         return next((self.unclear[name] for name in sorted(names & self.unclear.keys())), "")
 
 
@@ -145,7 +145,7 @@ class _Reader:
             why = f"{other} is what {macro.name} was before it was defined again"
             self.found.unclear[other] = why
         if match["let"] or match["def"] in ("edef", "xdef"):
-            for name in _MACRO.findall(macro.body):
+            for name in MACRO.findall(macro.body):
                 self.fixed.setdefault(name, set()).add(macro.name)
         for inner in _DEFINING.finditer(macro.body):
             self.lose(inner, f"{macro.name} defines names where it is used")

@@ -50,8 +50,9 @@ class Describer:
         """The statements of one display."""
         display, typed = place.display, place.typed
         if typed is None:
+            label = "" if display.inline else display.id
             yield Audited(
-                display.id, _label(display), 0, 0, display.tex.strip(), self._role(display),
+                display.id, label, 0, 0, display.tex.strip(), self._role(display),
                 MISSING, claims=tuple(self._claims(display)), message=self.refused[display],
             )  # fmt: skip
             return
@@ -75,23 +76,19 @@ class Describer:
             self._judge(audited, printed)
             yield audited
         for number in range(len(intervals) + 1, expected + 1):
-            audited = self._audited(
+            yield self._audited(
                 display[number].place, typed, (0, len(typed.tex)), display, MISSING,
                 f"{expected} statements are expected here, {len(intervals)} are found",
             )  # fmt: skip
-            yield audited
 
     def new(self, typed: Sequence[Typed], places: Sequence[Place]) -> Iterator[Audited]:
         """Displays of the source for which the derivation has no place."""
         known = {id(place.typed) for place in places}
         for formula in typed:
             if not formula.inline and id(formula) not in known:
-                label = formula.labels[0] if formula.labels else ""
-                name = label or f"line {self._position(formula, 0, len(formula.tex))[0]}"
                 whole = (0, len(formula.tex))
-                found = self._audited(name, formula, whole, None, NEW, "the derivation has none")
-                found.label = label
-                yield found
+                name = "".join(formula.labels[:1]) or f"line {self._position(formula, *whole)[0]}"
+                yield self._audited(name, formula, whole, None, NEW, "the derivation has none")
 
     def _audited(
         self,
@@ -161,7 +158,3 @@ class Describer:
             audited.message = f"what rests on it is true with ${mended}$"
         if (lost or idle or audited.breaks) and audited.verdict not in WRONG:
             audited.verdict = SUSPECT
-
-
-def _label(display: Display) -> str:
-    return "" if display.inline else display.id

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 DISPLAYS = (
     "equation displaymath eqnarray align alignat flalign gather multline dmath math subequations"
 ).split()
-ROWS = frozenset({"eqnarray", "align", "alignat", "flalign", "gather"})
-"""Environments in which every row has a number of its own."""
+ROWS = frozenset({"eqnarray", "align", "alignat", "flalign", "gather", "gather*"})
+"""Environments in which every row is a formula of its own."""
 
 LONGEST = 50_000
 """Characters in one formula."""
@@ -35,6 +35,8 @@ _UNNUMBERED = re.compile(r"\\(?:nonumber|notag)(?![A-Za-z])")
 _ROW = re.compile(
     r"\\begin(?![A-Za-z])|\\end(?![A-Za-z])|\\\\\s*\*?(?:\s*\[[^\]\n]{0,20}\])?|\\.|[{}]", re.DOTALL
 )
+_INLINE = ("$", r"\(")
+_PARTNERS = {r"\[": r"\]", r"\(": r"\)"}
 _COLUMNS = re.compile(r"\s*\{\s*\d+\s*\}")
 
 
@@ -60,38 +62,27 @@ def find_formulas(text: str, start: int = 0) -> Iterator[Typed]:
     """
     at, patience = start, PATIENCE
     while (match := _MARK.search(text, at)) is not None:
-        at = match.end()
-        begun = match["begin"]
+        at = inside = match.end()
+        begun, mark = match["begin"], match["dollar"] or match["open"]
         if begun in DISPLAYS and begun != "subequations":
-            inside = at
+            group, partner, kind = "end", begun, begun + match["star"]
             if begun == "alignat" and (columns := _COLUMNS.match(text, at)) is not None:
                 inside = columns.end()
-            closing = _closing(text, inside, "end", begun)
-            numbered = not match["star"]
-            if closing is None:
-                yield _broken(text, match.start(), inside, begun)
-                patience -= min(LONGEST, len(text) - inside)
-                if patience < 0:
-                    return
-                continue
-            yield from _rows(text, inside, closing[0], begun + match["star"], numbered)
+        elif mark:
+            group, partner = "close" if match["open"] else "dollar", _PARTNERS.get(mark, mark)
+            begun = kind = mark
+        else:
+            continue
+        closing = _closing(text, inside, group, partner)
+        if closing is not None:
+            yield from _rows(text, inside, closing[0], kind)
             at = closing[1]
-        elif match["dollar"] or match["open"]:
-            mark = match["dollar"] or match["open"]
-            partner = {"\\[": "\\]", "\\(": "\\)"}.get(mark, mark)
-            inline = mark in ("$", "\\(")
-            kind = "close" if match["open"] else "dollar"
-            closing = _closing(text, at, kind, partner)
-            if closing is None:
-                yield _broken(text, match.start(), at, mark, inline)
-                paragraph = text.find("\n\n", at, at + LONGEST)
-                patience -= (paragraph if paragraph >= 0 else min(at + LONGEST, len(text))) - at
-                if patience < 0:
-                    return
-                continue
-            first, last = closing
-            yield Typed(text[at:first], at, first, mark, _labels(text[at:first]), inline)
-            at = last
+            continue
+        yield _broken(text, match.start(), inside, begun)
+        paragraph = -1 if group == "end" else text.find("\n\n", inside, inside + LONGEST)
+        patience -= (paragraph if paragraph >= 0 else min(inside + LONGEST, len(text))) - inside
+        if patience < 0:
+            return
 
 
 def _closing(text: str, at: int, group: str, partner: str) -> tuple[int, int] | None:
@@ -112,32 +103,29 @@ def _closing(text: str, at: int, group: str, partner: str) -> tuple[int, int] | 
     return None
 
 
-def _broken(text: str, start: int, inside: int, kind: str, inline: bool = False) -> Typed:
+def _broken(text: str, start: int, inside: int, kind: str) -> Typed:
     head = text[inside : inside + 60].partition("\n\n")[0]
-    return Typed(head, start, inside + len(head), kind, (), inline, f"{kind} is never closed")
+    end, trouble = inside + len(head), f"{kind} is never closed"
+    return Typed(head, start, end, kind, (), kind in _INLINE, trouble)
 
 
 def _labels(tex: str) -> tuple[str, ...]:
     return tuple(label.strip() for label in _LABEL.findall(tex))
 
 
-def _rows(text: str, start: int, end: int, kind: str, numbered: bool) -> Iterator[Typed]:
+def _rows(text: str, start: int, end: int, kind: str) -> Iterator[Typed]:
     """The formulas of an environment: one, or one for each number."""
     tex = text[start:end]
-    if kind.rstrip("*") not in ROWS:
-        yield Typed(tex, start, end, kind, _labels(tex))
-        return
-    if not numbered and kind != "gather*":
-        yield Typed(tex, start, end, kind, _labels(tex))
+    if kind not in ROWS:
+        yield Typed(tex, start, end, kind, _labels(tex), kind in _INLINE)
         return
     first = 0
     for last, following in _row_ends(tex):
         row = tex[first:last]
         if _UNNUMBERED.search(row) and following < len(tex):
             continue
-        whole = tex[first:last]
-        if whole.strip(" \t\r\n&"):
-            yield Typed(whole, start + first, start + last, kind, _labels(whole))
+        if row.strip(" \t\r\n&"):
+            yield Typed(row, start + first, start + last, kind, _labels(row))
         first = following
 
 

@@ -14,15 +14,14 @@ FITS = 0.2
 """The share of a derivation's displays that must be found in a source."""
 
 
-def fit(source: Source, derivation: Derivation) -> float:
-    """How much of a derivation stands in a source, from 0 to 1."""
-    places = find_places(derivation, typed_formulas(source)[1])
-    alike = (likeness(p.typed.tex, p.display.tex) for p in places if p.typed is not None)
-    return sum(alike) / max(1, len(places))
-
-
 def best(source: Source, derivations: Sequence[Derivation]) -> Derivation | None:
     """The derivation that fits a source best, if one does."""
-    rated = [(fit(source, derivation), derivation) for derivation in derivations]
-    value, derivation = max(rated, key=lambda pair: pair[0], default=(0.0, None))
-    return derivation if value >= FITS else None
+    _, formulas = typed_formulas(source)
+
+    def share(derivation: Derivation) -> float:
+        places = find_places(derivation, formulas)
+        alike = (likeness(p.typed.tex, p.display.tex) for p in places if p.typed is not None)
+        return sum(alike) / max(1, len(places))
+
+    found = max(derivations, key=share, default=None)
+    return found if found is not None and share(found) >= FITS else None

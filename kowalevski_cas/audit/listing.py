@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import takewhile
 
@@ -12,8 +11,8 @@ from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.audit.tokens import scanned
 from kowalevski_cas.notation import NotationError, Vocabulary, read_display
-from kowalevski_cas.notation.cursor import BOLD, Cursor
-from kowalevski_cas.notation.macros import FUNCTIONS, GREEK
+from kowalevski_cas.notation.cursor import BOLD, Cursor, is_known
+from kowalevski_cas.notation.macros import FUNCTIONS
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 
@@ -76,9 +75,12 @@ def guessed(formulas: Iterable[Typed], capitals: int = MATRIX) -> Vocabulary:
     names: set[str] = set()
     functions: set[str] = set()
     for formula in formulas:
-        tokens = scanned(formula.tex)
-        names.update(_names(tokens))
-        functions.update(_applied(tokens))
+        if tokens := scanned(formula.tex):
+            found = Cursor("", [*tokens], Vocabulary()).letters()
+            names.update(
+                letter + index for letter, index in found if is_known(letter) or letter in FUNCTIONS
+            )
+            functions.update(_applied(tokens))
     bold = {name for name in names if name.startswith(BOLD)}
     upper = {name for name in bold if name[name.index("{") + 1].isupper()}
     matrices = upper if capitals == MATRIX else set()
@@ -95,45 +97,12 @@ def guessed(formulas: Iterable[Typed], capitals: int = MATRIX) -> Vocabulary:
 
 def _applied(tokens: Sequence[Token]) -> Iterator[str]:
     """The names with a list of names in brackets behind them, or with one."""
-    for at, token in enumerate(tokens):
-        if token.text == "(" and at:
-            start = at - 1
-            while start and tokens[start].kind in ("number", "}", "{", "_"):
-                start -= 1
-            inner = list(takewhile(lambda t: t.kind in _LISTED, tokens[at + 1 :]))
-            closing = tokens[at + 1 + len(inner) : at + 2 + len(inner)]
+    cursor = Cursor("", [*tokens], Vocabulary())
+    for letter, index in cursor.letters():
+        if cursor.tokens[cursor.at].text == "(" and tokens[cursor.at - 1].kind != "prime":
+            inner = list(takewhile(lambda t: t.kind in _LISTED, tokens[cursor.at + 1 :]))
+            closing = cursor.tokens[cursor.at + 1 + len(inner)]
             letters = sum(t.kind == "letter" for t in inner)
             commas = sum(t.kind == "comma" for t in inner)
-            if closing and closing[0].text == ")" and letters > commas:
-                yield from _names(tokens[start:at])
-
-
-def _names(tokens: Sequence[Token]) -> Iterator[str]:
-    for at, token in enumerate(tokens):
-        if token.kind != "letter":
-            continue
-        known = not token.text.startswith("\\") or token.text in GREEK.keys() | FUNCTIONS
-        if not known and "{" not in token.text:
-            continue
-        following = at + 1
-        while following < len(tokens) and tokens[following].kind in ("prime", "}"):
-            following += 1
-        if following < len(tokens) and tokens[following].kind == "^":
-            after = following + 2
-            if tokens[following + 1 : following + 2] and tokens[following + 1].kind == "{":
-                while after < len(tokens) and tokens[after - 1].kind != "}":
-                    after += 1
-            if after < len(tokens) and tokens[after].kind == "_":
-                following = after
-        yield token.text + _index(tokens, following)
-
-
-def _index(tokens: Sequence[Token], at: int) -> str:
-    """The index that begins here, as the reader of formulas writes it."""
-    if at + 1 >= len(tokens) or tokens[at].kind != "_":
-        return ""
-    cursor = Cursor("", [*tokens], Vocabulary())
-    cursor.at = at
-    with suppress(NotationError):
-        return cursor.index()
-    return ""
+            if closing.text == ")" and letters > commas:
+                yield letter + index

@@ -9,7 +9,14 @@ import re
 from bisect import bisect_right
 from dataclasses import dataclass, field
 
-from kowalevski_cas.audit.definitions import Definitions, Macro, definitions, group_at, skip
+from kowalevski_cas.audit.definitions import (
+    MACRO,
+    Definitions,
+    Macro,
+    definitions,
+    group_at,
+    skip,
+)
 from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import set_apart
 
@@ -20,7 +27,6 @@ MOST = 20_000
 LONGEST = 8_000_000
 """Characters that all macros of a file may write out."""
 
-_MACRO = re.compile(r"\\(?:[A-Za-z@]+|.)", re.DOTALL)
 _TOKEN = re.compile(r"\\(?:[A-Za-z]+|.)|.", re.DOTALL)
 _SLOT = re.compile(r"#([1-9])")
 
@@ -85,7 +91,7 @@ class _Writer:
 
     def run(self) -> None:
         at = 0
-        for match in _MACRO.finditer(self.text):
+        for match in MACRO.finditer(self.text):
             self.until(match.start())
             macro = self.macros.get(match[0])
             if macro is None or match.start() < at:
@@ -146,7 +152,7 @@ class _Writer:
     def written(self, body: str, depth: int) -> str:
         """A body with the macros in it written out."""
         pieces, at = [], 0
-        for match in _MACRO.finditer(body):
+        for match in MACRO.finditer(body):
             macro = self.macros.get(match[0])
             if macro is None or match.start() < at:
                 continue

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from difflib import unified_diff
+from io import StringIO
 
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.places import Place
@@ -36,9 +37,11 @@ def _once(audit: Audit) -> str:
         if wanted is None:
             continue
         for start, end, typed in _minimal(audit, place.typed.tex, wanted):
-            interval = audit.expanded.origin(place.typed.start + start, place.typed.start + end)
-            if start == end:
-                interval = _between(audit, place.typed.start + start)
+            first, last = place.typed.start + start, place.typed.start + end
+            interval = audit.expanded.origin(first, last)
+            if start == end:  # behind what printed the character before
+                behind = audit.expanded.origin(first - 1, first)[1] if first else 0
+                interval = behind, behind
             replacements[interval] = typed.replace("\r", "").replace("\n", end_of_line)
     return _replaced(audit.source.text, replacements)
 
@@ -82,22 +85,8 @@ def _replaced(text: str, replacements: dict[tuple[int, int], str]) -> str:
     return text
 
 
-def _between(audit: Audit, offset: int) -> tuple[int, int]:
-    """The empty interval of the file behind what printed the character before an offset."""
-    place = audit.expanded.origin(offset - 1, offset)[1] if offset else 0
-    return place, place
-
-
 def patch(found: Audit) -> str:
     """A unified diff that mends every misprint, empty if there is none."""
     path = found.source.path.lstrip("/")
-    return "".join(
-        unified_diff(
-            _lines(found.source.text), _lines(mended(found)), f"a/{path}", f"b/{path}", n=2
-        )
-    )
-
-
-def _lines(text: str) -> list[str]:
-    lines = text.split("\n")
-    return [f"{line}\n" for line in lines[:-1]] + ([lines[-1]] if lines[-1] else [])
+    before, after = ([*StringIO(text, "\n")] for text in (found.source.text, mended(found)))
+    return "".join(unified_diff(before, after, f"a/{path}", f"b/{path}", n=2))

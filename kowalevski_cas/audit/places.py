@@ -8,7 +8,7 @@ between its neighbouring displays, as the one that is most like it.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from kowalevski_cas.audit.displays import Typed
@@ -41,8 +41,8 @@ def find_places(derivation: Derivation, formulas: Sequence[Typed]) -> list[Place
     finder = _Finder(displays, formulas)
     finder.by_label()
     finder.by_content()
-    finder.by_order()
-    finder.inline()
+    finder.between(False, RELATED)
+    finder.between(True, LIKE)
     finder.anywhere()
     steady = finder.in_order()
     return [
@@ -92,27 +92,19 @@ class _Finder:
                 if places[0] not in self.taken:
                     self.take(k, places[0])
 
-    def by_order(self) -> None:
-        """Unnumbered displays between those that are found."""
-        self._between(False, lambda display, formula: self.alike(display, formula) >= RELATED)
-
-    def inline(self) -> None:
-        """Inline formulas between the displays around them."""
-        self._between(True, lambda display, formula: self.alike(display, formula) >= LIKE)
-
     def anywhere(self) -> None:
         """What is left, wherever something like it stands."""
         for k, display in enumerate(self.displays):
             if k in self.found:
                 continue
             free = [
-                (self.alike(k, j), -j)
+                (self.alike(k, j), formula.inline == display.inline, -j)
                 for j, formula in enumerate(self.formulas)
-                if j not in self.taken and formula.inline == display.inline
+                if j not in self.taken
             ]
-            best = max(free, default=(0.0, 0))
+            best = max(free, default=(0.0, False, 0))
             if best[0] >= MOVED and len(words(display.tex)) > 3:
-                self.take(k, -best[1])
+                self.take(k, -best[2])
 
     def alike(self, display: int, formula: int) -> float:
         """How much alike two formulas are; nothing is, once too many were compared."""
@@ -120,8 +112,8 @@ class _Finder:
         self.compared += len(words(first)) * len(words(second))
         return likeness(first, second) if self.compared < PATIENCE else 0.0
 
-    def _between(self, inline: bool, allowed: Callable[[int, int], bool]) -> None:
-        """Match what is open between neighbours that are found, keeping the order."""
+    def between(self, inline: bool, least: float) -> None:
+        """Displays, or inline formulas, between the displays that are found, in this order."""
         steady = self.in_order()
         waiting: list[int] = []
         start = 0
@@ -134,18 +126,22 @@ class _Finder:
                     for j in range(start, end)
                     if j not in self.taken and self.formulas[j].inline == inline
                 ]
-                for display, formula in self._aligned(waiting, free, allowed):
+                for display, formula in self._aligned(waiting, free, least):
                     self.take(display, formula)
                 start, waiting = end + 1, []
             elif k not in self.found and self.displays[k].inline == inline:
                 waiting.append(k)
 
     def _aligned(
-        self, displays: list[int], formulas: list[int], allowed: Callable[[int, int], bool]
+        self, displays: list[int], formulas: list[int], least: float
     ) -> list[tuple[int, int]]:
-        """Pairs in the same order whose likeness adds up to the most."""
+        """Pairs in the same order, so much alike at least, whose likeness adds up to the most."""
         if not displays or not formulas:
             return []
+
+        def allowed(display: int, formula: int) -> bool:
+            return self.alike(display, formula) >= least
+
         inline = self.displays[displays[0]].inline
         same = len(displays) == len(formulas)
         if same and (not inline or all(map(allowed, displays, formulas))):

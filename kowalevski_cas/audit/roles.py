@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from kowalevski_cas.notation import Formula, Name, NotationError, Relation
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.paper.scene import Change, Scene
+from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.prune import mentions
 
@@ -26,6 +26,11 @@ class Role:
     own: dict[str, None] = field(default_factory=dict)
 
     @property
+    def elsewhere(self) -> str:
+        """The role of a place about which nothing is claimed where it stands."""
+        return next((role for role in ORDER if role in self.roles - {"claim"}), self.name)
+
+    @property
     def name(self) -> str:
         """The role by which the place is called: what others rest on comes first."""
         return next((role for role in ORDER if role in self.roles), "none")
@@ -37,7 +42,7 @@ class Roles:
     def __init__(self, derivation: Derivation) -> None:
         self.places: dict[str, Role] = {}
         for scene in derivation.scenes():
-            for printed, name in _of_scene(scene):
+            for name, printed in scene.roles():
                 self.at(printed.place).roles.add(name)
             for name, printed in scene.definitions.items():
                 self.at(printed.place).defines.add(name)
@@ -95,18 +100,3 @@ def places_of(claim: Claim) -> Iterator[Printed]:
     yield from claim.places()
     for scene in claim.scenes():
         yield from scene.places()
-
-
-def _of_scene(scene: Scene) -> Iterator[tuple[Printed, str]]:
-    if scene.unit is not None:
-        yield scene.unit, "unit"
-    if scene.clock is not None:
-        yield scene.clock, "definition"
-    yield from ((printed, "definition") for printed in scene.definitions.values())
-    yield from ((p, "condition") for p in scene.roots.values() if p is not None)
-    yield from ((printed, "condition") for printed in scene.zero)
-    if isinstance(scene.field, Change):
-        yield from ((printed, "definition") for printed in scene.field.formulas)
-        yield scene.field.time, "definition"
-    else:
-        yield from ((printed, "vector field") for printed in scene.field)

@@ -15,6 +15,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
+from kowalevski_cas import UserError
+
 LARGEST = 4_000_000
 """Bytes in a source; the longest papers have a tenth of this."""
 
@@ -46,7 +48,7 @@ _BEGINNING = re.compile(r"\\begin\s*\{document\}")
 _PRINTING = re.compile(r"[^\r\n]")
 
 
-class SourceError(ValueError):
+class SourceError(UserError, ValueError):
     """A file that cannot be read as TeX; the message names the file and the reason."""
 
 
@@ -94,22 +96,18 @@ def read_source(path: Path, styles: Iterable[Path] = ()) -> Source:
     try:
         # Opening a pipe would wait for a writer; so the kind is asked for first.
         kind = path.stat()
-        if not stat.S_ISREG(kind.st_mode):
-            raise SourceError(f"{path} is not a file")
-        if kind.st_size > LARGEST:
-            raise SourceError(
-                f"{path} has {kind.st_size:,} bytes; a source of more than {LARGEST:,} is not read"
-            )
-        with path.open("rb") as file:
-            data = file.read(LARGEST + 1)
+        is_file = stat.S_ISREG(kind.st_mode)
+        data = path.read_bytes() if is_file and kind.st_size <= LARGEST else b""
     except OSError as error:
         raise SourceError(f"{path} cannot be read: {error.strerror}") from None
     except ValueError as error:
-        if isinstance(error, SourceError):
-            raise
         raise SourceError(f"{os.fspath(path)!r} cannot be read: {error}") from None
-    if len(data) > LARGEST:
-        raise SourceError(f"{path} grows while it is read; it is left alone")
+    if not is_file:
+        raise SourceError(f"{path} is not a file")
+    if kind.st_size > LARGEST:
+        raise SourceError(
+            f"{path} has {kind.st_size:,} bytes; a source of more than {LARGEST:,} is not read"
+        )
     return replace(decode(str(path), data), styles=tuple(map(read_source, styles)))
 
 
@@ -138,16 +136,10 @@ def _blanked(text: str) -> str:
     at = 0
     while (match := _SILENT.search(text, at)) is not None:
         start, end = match.span()
-        pieces.append(text[at:start])
         last = match.lastgroup
-        if last is None:
-            pieces.append(match[0])
-            at = end
-            continue
         if last == "end":
-            at = start
-            break
-        if last == "name":
+            end = len(text)
+        elif last == "name":
             closing = text.find(rf"\end{{{match['name']}}}", end)
             end = len(text) if closing < 0 else closing + len(match["name"]) + 6
         elif last == "mark":
@@ -155,13 +147,10 @@ def _blanked(text: str) -> str:
             end = end if closing < 0 or "\n" in text[end:closing] else closing + 1
         elif last == "off":
             end = _after_fi(text, end)
-        pieces.append(_PRINTING.sub(" ", text[start:end]))
+        piece = text[start:end]
+        pieces += [text[at:start], _PRINTING.sub(" ", piece) if last else piece]
         at = end
-    else:
-        pieces.append(text[at:])
-        return "".join(pieces)
-    pieces.append(_PRINTING.sub(" ", text[at:]))
-    return "".join(pieces)
+    return "".join([*pieces, text[at:]])
 
 
 _CONDITIONAL = re.compile(r"\\(if[a-zA-Z]*|fi)(?![A-Za-z])|\\(?:newif|\\)")

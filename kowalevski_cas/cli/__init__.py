@@ -12,9 +12,8 @@ from importlib import import_module
 from signal import SIGINT, SIGTERM, default_int_handler, pthread_kill, signal
 from threading import Timer, current_thread, get_ident, main_thread
 
-from kowalevski_cas import __version__
-from kowalevski_cas.cli.exits import EXIT_CODES, INTERRUPTED, USAGE, CommandError
-from kowalevski_cas.processes import ProcessDied
+from kowalevski_cas import UserError, __version__
+from kowalevski_cas.cli.exits import EXIT_CODES, INTERRUPTED, USAGE
 
 COMMANDS = {
     "verify": "prove or refute the claims of a derivation and compare with its record",
@@ -83,12 +82,9 @@ def _run(program: str, words: Sequence[str], parser: Callable[[], argparse.Argum
         arguments = parser().parse_args(words)
         code: int = arguments.run(arguments)
         sys.stdout.flush()
-    except CommandError as error:
+    except UserError as error:
         print(f"{program}: {error}", file=sys.stderr)
         return error.code
-    except ProcessDied as error:
-        print(f"{program}: {error}", file=sys.stderr)
-        return USAGE
     except ModuleNotFoundError as error:
         library = (error.name or "").partition(".")[0]
         if library not in EXTRAS:

@@ -10,7 +10,6 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
@@ -18,9 +17,8 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.listing import listing
 from kowalevski_cas.audit.session import AuditSession
-from kowalevski_cas.audit.source import Source, SourceError, read_source
+from kowalevski_cas.audit.source import Source, read_source
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.audit_formats import FORMATS, load_format
 from kowalevski_cas.cli.exits import (
     AS_RECORDED,
     DIFFERENT,
@@ -30,6 +28,7 @@ from kowalevski_cas.cli.exits import (
     USAGE,
     CommandError,
 )
+from kowalevski_cas.cli.formats import OF_AUDITS, load_format
 from kowalevski_cas.files import write
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
@@ -57,7 +56,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--list", action="store_true", help="only list the formulas, and whether they can be read"
     )
-    session.add_format(parser, FORMATS, "formula")
+    session.add_format(parser, OF_AUDITS, "formula")
     parser.add_argument(
         "--patch",
         action="store_true",
@@ -80,14 +79,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    try:
-        source = read_source(arguments.source, arguments.macros)
-        if arguments.list:
-            return _list(source, arguments.format)
-        (done,) = session.watched(lambda source: _audited(arguments, source), [source])
-    except SourceError as error:
-        raise CommandError(str(error)) from None
-    said, note, code = done
+    source = read_source(arguments.source, arguments.macros)
+    if arguments.list:
+        return _list(source, arguments.format)
+    ((said, note, code),) = session.watched(lambda one: _audited(arguments, one), [source])
     if arguments.patch:
         sys.stdout.flush()
         sys.stdout.buffer.write(said.encode(source.encoding, "replace"))
@@ -100,30 +95,22 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _audited(arguments: argparse.Namespace, source: Source) -> tuple[str, str, int]:
     """What is to be printed of an audit, what is to be noted, and the exit code."""
-    arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-    folder, derivation = chosen(source, arguments.derivation)
-    explain = arguments.report is not None
-    base = auditing(folder, derivation, arithmetics, arguments.timeout, explain)
-    found = audit(source, base)
+    found = audit(source, auditing(*chosen(source, arguments.derivation), arguments))
     note = _written(found, arguments.report) if arguments.report is not None else ""
     if arguments.patch:
         from kowalevski_cas.audit.patch import patch
 
         return patch(found), note, exit_code(found)
-    return load_format(arguments.format)(found), note, exit_code(found)
+    return load_format(arguments.format).audited(found), note, exit_code(found)
 
 
 def _written(found: Audit, folder: Path) -> str:
     """Write the page of an audit; where it is."""
     from kowalevski_cas.report.annotated import annotated
     from kowalevski_cas.report.html import render_html
-    from kowalevski_cas.report.prose import ProseError
 
     page = folder / f"{Path(found.source.path).stem}.html"
-    try:
-        write(page, render_html(annotated(found)))
-    except ProseError as error:
-        raise CommandError(str(error)) from None
+    write(page, render_html(annotated(found)))
     return f"{page} is written"
 
 
@@ -144,34 +131,27 @@ def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
     return next(pair for pair in candidates if pair[1] is found)
 
 
-def auditing(
-    folder: Path,
-    derivation: Derivation,
-    arithmetics: Sequence[str],
-    timeout: float,
-    explain: bool = False,
-) -> AuditSession:
+def auditing(folder: Path, derivation: Derivation, arguments: argparse.Namespace) -> AuditSession:
     """The run of a derivation with which sources are compared."""
+    arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
     stored, record = load_certificates(folder), session.recorded(folder)
-    return AuditSession(derivation, arithmetics, stored, timeout, record, explain=explain)
+    explain = arguments.report is not None
+    return AuditSession(derivation, arithmetics, stored, arguments.timeout, record, explain=explain)
 
 
 def exit_code(found: Audit) -> int:
     """The exit code that an audit asks for."""
     outcomes = found.outcomes.values()
+    verdicts = {outcome.verdict for outcome in outcomes}
     if any(disagreement(outcome.verdicts) for outcome in outcomes):
         return DISAGREEMENT
     if all(formula.line == 0 for formula in found.formulas):
         return NOTHING
-    if any(formula.wrong for formula in found.formulas):
+    if any(formula.wrong for formula in found.formulas) or Verdict.REFUTED in verdicts:
         return DIFFERENT
-    if any(outcome.verdict is Verdict.REFUTED for outcome in outcomes):
-        return DIFFERENT
-    if any(outcome.verdict is Verdict.ERROR for outcome in outcomes):
+    if Verdict.ERROR in verdicts:
         return USAGE
-    if any(outcome.verdict in (Verdict.UNDECIDED, Verdict.TIMEOUT) for outcome in outcomes):
-        return UNDECIDED
-    return AS_RECORDED
+    return UNDECIDED if verdicts & {Verdict.UNDECIDED, Verdict.TIMEOUT} else AS_RECORDED
 
 
 def _list(source: Source, format: str) -> int:

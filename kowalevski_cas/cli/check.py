@@ -13,8 +13,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from kowalevski_cas.cli import plain, session
-from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
-from kowalevski_cas.library import LibraryError, available, find, source
+from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED
+from kowalevski_cas.library import available, find, source
 from kowalevski_cas.problem.checker import printable
 from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
 from kowalevski_cas.verify.committed import (
@@ -24,7 +24,7 @@ from kowalevski_cas.verify.committed import (
     check_files,
     expected,
 )
-from kowalevski_cas.verify.record import RecordError, load_record
+from kowalevski_cas.verify.record import load_record
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -75,11 +75,9 @@ def _checked(names: list[str]) -> list[Checked]:
     for path in [Path(name) for name in names if name.endswith(".json")]:
         files.setdefault(path.parent.resolve(), []).append(path)
     folders = [name for name in names if not name.endswith(".json")] if names else available()
-    try:
-        found = session.watched(_committed, [find(name) for name in folders])
-        return [*(check_files(paths, _about(at)) for at, paths in files.items()), *found]
-    except (LibraryError, RecordError) as error:
-        raise CommandError(str(error)) from None
+    derivations = [find(name) for name in folders]
+    found = session.watched(lambda at: check_committed(at, load_record(at) or {}), derivations)
+    return [*(check_files(paths, _about(at)) for at, paths in files.items()), *found]
 
 
 def _about(folder: Path) -> Expected | None:
@@ -88,7 +86,3 @@ def _about(folder: Path) -> Expected | None:
     if folder.name != FOLDER or not source(folder.parent).is_file():
         return None
     return expected(folder.parent, load_record(folder.parent) or {})
-
-
-def _committed(folder: Path) -> Checked:
-    return check_committed(folder, load_record(folder) or {})

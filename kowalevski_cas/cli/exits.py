@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from kowalevski_cas import UserError
+
 AS_RECORDED = 0
 DIFFERENT = 1
 USAGE = 2
@@ -23,8 +25,8 @@ EXIT_CODES = """exit codes:
 """
 
 
-class CommandError(Exception):
-    """An error that the user can do something about; it ends the command with ``code``."""
+class CommandError(UserError):
+    """What keeps a command from its work; it ends with ``code``."""
 
     def __init__(self, message: str, code: int = USAGE) -> None:
         super().__init__(message)

@@ -16,7 +16,7 @@ from kowalevski_cas.files import write_all
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.committed import certificate_files, check_committed, check_files
-from kowalevski_cas.verify.record import RecordError, load_record
+from kowalevski_cas.verify.record import load_record
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -54,10 +54,7 @@ def translated(format: str, folder: Path, derivation: Derivation) -> tuple[dict[
 
 def accepted(folder: Path) -> dict[str, Json]:
     """The certificates in the folder of a derivation by name; all have to be as recorded."""
-    try:
-        record = load_record(folder)
-    except RecordError as error:
-        raise CommandError(str(error)) from None
+    record = load_record(folder)
     found = check_committed(folder, record) if record else check_files(certificate_files(folder))
     for name, reason in found.rejected.items():
         raise CommandError(f"{name}: {reason}", REJECTED)

@@ -173,18 +173,27 @@ def forecast(scene: Scene, question: str, degree: int) -> None:
 
 
 def _scene(derivation: Derivation, name: str | None) -> Scene:
-    """The scene with a name; the only one, if none is named."""
+    """The scene with a name; the only one but for more constants, if none is named."""
     scenes: dict[str, Scene] = {}
     for scene in derivation.scenes():
         if scene.field:
             scenes.setdefault(scene.name, scene)
-    if name is None and len(scenes) == 1:
-        return next(iter(scenes.values()))
+    everyone = scenes.values()
+    least = [one for one in everyone if not any(_has_more_constants(one, t) for t in everyone)]
+    if name is None and len(least) == 1:
+        return least[0]
     if name in scenes:
         return scenes[name]
     known = get_close_matches(name or "", scenes, 5, 0.4) or [*scenes]
     said = "name a scene" if name is None else f"there is no scene “{name}” with a motion"
     raise CommandError(f"{said}: --scene with one of {'; '.join(known)}", NOTHING)
+
+
+def _has_more_constants(scene: Scene, than: Scene) -> bool:
+    """Whether a scene is another one with more constants, of which its motion does not depend."""
+    differing = {name for name, value in vars(scene).items() if value != vars(than)[name]}
+    same = differing <= {"name", "words", "constants"}
+    return same and {*scene.constants} > {*than.constants}
 
 
 def _data(finding: Finding, outcome: Outcome) -> dict[str, object]:

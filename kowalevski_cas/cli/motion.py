@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, UNDECIDED, CommandError
-from kowalevski_cas.cli.motion_formats import FORMATS, load_format
+from kowalevski_cas.cli.motion_formats import FORMATS
 from kowalevski_cas.files import write
 from kowalevski_cas.motion.methods import METHODS
 from kowalevski_cas.processes import each, time_limit
@@ -97,7 +97,7 @@ def run(arguments: argparse.Namespace) -> int:
     binary = arguments.format == "npz" and arguments.output is None
     if binary and sys.stdout.isatty():
         raise CommandError("npz is not for a terminal; give --output DIR, or send it to a file")
-    contents = load_format(arguments.format)(_followed(arguments))
+    contents = FORMATS[arguments.format](_followed(arguments))
     if arguments.output is not None:
         path = arguments.output / f"motion.{arguments.format}"
         write(path, contents)

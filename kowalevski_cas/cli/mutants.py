@@ -10,18 +10,16 @@ from __future__ import annotations
 import argparse
 import random
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 
 from kowalevski_cas.audit.catching import Measure, Measurement, measure
 from kowalevski_cas.audit.mutants import every, sample
-from kowalevski_cas.audit.source import Source, SourceError, read_source
+from kowalevski_cas.audit.source import Source, read_source
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.audit import chosen
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED, CommandError
 from kowalevski_cas.library import find
-from kowalevski_cas.paper.derivation import Derivation
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -45,10 +43,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     seed = random.SystemRandom().randrange(10**6) if arguments.seed is None else arguments.seed
     if arguments.source is not None and arguments.source.exists():
-        try:
-            source = read_source(arguments.source)
-        except SourceError as error:
-            raise CommandError(str(error)) from None
+        source = read_source(arguments.source)
         folder, derivation = chosen(source, arguments.derivation)
     else:
         name = [arguments.derivation] if arguments.derivation else []
@@ -56,7 +51,7 @@ def run(arguments: argparse.Namespace) -> int:
         source = synthetic(derivation)
     print(f"{source.path} by {derivation.name}, seed {seed}", flush=True)
 
-    pool = session.pool(arguments, [folder, *map(find, bases(derivation))])
+    pool = session.pool(arguments, [folder, *(find(one.name) for one in derivation.bases())])
 
     def measured(source: Source) -> Measurement:
         work = Measure(folder, source.path, source.text, arguments.timeout)
@@ -70,13 +65,6 @@ def run(arguments: argparse.Namespace) -> int:
         raise CommandError("no mutants can be made of this source", NOTHING)
     print(report(found), end="")
     return DIFFERENT if found.missed else UNDECIDED if found.late else AS_RECORDED
-
-
-def bases(derivation: Derivation) -> Iterator[str]:
-    """The names of the derivations on which one rests, near and far."""
-    for base in derivation.rests_on:
-        yield base.name
-        yield from bases(base)
 
 
 def report(found: Measurement) -> str:

@@ -7,17 +7,15 @@ import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
+from kowalevski_cas.cli.exits import AS_RECORDED
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.report import Section, sections
+from kowalevski_cas.report.pdf import write_report
+from kowalevski_cas.verify.committed import Checked, check_committed
 from kowalevski_cas.verify.outcome import Run
-
-if TYPE_CHECKING:
-    from kowalevski_cas.report import Section
-    from kowalevski_cas.verify.committed import Checked
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -43,8 +41,6 @@ def explained(
     folder: Path, derivation: Derivation, timeout: float
 ) -> tuple[Run, tuple[Section, ...]]:
     """A run that tells its steps, and its outcomes in the order of the paper."""
-    from kowalevski_cas.report import sections
-
     run = session.run(folder, derivation, EXACT, explain=True, timeout=timeout)
     run = replace(run, versions=session.versions())
     return run, sections(run, derivation, derivation.texts())
@@ -54,21 +50,14 @@ def write(
     run: Run, paper: Sequence[Section], folder: Path, derivation: Path
 ) -> tuple[Checked, str]:
     """Write the report of a run; what the checker says of its certificates, and where it is."""
-    from kowalevski_cas.report.pdf import ReportError, write_report
-
     checked, digests = certified(run, derivation)
-    try:
-        written = write_report(run, paper, folder, digests)
-    except ReportError as error:
-        raise CommandError(f"the report: {error}") from None
+    written = write_report(run, paper, folder, digests)
     said = [*written.notes, f"{written.html} and {written.pdf} are written"]
     return checked, "\n".join(said)
 
 
 def certified(run: Run, folder: Path) -> tuple[Checked, dict[str, str]]:
     """What the checker says of certificates, and the digests of those about this run's claims."""
-    from kowalevski_cas.verify.committed import check_committed
-
     checked = check_committed(folder, session.recorded(folder))
     own = {outcome.claim: outcome.digest for outcome in run.outcomes}
     return checked, dict(own.items() & checked.digests.items())

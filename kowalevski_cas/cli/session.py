@@ -5,15 +5,16 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
 from time import time
 from typing import TYPE_CHECKING, TypeVar
 
+from kowalevski_cas import __version__
 from kowalevski_cas.cli.exits import NOTHING, CommandError
-from kowalevski_cas.library import LibraryError, available, find, load, source
+from kowalevski_cas.library import available, find, load, source
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.pool import Pool
@@ -51,10 +52,7 @@ def derivations(names: Sequence[str], only: Sequence[str] = ()) -> list[tuple[Pa
     names = names or available()
     if not names:
         raise CommandError("the library has no derivations", NOTHING)
-    try:
-        found = [(find(name), load(name)) for name in names]
-    except LibraryError as error:
-        raise CommandError(str(error)) from None
+    found = [(find(name), load(name)) for name in names]
     ids = {claim.id for _, derivation in found for claim in derivation.claims}
     for id in only:
         if id not in ids:
@@ -240,49 +238,44 @@ def remove_others(folder: Path, names: Iterable[str]) -> None:
             path.unlink()
 
 
-class progress_bar:
-    """A progress bar on stderr, if that is a terminal; nothing otherwise."""
+@contextmanager
+def progress_bar() -> Iterator[Callable[..., None]]:
+    """A progress bar on stderr, if that is a terminal; nothing otherwise.
 
-    def __enter__(self) -> Callable[..., None]:
-        """Start the bar and return what moves it: a name, how much is done of how much, and which.
+    It is moved by a name, how much is done of how much, and, if there are several, its number.
+    """
+    if not sys.stderr.isatty():
+        yield lambda *words: None
+        return
+    from rich.console import Console
+    from rich.progress import Progress as Bar
 
-        Several can be moved, by their numbers.
-        """
-        self._stop: Callable[[], None] = lambda: None
-        if not sys.stderr.isatty():
-            return lambda *words: None
-        from rich.console import Console
-        from rich.progress import Progress as Bar
+    tasks: dict[int, TaskID] = {}
 
-        # Without a thread of its own: processes are forked meanwhile.
-        bar = Bar(console=Console(stderr=True), transient=True, auto_refresh=False)
-        bar.start()
-        self._stop = bar.stop
-        tasks: dict[int, TaskID] = {}
+    def move(name: str, done: int, total: int, number: int = 0) -> None:
+        if number not in tasks:
+            tasks[number] = bar.add_task(name)
+        bar.update(tasks[number], description=name, completed=done, total=total, refresh=True)
 
-        def move(name: str, done: int, total: int, number: int = 0) -> None:
-            if number not in tasks:
-                tasks[number] = bar.add_task(name)
-            bar.update(tasks[number], description=name, completed=done, total=total, refresh=True)
-
-        return move
-
-    def __exit__(self, *_: object) -> None:
-        """Take the bar away."""
-        self._stop()
+    # Without a thread of its own: processes are forked meanwhile.
+    with Bar(console=Console(stderr=True), transient=True, auto_refresh=False) as bar:
+        yield move
 
 
 def versions() -> dict[str, str]:
     """The versions of the programs and libraries that take part."""
     import platform
+
+    own = {"kowalevski_cas": __version__, "Python": platform.python_version()}
+    return own | installed("python-flint", "symengine", "sympy")
+
+
+def installed(*libraries: str) -> dict[str, str]:
+    """The versions of those libraries that are installed."""
     from importlib.metadata import PackageNotFoundError, version
 
-    from kowalevski_cas import __version__
-
-    found = {"kowalevski_cas": __version__, "Python": platform.python_version()}
-    for library in ("python-flint", "symengine", "sympy"):
-        try:
+    found: dict[str, str] = {}
+    for library in libraries:
+        with suppress(PackageNotFoundError):
             found[library] = version(library)
-        except PackageNotFoundError:
-            continue
     return found

@@ -13,9 +13,11 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from time import sleep
 
+from kowalevski_cas import UserError
 from kowalevski_cas.algebra import EXACT, POINTS, load, load_points
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import (
@@ -28,18 +30,12 @@ from kowalevski_cas.cli.exits import (
     CommandError,
 )
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
-from kowalevski_cas.library import READ, LibraryError, available, find, source
+from kowalevski_cas.library import READ, available, find, source
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.report import sections
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.outcome import Run, Verdict
-from kowalevski_cas.verify.record import (
-    RecordError,
-    contradictions,
-    differences,
-    load_record,
-    unexpected,
-)
+from kowalevski_cas.verify.record import contradictions, differences, load_record, unexpected
 from kowalevski_cas.verify.teller import disagreement
 
 CORES = os.cpu_count() or 1
@@ -58,8 +54,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--arithmetic",
         choices=(*EXACT, "all", *POINTS),
-        default="all",
-        help=f"decide in this arithmetic (all three, one after the other, if not given); "
+        default=EXACT[0],
+        help=f"decide in this arithmetic ({EXACT[0]}), or in all three, which have to agree; "
         f"{', '.join(POINTS)} screen at points",
     )
     parser.add_argument(
@@ -99,11 +95,15 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
 
 
 def _shares(derivation: Derivation, only: Sequence[str], parts: int) -> Iterator[Sequence[str]]:
-    """The claims of a derivation in parts, for as many cores: what is decided does not differ."""
+    """The claims of a derivation in parts, for as many cores: what is decided does not differ.
+
+    Claims that follow each other stand on the same scenes, which each process elaborates anew.
+    """
     claims = [claim.id for claim in derivation.claims if not only or claim.id in only]
     parts = max(1, min(parts, len(claims)))
-    for part in range(parts):
-        yield claims[part::parts]
+    ends = [len(claims) * part // parts for part in range(parts + 1)]
+    for start, end in pairwise(ends):
+        yield claims[start:end]
 
 
 def _result(
@@ -121,10 +121,7 @@ def _result(
 
 def compared(folder: Path, derivation: Derivation, found: Run, whole: bool) -> Result:
     """A run beside the record in a folder, of all claims if it is whole."""
-    try:
-        record = load_record(folder)
-    except RecordError as error:
-        raise CommandError(str(error)) from None
+    record = load_record(folder)
     if record is None:
         differing = unexpected(found, derivation.expected)
     elif found.arithmetics[0] in POINTS:
@@ -141,7 +138,7 @@ def told(
     """What a terminal says of a claim, if it is not as recorded or expected; else nothing."""
     found = session.run(folder, derivation, ["flint"], [claim], timeout=seconds, stored=stored)
     result = compared(folder, derivation, found, False)
-    return "" if exit_code(result) == AS_RECORDED else load_format("pretty")([result])
+    return "" if exit_code(result) == AS_RECORDED else load_format("pretty").render([result])
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -157,7 +154,7 @@ def _watch(arguments: argparse.Namespace) -> int:
             if (now := _saved(arguments.derivations)) != before:
                 try:
                     code = _verified(arguments)
-                except CommandError as error:
+                except UserError as error:
                     code = error.code
                     print(error, file=sys.stderr)
                 before = READ | now
@@ -168,10 +165,7 @@ def _watch(arguments: argparse.Namespace) -> int:
 
 def _saved(names: Sequence[str]) -> dict[Path, int]:
     """When the files of derivations were saved, and those that they read."""
-    try:
-        sources = [source(find(name)) for name in names or available()]
-    except LibraryError as error:
-        raise CommandError(str(error)) from None
+    sources = [source(find(name)) for name in names or available()]
     own = {file for one in sources if one.name == "__init__.py" for file in one.parent.glob("*.py")}
     return {file: file.stat().st_mtime_ns for file in {*sources, *own, *READ} if file.is_file()}
 
@@ -183,7 +177,7 @@ def _verified(arguments: argparse.Namespace) -> int:
             f"choose {', '.join(EXACT)} or all"
         )
     results = run_derivations(arguments)
-    print(load_format(arguments.format)(results), end="")
+    print(load_format(arguments.format).render(results), end="")
     sys.stdout.flush()
     codes = [exit_code(result) for result in results]
     if arguments.report is not None:
@@ -206,14 +200,14 @@ def exit_code(result: Result) -> int:
     outcomes = result.run.outcomes
     if any(disagreement(o.verdicts) for o in outcomes):
         return DISAGREEMENT
-    if any(o.verdict is Verdict.ERROR for o in outcomes):
+    verdicts = {o.verdict for o in outcomes}
+    if Verdict.ERROR in verdicts:
         return USAGE
     screened = result.run.arithmetics[0] in POINTS
-    undecided = [o.verdict is Verdict.UNDECIDED for o in outcomes]
     # Some claims say what no point can show; a screening that saw nothing at all is no success.
-    if all(undecided) if screened else any(undecided):
+    if Verdict.UNDECIDED in verdicts and not (screened and len(verdicts) > 1):
         return UNDECIDED
-    if any(o.verdict is Verdict.TIMEOUT for o in outcomes):
+    if Verdict.TIMEOUT in verdicts:
         return UNDECIDED
     return DIFFERENT if result.differences else AS_RECORDED
 

@@ -9,12 +9,11 @@ import argparse
 import sys
 
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.exits import AS_RECORDED, REJECTED, CommandError
+from kowalevski_cas.cli.exits import AS_RECORDED, REJECTED
 from kowalevski_cas.cli.export import translated
 from kowalevski_cas.export import FORMATS, load
 from kowalevski_cas.export.witness import testify
 from kowalevski_cas.files import write
-from kowalevski_cas.tools import MissingTool
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -30,20 +29,17 @@ def run(arguments: argparse.Namespace) -> int:
     name = arguments.program
     format = load(name)
     code = AS_RECORDED
-    try:
-        format.tool.call()
-        for folder, derivation in session.derivations(arguments.derivations):
-            certificates, export = translated(name, folder, derivation)
-            digests = {claim: str(one["digest"]) for claim, one in certificates.items()}
-            with session.progress_bar() as progress:
-                testimony = testify(name, format, export, digests, progress)
-            target = arguments.output / derivation.name / f"{name}.json"
-            write(target, testimony.text())
-            for claim, reason in testimony.failed.items():
-                print(f"{claim}: not confirmed: {reason}", file=sys.stderr)
-                code = REJECTED
-            said = f"{len(testimony.confirmed)} of {len(certificates)} certificates"
-            print(f"{derivation.name}: {said} confirmed by {testimony.version}")
-    except MissingTool as error:
-        raise CommandError(str(error)) from None
+    format.tool.call()
+    for folder, derivation in session.derivations(arguments.derivations):
+        certificates, export = translated(name, folder, derivation)
+        digests = {claim: str(one["digest"]) for claim, one in certificates.items()}
+        with session.progress_bar() as progress:
+            testimony = testify(name, format, export, digests, progress)
+        target = arguments.output / derivation.name / f"{name}.json"
+        write(target, testimony.text())
+        for claim, reason in testimony.failed.items():
+            print(f"{claim}: not confirmed: {reason}", file=sys.stderr)
+            code = REJECTED
+        said = f"{len(testimony.confirmed)} of {len(certificates)} certificates"
+        print(f"{derivation.name}: {said} confirmed by {testimony.version}")
     return code

@@ -6,8 +6,6 @@ from importlib import import_module
 
 from kowalevski_cas.export.format import Export, Format, Inexpressible, Json
 
-__all__ = ["FORMATS", "Export", "Format", "Inexpressible", "Json", "load"]
-
 FORMATS = {
     "rocq": "theorems for Rocq, which differentiates by itself and assumes no axioms",
     "singular": "polynomial identities for Singular, which differentiates by its own `diff`",

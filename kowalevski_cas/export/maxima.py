@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from kowalevski_cas.export.polynomials import Polynomials
@@ -44,10 +44,8 @@ class Program(Polynomials):
         said = [line for line in output.splitlines() if line.startswith(("holds: ", "fails: "))]
         return super().objection(text, "\n".join(said))
 
-    def frame(self, generators: Sequence[str], lines: Iterable[str]) -> str:
-        names = ", ".join(generators)
-        body = "\n".join(lines)
-        return f"ratvars({names})$\n{_BEGIN}\n{body}\n"
+    def frame(self, generators: Sequence[str], body: str) -> str:
+        return f"ratvars({', '.join(generators)})$\n{_BEGIN}\n{body}\n"
 
     def holds(self, words: str, text: str, divisors: str) -> str:
         return f'holds("{words}", {text}, {divisors})$'

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from kowalevski_cas.export.polynomials import Polynomials
@@ -46,10 +46,8 @@ class Program(Polynomials):
     def arguments(self, file: Path) -> list[str]:
         return ["--quiet", "--fast", "--default", "parisize=1G", file.name]
 
-    def frame(self, generators: Sequence[str], lines: Iterable[str]) -> str:
-        names = ", ".join(reversed(generators))
-        body = "\n".join(lines)
-        return f"[{names}];\n{_BEGIN}\n{body}\nquit;\n"
+    def frame(self, generators: Sequence[str], body: str) -> str:
+        return f"[{', '.join(reversed(generators))}];\n{_BEGIN}\n{body}\nquit;\n"
 
     def comment(self, words: str) -> str:
         return rf"\\ {words}"

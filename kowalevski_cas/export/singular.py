@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 
@@ -47,9 +47,8 @@ class Program(Polynomials):
     def arguments(self, file: Path) -> list[str]:
         return ["--quiet", "--no-rc", "--no-warn", file.name]
 
-    def frame(self, generators: Sequence[str], lines: Iterable[str]) -> str:
+    def frame(self, generators: Sequence[str], body: str) -> str:
         names = ", ".join(reversed(generators))
-        body = "\n".join(lines)
         return f"ring R = 0, ({names}), lp;\n{_BEGIN}\n{body}\nquit;\n"
 
     def comment(self, words: str) -> str:

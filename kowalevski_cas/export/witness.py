@@ -45,7 +45,7 @@ def version(tool: Tool) -> str:
         MissingTool: it is not installed, or does not tell.
     """
     call = tool.call()
-    code, output = _run([*call, *tool.version], Path.cwd())
+    code, output = answer([*call, *tool.version], Path.cwd())
     if code or not output.strip():
         raise MissingTool(f"{' '.join(call)} does not tell its version: {_last(output)}")
     return output.strip().splitlines()[0]
@@ -75,11 +75,11 @@ def testify(
         def read(claim: str) -> str:
             """Why the program does not confirm what it reads about a claim; empty if it does."""
             file, text = export.names[claim], export.texts[claim]
-            code, output = _run([*call, *format.arguments(folder / file)], folder)
+            code, output = answer([*call, *format.arguments(folder / file)], folder)
             return f"exit code {code}: {_last(output)}" if code else format.objection(text, output)
 
         for file in export.shared:
-            code, output = _run([*call, *format.arguments(folder / file)], folder)
+            code, output = answer([*call, *format.arguments(folder / file)], folder)
             if code:
                 reason = f"{file}: {_last(output)}"
                 return Testimony(name, testimony.version, {}, dict.fromkeys(export.texts, reason))
@@ -93,7 +93,7 @@ def testify(
     return testimony
 
 
-def _run(arguments: Sequence[str], folder: Path) -> tuple[int, str]:
+def answer(arguments: Sequence[str], folder: Path) -> tuple[int, str]:
     """The exit code of a program, and all that it said."""
     try:
         done = subprocess.run(

@@ -25,20 +25,3 @@ from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.parameters import Inadmissible, Parameters
 from kowalevski_cas.motion.regimes import Regime, all_regimes, coincidences, regime_of
-
-__all__ = [
-    "METHODS",
-    "General",
-    "Inadmissible",
-    "MethodError",
-    "Motion",
-    "MotionO4",
-    "Parameters",
-    "ParametersO4",
-    "Regime",
-    "all_regimes",
-    "coincidences",
-    "load",
-    "regime_of",
-    "through",
-]

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.paper.closed_form import CriticalSets
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -40,7 +41,7 @@ def residuals(states: Array) -> dict[str, Array]:
     omega, fields = (np.max(np.abs(part), axis=-1) for part in (states[..., :3], states[..., 3:]))
     unit = np.hypot(omega, np.sqrt(fields))
     unit[unit == 0] = 1.0
-    known = formulas.complex_variables()(
+    known = formulas.offered("complex_variables")(
         *np.moveaxis(states[..., :3] / unit[..., None], -1, 0),
         *np.moveaxis(states[..., 3:] / unit[..., None] / unit[..., None], -1, 0),
         1j,
@@ -61,27 +62,26 @@ def bounds(theta: Number, r_fourth: Number, fields: Number, size: Number) -> tup
 
 
 def _on_M4(known: tuple[Complex, ...], largest: Array) -> Array:
-    M4, _, _ = formulas.critical_sets()
-    first, _ = M4(*known)
+    first, _ = formulas.offered("M4", CriticalSets)(*known)
     return _quotient(abs(first), abs(known[6]) ** 2 + largest)
 
 
 def _on_N4(known: tuple[Complex, ...], largest: Array) -> Array:
     """Not a number where x1x2 = 0 as good as exactly: there the equations say nothing."""
-    _, N4, _ = formulas.critical_sets()
+    functions = formulas.offered("N4", CriticalSets)(*known)
     x1, x2, _, y2, z1, *_ = known
     theta, r_fourth = abs(x1 * x2), abs(z1**2 + x1 * y2) ** 2
     squares = bounds(theta, r_fourth, largest, np.ones_like(theta))
     found = [
         _quotient(abs(value), np.sqrt(square))
-        for value, square in zip(N4(*known), squares, strict=True)
+        for value, square in zip(functions, squares, strict=True)
     ]
     return np.where(theta * largest**2 <= LEAST_THETA * r_fourth, np.nan, np.maximum(*found))
 
 
 def _on_O4(known: tuple[Complex, ...], largest: Array) -> Array:
     """The least residual for any of the values of s that one of the equations gives."""
-    _, _, O4 = formulas.critical_sets()
+    O4 = formulas.offered("O4", CriticalSets)
     below, here, above = (np.array(O4(*known, float(s))) for s in (-1, 0, 1))
     slope, square = (above - below) / 2, (above + below) / 2 - here
     omega3 = abs(known[8])

@@ -20,6 +20,7 @@ from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import Regime, regime_of
 from kowalevski_cas.motion.parameters import Inadmissible
+from kowalevski_cas.paper.closed_form import CriticalSets, HyperellipticForm, LevelsOnM4
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -52,7 +53,7 @@ class Fields:
 
     def on_M4(self, h: Array, j: Array) -> tuple[Array, Array]:
         """The values of K and G on M⁴ at the energy h, where J₃ = j."""
-        k, gap = formulas.critical_values()[0](j)
+        k, gap = formulas.offered("M4_values", CriticalSets)(j)
         return k + 0 * h, (self._pr[0] ** 2 * h - gap) / 2
 
     def tori_on_M4(self, h: Array, j: Array) -> Integers:
@@ -63,7 +64,8 @@ class Fields:
         """
         p, r = self._pr
         places = np.arange(-2.0, 3.0)
-        (values,) = formulas.polynomial_on_M4()(p * places[:, None], h.ravel(), j.ravel(), p, r)
+        polynomial = formulas.offered("polynomial", LevelsOnM4)
+        (values,) = polynomial(p * places[:, None], h.ravel(), j.ravel(), p, r)
         first, *rest = np.linalg.solve(np.vander(places), values)
         companion = np.zeros((h.size, 4, 4))
         companion[:, 0], companion[:, [1, 2, 3], [0, 1, 2]] = -np.array(rest / first).T, 1.0
@@ -76,13 +78,13 @@ class Fields:
     def on_N4(self, h: Array, m: Array) -> tuple[Array, Array]:
         """The values of K and G on N⁴ at the energy h."""
         p, r = self._pr
-        k, gap = formulas.critical_values()[1](m, r)
+        k, gap = formulas.offered("N4_values", CriticalSets)(m, r)
         return k, (p**2 * h + gap) / 2
 
     def on_O4(self, s: Array, tau: Array) -> tuple[Array, Array, Array]:
         """The values of H, K and G on O⁴."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            h, k, g = formulas.hyperelliptic("integrals")(s, tau, *self._pr)
+            h, k, g = formulas.offered("integrals", HyperellipticForm)(s, tau, *self._pr)
         return h, k, g
 
     def tau(self, s: Array, h: Array) -> Array:
@@ -148,7 +150,7 @@ class Fields:
 
     def j(self, h: Array, g: Array) -> Array:
         """The absolute value of J₃ on M⁴ by those of H and G."""
-        _, unit = formulas.critical_values()[0](1.0)
+        _, unit = formulas.offered("M4_values", CriticalSets)(1.0)
         with np.errstate(invalid="ignore"):
             square = np.array(self._pr[0] ** 2 * h - 2 * g) / unit
             square[abs(square) < 1e-12 * (1 + abs(g))] = 0.0

@@ -27,7 +27,8 @@ class General:
     @property
     def constants(self) -> dict[str, float]:
         """The values of a, b, c and of the three integrals."""
-        values = dict(zip(formulas.INTEGRALS, formulas.integrals()(*self.point), strict=True))
+        found = formulas.offered("integrals")(*self.point)
+        values = dict(zip(formulas.INTEGRALS, found, strict=True))
         lengths = {name: values[f"{name}^2"] ** 0.5 for name in "ab"}
         return {**lengths, "c": values["c"], **{name.lower(): values[name] for name in "HKG"}}
 

@@ -13,11 +13,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from flint import arb
+from flint import arb, arb_poly
 from numpy.typing import NDArray
 
 from kowalevski_cas.motion.oscillation import Oscillation
-from kowalevski_cas.motion.phases import Phase, expansion, parts_needed
+from kowalevski_cas.motion.phases import Phase, as_fraction, expansion, parts_needed
 
 Array = NDArray[np.float64]
 Quadruple = tuple[Array, Array, Array, Array]
@@ -46,7 +46,7 @@ class _Elementary:
     def __init__(self, oscillation: Oscillation, origin: arb) -> None:
         self.exponential = oscillation.kind == "exponential"
         scale = oscillation.rate / (2 if self.exponential else 1)
-        self.rate, self.origin = expansion(scale, 2), expansion(origin, 2)
+        self.rate, self.origin = (expansion(as_fraction(x), 2) for x in (scale, origin))
 
     def __call__(self, t: Array) -> Quadruple:
         since = (t - self.origin[0]) - self.origin[1]
@@ -111,39 +111,19 @@ def _series(q: arb) -> list[list[arb]]:
 
     They are scaled so that their quotients by the fourth are sn, cn and dn.
     """
-    one, twice = [arb(1)], [arb(2), arb(-4)]  # 2 cos 2z = 2 − 4X
-    sines, cosines, even = [[arb(-1)], one], [one, one], [[arb(1), arb(-2)], one]
+    one, twice = arb_poly([1]), arb_poly([2, -4])  # 2 cos 2z = 2 − 4X
+    sines, cosines, even = [-one, one], [one, one], [arb_poly([1, -2]), one]
     for chebyshev in (sines, cosines, even):
         while len(chebyshev) <= TERMS:
-            chebyshev.append(_minus(_times(twice, chebyshev[-1]), chebyshev[-2]))
-    theta1, theta2, theta3, theta4 = ([arb(0)] * TERMS for _ in range(4))
+            chebyshev.append(twice * chebyshev[-1] - chebyshev[-2])
+    theta1 = theta2 = theta3 = theta4 = arb_poly()
     for n in range(TERMS):
         odd, square = q ** (n * (n + 1)), q ** (n * n) * (2 if n else 1)
-        for target, weight, chebyshev in (
-            (theta1, odd * (-1) ** n, sines),
-            (theta2, odd, cosines),
-            (theta3, square, even),
-            (theta4, square * (-1) ** n, even),
-        ):
-            for power, coefficient in enumerate(chebyshev[n + 1]):
-                target[power] += weight * coefficient
+        theta1 += odd * (-1) ** n * sines[n + 1]
+        theta2 += odd * cosines[n + 1]
+        theta3 += square * even[n + 1]
+        theta4 += square * (-1) ** n * even[n + 1]
     at_zero = [theta2[0], theta3[0], theta4[0]]
     scales = (at_zero[1] / at_zero[0], at_zero[2] / at_zero[0], at_zero[2] / at_zero[1], arb(1))
-    return [
-        [scale * coefficient for coefficient in series]
-        for scale, series in zip(scales, (theta1, theta2, theta3, theta4), strict=True)
-    ]
-
-
-def _times(left: list[arb], right: list[arb]) -> list[arb]:
-    product = [arb(0)] * (len(left) + len(right) - 1)
-    for i, x in enumerate(left):
-        for j, y in enumerate(right):
-            product[i + j] += x * y
-    return product
-
-
-def _minus(left: list[arb], right: list[arb]) -> list[arb]:
-    longest = max(len(left), len(right))
-    first, second = (x + [arb(0)] * (longest - len(x)) for x in (left, right))
-    return [x - y for x, y in zip(first, second, strict=True)]
+    thetas = theta1, theta2, theta3, theta4
+    return [(scale * theta).coeffs() for scale, theta in zip(scales, thetas, strict=True)]

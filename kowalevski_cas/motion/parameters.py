@@ -138,10 +138,6 @@ class Parameters(Lengths):
         r""":math:`\ell` at the precision of FLINT's context."""
         return self.value(Fraction(1), Fraction(0))
 
-    def mirrored(self) -> Parameters:
-        r"""The same motions by the other root :math:`\sqrt{x_1x_2}`: ℓ, s1, s2 change sign."""
-        return Parameters(self.a, self.b, self.m, self.ell_square, -self.ell_sign)
-
     # -- the other constants, all rational ------------------------------------------
 
     @property

@@ -31,9 +31,8 @@ def parts_needed(rate: float, largest: float) -> int:
     return int(np.ceil((np.log2(turns) + GUARD) / 53))
 
 
-def expansion(value: arb, parts: int) -> list[float]:
-    """The middle of a ball as a sum of so many floats, the largest first."""
-    rest = as_fraction(value)
+def expansion(rest: Fraction, parts: int) -> list[float]:
+    """A number as a sum of so many floats, the largest first."""
     found = []
     for _ in range(parts):
         part = float(rest)
@@ -52,10 +51,10 @@ class Phase:
     """The phase in quarters of a period: the nearest quarter, and what is left."""
 
     def __init__(self, rate: arb, offset: arb, parts: int) -> None:
-        self._rate = [(part, *_halves(part)) for part in expansion(rate, parts)]
+        self._rate = [(part, *_halves(part)) for part in expansion(as_fraction(rate), parts)]
         whole = as_fraction(offset)
         whole -= 4 * round(whole / 4)
-        self._offset = expansion_of(whole)
+        self._offset = expansion(whole, 2)
 
     def __call__(self, t: Array) -> tuple[Array, Array]:
         """For times t: j in {−2, …, 2} and y in [−½, ½] with w = j + y modulo 4."""
@@ -80,12 +79,6 @@ class Phase:
         total += low
         quarter -= 4.0 * np.rint(quarter * 0.25)
         return quarter, total
-
-
-def expansion_of(value: Fraction) -> tuple[float, float]:
-    """A fraction as the sum of two floats."""
-    high = float(value)
-    return high, float(value - Fraction(high))
 
 
 def _halves(x: Split) -> tuple[Split, Split]:

@@ -54,7 +54,7 @@ def on_N4(state: Sequence[Real]) -> Motion:
     given = given_state(state)
     infinite = _check(given)
     with precision(BITS):
-        _, _, a_square, b_square, c, *_ = exactly(formulas.integrals(), given)
+        _, _, a_square, b_square, c, *_ = exactly(formulas.offered("integrals"), given)
         turn = turn_of(a_square, b_square, c)
         straight = _straight(given, turn)
         parameters, theta = _parameters(straight, infinite)
@@ -118,8 +118,8 @@ def _check(state: list[Fraction]) -> bool:
 
     The left sides of (16) are compared with the size of the state, exactly.
     """
-    *_, first, second = exactly(formulas.integrals(), state)
-    theta, *_, p_square, r_fourth = exactly(formulas.constants(), state)
+    *_, first, second = exactly(formulas.offered("integrals"), state)
+    theta, *_, p_square, r_fourth = exactly(formulas.offered("constants"), state)
     if r_fourth == 0:
         raise Inadmissible("the fields are orthogonal and of equal size: r = 0, nothing separates")
     if theta * p_square <= Fraction(LEAST_THETA) * r_fourth:
@@ -147,8 +147,8 @@ def _straight(state: list[Fraction], turn: tuple[Fraction, Fraction]) -> list[Fr
 
 def _parameters(state: list[Fraction], infinite: bool) -> tuple[Parameters, arb]:
     """The constants at a state in fields at right angles, and the root of x1x2."""
-    _, _, a_square, b_square, *_ = exactly(formulas.integrals(), state)
-    theta, total, w_square, h, g, p_square, r_fourth = exactly(formulas.constants(), state)
+    _, _, a_square, b_square, *_ = exactly(formulas.offered("integrals"), state)
+    theta, total, w_square, h, g, p_square, r_fourth = exactly(formulas.offered("constants"), state)
     # 2g − p²h = r⁴m and ℓ² = 2p²m² + 2hm + 1: no division by x1x2.
     m = (2 * g - p_square * h) / r_fourth
     ell_square = 2 * p_square * m**2 + 2 * h * m + 1

@@ -49,7 +49,7 @@ class Result:
     @cached_property
     def drift(self) -> dict[str, float]:
         """The largest change of each integral over the states."""
-        values = formulas.integrals()(*self.states.T)
+        values = formulas.offered("integrals")(*self.states.T)
         return {
             INTEGRALS[name]: float(np.max(np.abs(value - value[0])))
             for name, value in zip(formulas.INTEGRALS, map(np.atleast_1d, values), strict=True)

@@ -77,7 +77,7 @@ class PhasePoint:
         self._gap = number(ball(parameters.a - parameters.b))
         self._r = number(ball(parameters.r_square).sqrt())
         self._m = number(ball(parameters.m))
-        self._formulas = formulas.phase_point()
+        self._formulas = formulas.offered("phase_point")
 
     def __call__(
         self, first: Solved, second: Solved, select: Callable[[Number, Number, Number], Number]

@@ -42,7 +42,7 @@ from kowalevski_cas.notation.heads import Heads, heads
 from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.mathml import to_mathml
-from kowalevski_cas.notation.open import OpenParser, independent
+from kowalevski_cas.notation.open import OpenParser, bold_names, independent
 from kowalevski_cas.notation.plain import to_plain
 from kowalevski_cas.notation.prose import Prose, print_prose, read_prose
 from kowalevski_cas.notation.reader import Statement, read, read_display
@@ -50,61 +50,3 @@ from kowalevski_cas.notation.sympy import from_sympy, to_sympy
 from kowalevski_cas.notation.typst import to_typst
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import Vocabulary
-
-__all__ = [
-    "EQUALITIES",
-    "Application",
-    "Commutator",
-    "Conjugate",
-    "Constant",
-    "CrossProduct",
-    "Derivative",
-    "Diagonal",
-    "Edit",
-    "Formula",
-    "Heads",
-    "ImaginaryPart",
-    "Modulus",
-    "Name",
-    "Negative",
-    "NotationError",
-    "Number",
-    "OpenParser",
-    "Partial",
-    "PoissonBracket",
-    "Power",
-    "Product",
-    "Prose",
-    "Quotient",
-    "RealPart",
-    "Relation",
-    "Root",
-    "ScalarProduct",
-    "Statement",
-    "Sum",
-    "Summation",
-    "Unwritten",
-    "Vector",
-    "Vocabulary",
-    "edits",
-    "from_sympy",
-    "heads",
-    "independent",
-    "is_small_change",
-    "print_prose",
-    "rank",
-    "read",
-    "read_display",
-    "read_prose",
-    "replace",
-    "split_display",
-    "substitute",
-    "subtree",
-    "times",
-    "to_latex",
-    "to_mathml",
-    "to_plain",
-    "to_sympy",
-    "to_typst",
-    "total",
-]

@@ -89,10 +89,10 @@ class Atoms(Symbols):
         while (kind := self.tokens[self.at].kind) in ("_", "^") and kind not in limits:
             self.at += 1
             if kind == "_":
-                opening, letter, equal = self.tokens[self.at : self.at + 3]
-                if [opening.kind, letter.kind, equal.text] != ["{", "letter", "="]:
+                first = self.tokens[self.at : self.at + 3]
+                if [one.kind for one in first[:2]] != ["{", "letter"] or first[-1].text != "=":
                     break
-                index = letter.text
+                index = first[1].text
                 self.at += 3
                 limits[kind] = self.sum()
                 self.close("}")
@@ -116,11 +116,8 @@ class Atoms(Symbols):
 
     def read_dots(self) -> Piece:
         """An ellipsis, in the place of terms or of a member."""
-        before, token, behind = (
-            self.tokens[self.at - 1].kind,
-            self.take(),
-            self.tokens[self.at].kind,
-        )
+        before, token = self.tokens[self.at - 1].kind, self.take()
+        behind = self.tokens[self.at].kind
         placed = before in _BEFORE_DOTS and behind in _BEHIND_DOTS
         if not placed or _SIGNS.isdisjoint((before, behind)):
             raise self.error("an ellipsis stands for terms, and for nothing else", token)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import suppress
+
 from kowalevski_cas.notation.errors import NotationError, undeclared
 from kowalevski_cas.notation.formula import Formula, Name
 from kowalevski_cas.notation.macros import GREEK
@@ -81,12 +84,51 @@ class Cursor:
         self.tokens[self.at] = Token("number", token.text[1:], middle, token.end)
         return Token("number", token.text[0], token.start, middle)
 
+    def script(self) -> None:
+        """Move into an index or a power; of x^10 only the 1 is raised in print, and is no more."""
+        self.at += 1
+        number = self.tokens[self.at]
+        if number.kind == "number" and len(number.text) > 1:
+            raise self.error(
+                f"TeX puts {number.text[0]} there, and the rest on the line: set braces"
+            )
+
+    def behind_group(self, at: int) -> int:
+        """The index behind the argument that begins at the given token."""
+        depth = 0
+        while self.tokens[at].kind != END:
+            depth += {"{": 1, "}": -1}.get(self.tokens[at].kind, 0)
+            at += 1
+            if depth == 0:
+                break
+        return at
+
+    def letters(self) -> Iterator[tuple[str, str]]:
+        """The letters from here on, each with the index behind it, its accent, primes and power.
+
+        The place is behind what was given last.
+        """
+        for at in range(self.at, len(self.tokens)):
+            token, self.at = self.tokens[at], at + 1
+            if token.kind != "letter":
+                continue
+            while self.tokens[self.at].kind in ("prime", "}"):
+                self.at += 1
+            if self.tokens[self.at].kind == "^":
+                behind = self.behind_group(self.at + 1)
+                self.at = behind if self.tokens[behind].kind == "_" else self.at
+            index = ""
+            if self.tokens[self.at].kind == "_":
+                with suppress(NotationError):
+                    index = self.index()
+            yield token.text, index
+
     def index(self) -> str:
         """The index behind an underscore, in canonical LaTeX."""
-        self.at += 1
+        self.script()
         kind = self.tokens[self.at].kind
         if kind == "number":
-            return "_" + self.digit().text
+            return "_" + self.take().text
         if kind == "letter" or kind == "star":
             text = self.take().text
         elif kind == "{":
@@ -133,9 +175,13 @@ class Cursor:
             return Name(name)
         if name in vocabulary.functions:
             raise self.error(f"the argument of the function {name} is missing", token)
-        known = letter in GREEK or letter.isalpha() or "{" in letter
         error = undeclared(name, {*vocabulary.ranks, *vocabulary.functions}, self.tex, token.start)
-        if known:
+        if is_known(letter):
             raise error
         message = error.message.replace(f"{name} is not declared", f"the macro {name} is not known")
         raise NotationError(message, self.tex, token.start)
+
+
+def is_known(letter: str) -> bool:
+    """Whether it is a letter, in some type, and no macro of which nothing is known."""
+    return letter in GREEK or letter.isalpha() or "{" in letter

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from kowalevski_cas.notation.atoms import Atoms
-from kowalevski_cas.notation.cursor import END, Piece
+from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Derivative, Partial, Quotient
 
@@ -96,16 +96,6 @@ class Derivatives(Atoms):
         finally:
             self.at, self.level = start, level
 
-    def behind_group(self, at: int) -> int:
-        """The index behind the argument that begins at the given token."""
-        depth = 0
-        while self.tokens[at].kind != END:
-            depth += {"{": 1, "}": -1}.get(self.tokens[at].kind, 0)
-            at += 1
-            if depth == 0:
-                break
-        return at
-
     def denominator(self, at: int, d: str) -> list[str]:
         """The variables in the denominator that begins at the token; none if it is no such one."""
         self.at, by = at + 1, list[str]()
@@ -148,12 +138,12 @@ class Derivatives(Atoms):
         """The order of a derivative, printed as a power: 1 without one, 0 if it is no number."""
         if self.tokens[self.at].kind != "^":
             return 1
-        self.at += 1
+        self.script()
         braced = self.tokens[self.at].kind == "{"
         self.at += braced
         if self.tokens[self.at].kind != "number":
             return 0
-        digit = self.take() if braced else self.digit()
+        digit = self.take()
         self.at += braced
         return int(digit.text) if len(digit.text) < 3 else 0
 

@@ -124,9 +124,9 @@ def edits(
     seen: set[tuple[Path, Formula]] = set()
     offered = vocabulary.scalars if names is None else names
     for slip in misprints(statement.formula, vocabulary, offered):
-        if (slip.path, slip.replacement) not in seen:
-            seen.add((slip.path, slip.replacement))
-            yield Edit(slip.kind, slip.path, slip.replacement, slip.words, statement, vocabulary)
+        if slip[1:3] not in seen:
+            seen.add(slip[1:3])
+            yield Edit(*slip, statement, vocabulary)
 
 
 def subtree(formula: Formula, path: Path) -> Formula:

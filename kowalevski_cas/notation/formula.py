@@ -8,8 +8,10 @@ and of a scene.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from inspect import get_annotations
 from operator import is_
 from typing import Any, ClassVar
 
@@ -24,10 +26,14 @@ class Formula:
     _below: ClassVar[tuple[tuple[str, bool], ...]] = ()
     """The attributes with children, and whether there is a tuple of them."""
 
+    method: ClassVar[str]
+    """What a printer calls the method for such nodes."""
+
     def __init_subclass__(cls) -> None:
         kinds = {"Formula": False, "tuple[Formula, ...]": True}
-        attributes = cls.__annotations__.items()
-        cls._below = tuple((name, kinds[kind]) for name, kind in attributes if kind in kinds)
+        own = get_annotations(cls).items()
+        cls._below += tuple((name, kinds[kind]) for name, kind in own if kind in kinds)
+        cls.method = re.sub(r"(?<!^)(?=[A-Z])", "_", cls.__name__).lower()
 
     def children(self) -> tuple[Formula, ...]:
         """The subformulas directly below this node, from left to right."""
@@ -61,6 +67,21 @@ class Formula:
 
 
 @dataclass(frozen=True)
+class Unary(Formula):
+    """A node with one argument."""
+
+    argument: Formula
+
+
+@dataclass(frozen=True)
+class Binary(Formula):
+    """A node with two arguments."""
+
+    left: Formula
+    right: Formula
+
+
+@dataclass(frozen=True)
 class Number(Formula):
     """A non-negative integer, as printed."""
 
@@ -81,11 +102,8 @@ class Sum(Formula):
     terms: tuple[Formula, ...]
 
 
-@dataclass(frozen=True)
-class Negative(Formula):
+class Negative(Unary):
     """A term with a minus sign."""
-
-    argument: Formula
 
 
 @dataclass(frozen=True)
@@ -111,52 +129,38 @@ class Power(Formula):
     exponent: Formula
 
 
-@dataclass(frozen=True)
-class Root(Formula):
+class Root(Unary):
     """A square root."""
 
-    argument: Formula
-
 
 @dataclass(frozen=True)
-class Derivative(Formula):
+class Derivative(Unary):
     r"""A derivative along the motion.
 
     ``mark`` is how it is printed: ``"dot"``, ``"prime"``, or the independent
     variable of a written-out quotient, as ``"\tau"`` in :math:`dF/d\tau`.
     """
 
-    argument: Formula
     mark: str
 
 
 @dataclass(frozen=True)
-class Partial(Formula):
+class Partial(Unary):
     r"""The partial derivative by a name, printed :math:`\partial f/\partial x`."""
 
-    argument: Formula
     by: str
 
 
-@dataclass(frozen=True)
-class Conjugate(Formula):
+class Conjugate(Unary):
     """The complex conjugate, printed with a bar."""
 
-    argument: Formula
 
-
-@dataclass(frozen=True)
-class RealPart(Formula):
+class RealPart(Unary):
     """The real part."""
 
-    argument: Formula
 
-
-@dataclass(frozen=True)
-class ImaginaryPart(Formula):
+class ImaginaryPart(Unary):
     """The imaginary part."""
-
-    argument: Formula
 
 
 @dataclass(frozen=True)
@@ -181,43 +185,24 @@ class Diagonal(Formula):
     entries: tuple[Formula, ...]
 
 
-@dataclass(frozen=True)
-class ScalarProduct(Formula):
+class ScalarProduct(Binary):
     """The scalar product of two vectors, printed as a pair in parentheses."""
 
-    left: Formula
-    right: Formula
 
-
-@dataclass(frozen=True)
-class CrossProduct(Formula):
+class CrossProduct(Binary):
     """The vector product."""
 
-    left: Formula
-    right: Formula
 
-
-@dataclass(frozen=True)
-class PoissonBracket(Formula):
+class PoissonBracket(Binary):
     r"""The Poisson bracket of two functions, as :math:`\{H,K\}`."""
 
-    left: Formula
-    right: Formula
 
-
-@dataclass(frozen=True)
-class Commutator(Formula):
+class Commutator(Binary):
     r"""The commutator :math:`[L,M]=LM-ML` of two matrices."""
 
-    left: Formula
-    right: Formula
 
-
-@dataclass(frozen=True)
-class Modulus(Formula):
+class Modulus(Unary):
     r"""The absolute value of a number, or the length of a vector: :math:`|x|`."""
-
-    argument: Formula
 
 
 @dataclass(frozen=True)
@@ -266,11 +251,10 @@ def times(*factors: Formula) -> Formula:
 
 
 @dataclass(frozen=True)
-class Changed(Formula):
+class Changed(Unary):
     """A part that another formula has not: ``wrong`` if it should not stand, else as it should.
 
     No reader gives it; it is for a printer, which marks the part.
     """
 
-    argument: Formula
     wrong: bool = False

@@ -13,12 +13,10 @@ from dataclasses import dataclass, field
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.ranges import each_value, without_ranges
-from kowalevski_cas.notation.tokens import BRACE, Token
+from kowalevski_cas.notation.tokens import BEGINNING, BRACE, ENDING, Token
 
 # Breaks, the stronger the larger: of several in a row the strongest counts.
 _BREAKS = {"gap": 1, "cell": 2, "row": 3, "block": 4, "comma": 5}
-BEGINNING = frozenset({"open", "{", "begin"})
-ENDING = frozenset({"close", "}", "end"})
 _BINARY = frozenset({"sign", "plusminus", "relation", "times", "slash"})
 _UNCLEAR = "does this belong to what stands before the break? set a comma, or a sign"
 

@@ -74,31 +74,15 @@ ACTIONS: dict[str, str] = _table(
 }
 
 # What a single character of the source is.
-MARKS: dict[str, str] = {
-    "+": "sign",
-    "-": "sign",
-    "=": "relation",
-    "<": "relation",
-    ">": "relation",
-    "(": "open",
-    "[": "open",
-    ")": "close",
-    "]": "close",
-    "{": "{",
-    "}": "}",
-    "^": "^",
-    "_": "_",
-    "'": "prime",
-    "/": "slash",
-    ",": "comma",
-    ";": "comma",
-    "&": "cell",
-    ".": "stop",
-    "$": "shift",
-    "~": "blank",
-    "|": "bar",
-    "*": "star",
-}
+MARKS: dict[str, str] = {sign: sign for sign in "{}^_"} | {
+    sign: kind
+    for kind, signs in {
+        "sign": "+-", "relation": "=<>", "open": "([", "close": ")]", "prime": "'", "slash": "/",
+        "comma": ",;", "cell": "&", "stop": ".", "shift": "$", "blank": "~", "bar": "|",
+        "star": "*",
+    }.items()
+    for sign in signs
+}  # fmt: skip
 
 # Signs of Unicode, as TeX writes them.
 TYPED: dict[str, str] = {letter: macro for macro, letter in GREEK.items()} | {
@@ -112,42 +96,18 @@ TYPED: dict[str, str] = {letter: macro for macro, letter in GREEK.items()} | {
 
 # The canonical spelling of a sign, a font or a bracket that has several.
 SPELLING: dict[str, str] = {
-    r"\coloneqq": "=",
-    r"\eqqcolon": "=",
-    r"\neq": r"\ne",
-    r"\leq": r"\le",
-    r"\leqslant": r"\le",
-    r"\leqq": r"\le",
-    r"\lt": "<",
-    r"\geq": r"\ge",
-    r"\geqslant": r"\ge",
-    r"\geqq": r"\ge",
-    r"\gt": ">",
-    r"\rightarrow": r"\to",
-    r"\longrightarrow": r"\to",
-    r"\bs": r"\boldsymbol",
-    r"\bm": r"\boldsymbol",
-    r"\pmb": r"\boldsymbol",
-    r"\boldmath": r"\boldsymbol",
-    r"\bf": r"\mathbf",
-    r"\rm": r"\mathrm",
-    r"\sf": r"\mathsf",
-    r"\cal": r"\mathcal",
-    r"\mathit": "",
-    r"\mathnormal": "",
-    r"\overrightarrow": r"\vec",
-    r"\operatorname": r"\mathrm",
-    r"\operatorname*": r"\mathrm",
-    r"\widehat": r"\hat",
-    r"\widetilde": r"\tilde",
-    r"\lbrace": r"\{",
-    r"\rbrace": r"\}",
-    r"\lbrack": "[",
-    r"\rbrack": "]",
-    r"\lVert": r"\lvert",
-    r"\rVert": r"\rvert",
-    r"\bar": r"\overline",
-}
+    "\\" + name: spelling
+    for spelling, names in {
+        "=": "coloneqq eqqcolon", r"\ne": "neq", r"\le": "leq leqslant leqq", "<": "lt",
+        r"\ge": "geq geqslant geqq", ">": "gt", r"\to": "rightarrow longrightarrow",
+        r"\boldsymbol": "bs bm pmb boldmath", r"\mathrm": "rm operatorname operatorname*",
+        r"\mathbf": "bf", r"\mathsf": "sf", r"\mathcal": "cal", "": "mathit mathnormal",
+        r"\vec": "overrightarrow", r"\hat": "widehat", r"\tilde": "widetilde", r"\overline": "bar",
+        r"\{": "lbrace", r"\}": "rbrace", "[": "lbrack", "]": "rbrack", r"\lvert": "lVert",
+        r"\rvert": "rVert",
+    }.items()
+    for name in names.split()
+}  # fmt: skip
 
 # What cannot be read, and what to write instead.
 INSTEAD: dict[str, str] = {
@@ -166,24 +126,15 @@ SPELLING |= {rf"\mathrm{{{name}}}": "\\" + name for name in _NAMED}
 SPELLING[r"\mathrm{Tr}"] = r"\mathrm{tr}"
 
 # Words in upright letters, which the paper's author writes as ``{\rm Re}`` or ``\text{const}``.
-WORDS: dict[str, str] = {
-    "Re": "operator",
-    "Im": "operator",
-    "diag": "operator",
-    "const": "const",
-}
+WORDS = {"Re": "operator", "Im": "operator", "diag": "operator", "const": "const"}
 
 # Words between two statements that say no more than a comma does.
 JOINING = frozenset({"and", "where", "hence", "thus", "so"})
 
-PARTNERS: dict[str, str] = {
-    "(": ")",
-    "[": "]",
-    r"\{": r"\}",
-    r"\langle": r"\rangle",
-    r"\lvert": r"\rvert",
+PARTNERS = {
+    "(": ")", "[": "]", r"\{": r"\}", r"\langle": r"\rangle", r"\lvert": r"\rvert",
     r"\lgroup": r"\rgroup",
-}
+}  # fmt: skip
 
 # How many arguments follow a macro in braces.
 ARGUMENTS: dict[str, int] = {"frac": 2, "sqrt": 1, "accent": 1}
@@ -194,23 +145,8 @@ MATRICES = frozenset({"matrix", "pmatrix", "bmatrix", "Bmatrix", "smallmatrix", 
 BLOCKS = frozenset({"array", "cases", "dcases"})
 
 # Environments whose rows are statements, with the number of groups after their name.
-LAYOUTS: dict[str, int] = {
-    "equation": 0,
-    "displaymath": 0,
-    "math": 0,
-    "eqnarray": 0,
-    "align": 0,
-    "aligned": 0,
-    "alignat": 1,
-    "alignedat": 1,
-    "flalign": 0,
-    "gather": 0,
-    "gathered": 0,
-    "multline": 0,
-    "multlined": 0,
-    "split": 0,
-    "cases": 0,
-    "dcases": 0,
-    "array": 1,
-    "subequations": 0,
-}
+LAYOUTS = dict.fromkeys(
+    """equation displaymath math eqnarray align aligned flalign gather gathered multline multlined
+    split cases dcases subequations""".split(),
+    0,
+) | {"alignat": 1, "alignedat": 1, "array": 1}

@@ -28,14 +28,9 @@ class MathML(Printer):
     """Each part is a run of elements; brackets grow with fractions and matrices."""
 
     plus, minus, times, cross = (f"<mo>{sign}</mo>" for sign in "+−·×")
-    d, partial_d, prime, dots, const = (
-        "<mi>d</mi>",
-        "<mi>∂</mi>",
-        "′",
-        "<mi>…</mi>",
-        "<mi>const</mi>",
-    )
-    comma = "<mo>,</mo>"
+    d, partial_d, dots, const = (f"<mi>{text}</mi>" for text in ("d", "∂", "…", "const"))
+    prime = "′"
+    comma, thin = "<mo>,</mo>", '<mspace width="0.17em"></mspace>'
     round, square, braces, bars = (
         (f"<mo{_AS_IT_IS}>{left}</mo>", f"<mo{_AS_IT_IS}>{right}</mo>")
         for left, right in ("()", "[]", "{}", "||")

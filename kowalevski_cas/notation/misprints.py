@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import partial
 
 from kowalevski_cas.notation.errors import closeness, letter_and_index
 from kowalevski_cas.notation.formula import (
@@ -35,14 +36,8 @@ HALF = Quotient(ONE, TWO)
 _WHOLE = (Relation, Sum, Negative, Quotient, Root, RealPart, ImaginaryPart, Conjugate)
 
 
-@dataclass(frozen=True)
-class Misprint:
-    """A new subtree for one place, and what was changed."""
-
-    kind: str
-    path: Path
-    replacement: Formula
-    words: str
+Misprint = tuple[str, Path, Formula, str]
+"""Its kind, a place, the subtree that should stand there, and the words for it."""
 
 
 @dataclass(frozen=True)
@@ -63,21 +58,18 @@ def misprints(
     names = sorted(offered)
     present = {place.node.name for place in places if isinstance(place.node, Name)}
     names.sort(key=lambda name: name not in present)
-    for place in places:
-        yield from _signs(place)
-    for kind in ("index", "letter"):
+    for slips in (
+        _signs,
+        partial(_names, "index", names, vocabulary),
+        partial(_names, "letter", names, vocabulary),
+        partial(_exponents, vocabulary),
+        _coefficients,
+        partial(_factors, vocabulary),
+        partial(_moves, vocabulary),
+        partial(_missing, names, vocabulary),
+    ):
         for place in places:
-            yield from _names(place, kind, names, vocabulary)
-    for place in places:
-        yield from _exponents(place, vocabulary)
-    for place in places:
-        yield from _coefficients(place)
-    for place in places:
-        yield from _factors(place, vocabulary)
-    for place in places:
-        yield from _moves(place, vocabulary)
-    for place in places:
-        yield from _missing(place, names, vocabulary)
+            yield from slips(place)
 
 
 def _places(formula: Formula) -> Iterator[_Place]:
@@ -117,24 +109,26 @@ def _factors_of(node: Formula) -> tuple[Formula, ...]:
 def _signs(place: _Place) -> Iterator[Misprint]:
     node = place.node
     if isinstance(node, Negative):
-        words = _sign_of(node.argument)
-        yield Misprint("sign", place.path, node.argument, words)
+        yield "sign", place.path, node.argument, _sign_of(node.argument)
     elif _term(place) and not isinstance(place.parent, Negative):
         if isinstance(place.parent, Sum) or not isinstance(node, Sum):
-            words = _sign_of(node)
-            yield Misprint("sign", place.path, Negative(node), words)
+            yield "sign", place.path, Negative(node), _sign_of(node)
 
 
 def _sign_of(node: Formula) -> str:
     """The words for a change of sign."""
-    tex = to_latex(node)
-    return (
-        f"for ${tex}$ read $-{tex}$" if isinstance(node, Number) else f"change the sign of ${tex}$"
-    )
+    if isinstance(node, Number):
+        return _read(node, Negative(node))
+    return f"change the sign of ${to_latex(node)}$"
+
+
+def _read(node: Formula, other: Formula) -> str:
+    """The words for one formula in the place of another."""
+    return f"for ${to_latex(node)}$ read ${to_latex(other)}$"
 
 
 def _names(
-    place: _Place, kind: str, names: list[str], vocabulary: Vocabulary
+    kind: str, names: list[str], vocabulary: Vocabulary, place: _Place
 ) -> Iterator[Misprint]:
     node = place.node
     if not isinstance(node, Name) or node.name not in vocabulary.scalars:
@@ -145,29 +139,23 @@ def _names(
     known = node.name in names or node.name in vocabulary.times
     wrong = f"${node.name}$" if known else f"${node.name}$, which is not defined,"
     for other in sorted(others, key=lambda name: -closeness(node.name, name)):
-        yield Misprint(kind, place.path, Name(other), f"for {wrong} read ${other}$")
+        yield kind, place.path, Name(other), f"for {wrong} read ${other}$"
 
 
-def _exponents(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
-    node, words = place.node, to_latex(place.node)
+def _exponents(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
+    node, others = place.node, list[Formula]()
     if isinstance(node, Number) and place.raised:
         # A power of one is not printed, and nothing is divided by zero.
         lowest = 2 if isinstance(place.parent, Power) else isinstance(place.parent, Quotient)
         if node.value > lowest:
-            for value in dict.fromkeys((node.value - 1, max(node.value // 2, int(lowest)))):
-                yield Misprint(
-                    "exponent", place.path, Number(value), f"for ${words}$ read ${value}$"
-                )
-        higher = Number(node.value + 1)
-        yield Misprint("exponent", place.path, higher, f"for ${words}$ read ${higher.value}$")
+            others += [Number(node.value - 1), Number(max(node.value // 2, int(lowest)))]
+        others.append(Number(node.value + 1))
     elif isinstance(node, Power) and node.exponent == TWO:
-        said = f"for ${words}$ read ${to_latex(node.base)}$"
-        yield Misprint("exponent", place.path, node.base, said)
+        others.append(node.base)
     elif isinstance(node, Name) and not isinstance(place.parent, Power):
-        if rank(node, vocabulary) == SCALAR:
-            square = Power(node, TWO)
-            said = f"for ${words}$ read ${to_latex(square)}$"
-            yield Misprint("exponent", place.path, square, said)
+        others += [Power(node, TWO)] if rank(node, vocabulary) == SCALAR else []
+    for other in dict.fromkeys(others):
+        yield "exponent", place.path, other, _read(node, other)
 
 
 def _coefficients(place: _Place) -> Iterator[Misprint]:
@@ -184,17 +172,16 @@ def _coefficients(place: _Place) -> Iterator[Misprint]:
         for other in dict.fromkeys(others):
             # A factor of one is a factor that is not written.
             if other != node and not (other == ONE and isinstance(place.parent, Product)):
-                words = f"for ${value}$ read ${to_latex(other)}$"
-                yield Misprint("coefficient", place.path, other, words)
+                yield "coefficient", place.path, other, _read(node, other)
     elif _term(place) and not isinstance(node, Sum | Number):
         factors = _factors_of(node)
         if not isinstance(factors[0], Number):
             for number in (TWO, HALF):
                 words = f"insert ${to_latex(number)}$ before ${to_latex(node)}$"
-                yield Misprint("coefficient", place.path, times(number, *factors), words)
+                yield "coefficient", place.path, times(number, *factors), words
 
 
-def _factors(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
+def _factors(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
     if isinstance(place.node, Product):
         whole = rank(place.node, vocabulary)
         factors = place.node.factors
@@ -202,10 +189,10 @@ def _factors(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
             rest = times(*factors[:index], *factors[index + 1 :])
             words = f"omit ${to_latex(factor)}$ in ${to_latex(place.node)}$"
             if rank(rest, vocabulary) == whole:
-                yield Misprint("factor", place.path, rest, words)
+                yield "factor", place.path, rest, words
 
 
-def _missing(place: _Place, names: list[str], vocabulary: Vocabulary) -> Iterator[Misprint]:
+def _missing(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
     node = place.node
     if place.raised or not (place.parent is None or isinstance(place.parent, _WHOLE)):
         return
@@ -214,18 +201,17 @@ def _missing(place: _Place, names: list[str], vocabulary: Vocabulary) -> Iterato
         return
     if rank(node, vocabulary) != SCALAR:
         return
+    factors = _factors_of(node)
+    if all(isinstance(factor, Name | Number | Power) for factor in factors):
+        first = len(factors)
+    else:
+        first = int(isinstance(factors[0], Number))
     for name in names:
         words = f"insert the factor ${name}$ in ${to_latex(node)}$"
-        factors = _factors_of(node)
-        behind = all(isinstance(factor, Name | Number | Power) for factor in factors)
-        first = 0 if behind or not isinstance(factors[0], Number) else 1
-        if behind:
-            first = len(factors)
-        with_name = (*factors[:first], Name(name), *factors[first:])
-        yield Misprint("missing", place.path, times(*with_name), words)
+        yield "missing", place.path, times(*factors[:first], Name(name), *factors[first:]), words
 
 
-def _moves(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
+def _moves(vocabulary: Vocabulary, place: _Place) -> Iterator[Misprint]:
     """A factor of the denominator in the numerator, or the other way round."""
     node = place.node
     if isinstance(node, Quotient):
@@ -235,16 +221,16 @@ def _moves(place: _Place, vocabulary: Vocabulary) -> Iterator[Misprint]:
             up = times(*above, factor)
             moved = up if rest == ONE else Quotient(up, rest)
             words = f"move ${to_latex(factor)}$ from the denominator to the numerator"
-            yield Misprint("power", place.path, moved, words)
+            yield "power", place.path, moved, words
         for index, factor in enumerate(above):
             if factor != ONE and rank(factor, vocabulary) == SCALAR:
                 rest = times(*above[:index], *above[index + 1 :])
                 moved = Quotient(rest, times(*below, factor))
                 words = f"move ${to_latex(factor)}$ from the numerator to the denominator"
-                yield Misprint("power", place.path, moved, words)
+                yield "power", place.path, moved, words
     elif isinstance(node, Product) and not isinstance(place.parent, Quotient):
         for index, factor in enumerate(node.factors):
             if not isinstance(factor, Number | Quotient) and rank(factor, vocabulary) == SCALAR:
                 moved = Quotient(ONE, factor)
                 words = f"move ${to_latex(factor)}$ from the numerator to the denominator"
-                yield Misprint("power", (*place.path, index), moved, words)
+                yield "power", (*place.path, index), moved, words

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import suppress
 from dataclasses import replace
 
-from kowalevski_cas.notation.cursor import BOLD, Cursor
-from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.cursor import BOLD, Cursor, is_known
 from kowalevski_cas.notation.formula import Name
 from kowalevski_cas.notation.lexer import scan
-from kowalevski_cas.notation.macros import GREEK
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
@@ -27,7 +23,13 @@ class OpenParser(Parser):
     """
 
     def __init__(self, tex: str, tokens: list[Token], vocabulary: Vocabulary) -> None:
-        names = {*_names(Cursor(tex, tokens, vocabulary))} - {"d", *vocabulary.ranks}
+        found = [
+            (letter, index)
+            for letter, index in Cursor(tex, tokens, vocabulary).letters()
+            if is_known(letter) and not letter.startswith(BOLD)
+        ]
+        names = {letter + more for letter, index in found for more in ("", index)}
+        names -= {"d", *vocabulary.ranks}
         names -= {"e"} if _is_exponential(tokens) else set()
         scalars = vocabulary.scalars | names - vocabulary.functions
         known = vocabulary.moving - vocabulary.vectors
@@ -40,7 +42,7 @@ class OpenParser(Parser):
         """The node of a name; a d that belongs to no derivative is one."""
         if letter.startswith(BOLD) and not {letter, letter + index} & {*self.vocabulary.ranks}:
             name = letter + index
-            raise self.error(f'give its components, as in vectors={{r"{name}": ("a", "b")}}', token)
+            raise self.error(f"give its components: print {name}=(x,y,z) beside it", token)
         return Name("d" + index) if letter == "d" else super().declared(letter, index, token)
 
 
@@ -51,14 +53,14 @@ def independent(tex: str) -> list[str]:
     ['\\tau']
     """
     tokens = scan(tex)
-    parser = Parser(tex, tokens, Vocabulary()) if tokens else None
+    cursor = Cursor(tex, tokens, Vocabulary()) if tokens else None
     found: dict[str, None] = {}
     for k, token in enumerate(tokens):
         below = k + 1
-        if token.kind == "frac" and parser is not None:
+        if token.kind == "frac" and cursor is not None:
             if tokens[k + 1 + (tokens[k + 1].kind == "{")].text != "d":
                 continue
-            below = parser.behind_group(k + 1) + 1
+            below = cursor.behind_group(k + 1) + 1
         elif token.kind != "slash":
             continue
         d, letter = [*tokens[below : below + 2], token, token][:2]
@@ -67,25 +69,22 @@ def independent(tex: str) -> list[str]:
     return [*found]
 
 
+def bold_names(tex: str) -> list[str]:
+    r"""The names in bold type in a display.
+
+    >>> bold_names(r"\dot{\bf r}={\bf r}\times\boldsymbol\omega_1")
+    ['\\mathbf{r}', '\\boldsymbol{\\omega}_1']
+    """
+    letters = Cursor(tex, scan(tex), Vocabulary()).letters()
+    return [*dict.fromkeys(one + index for one, index in letters if one.startswith(BOLD))]
+
+
 def _is_exponential(tokens: list[Token]) -> bool:
-    """Whether the letter e is raised wherever it stands, and never to a number."""
-    behind = [
-        [t.kind for t in tokens[k + 1 : k + 4]] for k, t in enumerate(tokens) if t.text == "e"
-    ]
+    """Whether the letter e is raised wherever it stands, and never to a number alone."""
+    behind = (
+        [t.kind for t in tokens[k + 1 : k + 5]] for k, t in enumerate(tokens) if t.text == "e"
+    )
     return all(
-        kinds[:1] == ["^"] and "number" not in (kinds[1:2] if kinds[1:2] != ["{"] else kinds[2:])
+        kinds[:1] == ["^"] and kinds[1:2] != ["number"] and kinds[1:] != ["{", "number", "}"]
         for kinds in behind
     )
-
-
-def _names(cursor: Cursor) -> Iterator[str]:
-    """The letters of a statement with their indices."""
-    while cursor.at < len(cursor.tokens):
-        token = cursor.take()
-        plain = token.text in GREEK or token.text.isalpha() or "{" in token.text
-        if token.kind == "letter" and plain and not token.text.startswith(BOLD):
-            yield token.text
-            cursor.at += cursor.tokens[cursor.at].kind == "}"  # an accent covers no index
-            if cursor.tokens[cursor.at].kind == "_":
-                with suppress(NotationError):
-                    yield token.text + cursor.index()

@@ -17,7 +17,7 @@ from kowalevski_cas.notation.formula import (
     Root,
 )
 from kowalevski_cas.notation.printer import Printer
-from kowalevski_cas.notation.unicode import SIGNS, styled, symbol
+from kowalevski_cas.notation.unicode import styled, symbol
 
 _LOW = str.maketrans("0123456789+-aehijklmnoprstuvxβγρφχ", "₀₁₂₃₄₅₆₇₈₉₊₋ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓᵦᵧᵨᵩᵪ")
 _HIGH = str.maketrans("0123456789+−in", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿ")
@@ -48,9 +48,6 @@ class Plain(Printer):
 
     def upright(self, word: str) -> str:
         return word
-
-    def sign(self, sign: str) -> str:
-        return SIGNS[sign]
 
     def joined(self, parts: Iterable[str]) -> str:
         """The parts side by side; words, and roots without brackets, need a space."""
@@ -103,7 +100,9 @@ class Plain(Printer):
 
 
 def _word(text: str) -> bool:
-    return len(text) > 1 and text.isalpha()
+    """Whether a factor is a word, or a power of one."""
+    letters = text.rstrip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ⁱⁿ")
+    return len(letters) > 1 and letters.isalpha()
 
 
 def _slashed(formula: Formula) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 
@@ -36,6 +35,7 @@ from kowalevski_cas.notation.formula import (
     Unwritten,
     Vector,
 )
+from kowalevski_cas.notation.unicode import SIGNS, symbol
 from kowalevski_cas.notation.values import applies
 
 # What stands in brackets behind a sign, and beside other factors.
@@ -45,10 +45,6 @@ COMPOUND = (*SIGNED, Product, CrossProduct, Summation)
 _BASES = (
     Name, Number, Application, Vector, ScalarProduct, PoissonBracket, Conjugate, Modulus, Commutator
 )  # fmt: skip
-_METHODS = {
-    node: re.sub(r"(?<!^)(?=[A-Z])", "_", node.__name__).lower()
-    for node in Formula.__subclasses__()
-}
 
 
 class Printer(ABC):
@@ -64,12 +60,14 @@ class Printer(ABC):
     dots: str
     const: str
     comma = ", "
+    thin = ""
+    """The space beside a factor that is a word, as ``sn``."""
     round, square, bars = ("(", ")"), ("[", "]"), ("|", "|")
     braces: tuple[str, str]
 
     def __call__(self, formula: Formula) -> str:
         """The formula as a source text."""
-        printed: str = getattr(self, _METHODS[type(formula)])(formula)
+        printed: str = getattr(self, formula.method)(formula)
         return printed
 
     # What a format has to say
@@ -82,9 +80,9 @@ class Printer(ABC):
     def upright(self, word: str) -> str:
         """A word in upright letters."""
 
-    @abstractmethod
     def sign(self, sign: str) -> str:
         """The sign of a relation."""
+        return SIGNS[sign]
 
     @abstractmethod
     def joined(self, parts: Iterable[str]) -> str:
@@ -194,12 +192,18 @@ class Printer(ABC):
         before = formula.factors[0]
         for factor in formula.factors:
             part = self.factor(factor)
-            # A number behind a factor would look like a part of it, a bracket like its argument.
-            if parts and (self.begins_with_number(part) or _is_applied(before, factor)):
-                part = self.times + part
-            parts.append(part)
+            parts.append(self.beside(before, factor, part) + part if parts else part)
             before = factor
         return self.joined(parts)
+
+    def beside(self, left: Formula, right: Formula, text: str) -> str:
+        """What stands between two factors, of which the right one is printed as ``text``."""
+        # A number behind a factor would look like a part of it, a bracket like its argument.
+        if isinstance(_bare(left), Number) and isinstance(_bare(right), Number):
+            return self.cross
+        if self.begins_with_number(text) or _is_applied(left, right):
+            return self.times
+        return self.thin if _is_word(left) or _is_word(right) else ""
 
     def power(self, formula: Power) -> str:
         text = self(formula.base)
@@ -299,6 +303,15 @@ def _is_applied(left: Formula, right: Formula) -> bool:
             return False
     opened = isinstance(inner, (*COMPOUND, Vector)) or (raised and not is_base(inner))
     return opened and applies(left, inner, raised)
+
+
+def _is_word(formula: Formula) -> bool:
+    """Whether a factor is a name of several upright letters, or a power of one."""
+    base = _bare(formula.base if isinstance(formula, Power) else formula)
+    if not isinstance(base, Name):
+        return False
+    parts = symbol(base.name)
+    return parts.font == r"\mathrm" and len(parts.letter) > 1
 
 
 def _bare(formula: Formula) -> Formula:

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
+from itertools import chain
 
-from kowalevski_cas.notation.cursor import Piece
+from kowalevski_cas.notation.cursor import Cursor, Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
+from kowalevski_cas.notation.layout import printed
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.parser import Parser
-from kowalevski_cas.notation.reader import read
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
 _SHOWN = {"plusminus": "letter"}
-_INDEX = re.compile(r"_(?:\w|\{[^{}]{2,}\})")
 
 Prose = tuple[str | Formula, ...]
 
@@ -25,12 +25,24 @@ class _InWords(Parser):
     """Reads what is only shown, and claims nothing."""
 
     def __init__(self, tex: str, tokens: list[Token], vocabulary: Vocabulary) -> None:
-        """Both signs are one that is shown."""
         shown = [Token(_SHOWN.get(t.kind, t.kind), t.text, t.start, t.end) for t in tokens]
         super().__init__(tex, shown, vocabulary)
 
     def alike(self, pieces: list[Piece], message: str) -> None:
         """Words write vectors as they like."""
+
+
+class _Loosened(_InWords):
+    """Takes all letters for names: words speak of what no formula declares."""
+
+    def __init__(self, tex: str, tokens: list[Token], vocabulary: Vocabulary) -> None:
+        super().__init__(tex, tokens, vocabulary)
+        found = Cursor(tex, self.tokens[:-1], vocabulary).letters()
+        names = {letter + more for letter, index in found for more in ("", index)}
+        scalars = vocabulary.scalars | (names - vocabulary.ranks.keys())
+        functions = vocabulary.functions - names
+        self.vocabulary = replace(vocabulary, scalars=scalars, functions=functions)
+        self.names = self.vocabulary.names
 
 
 def read_prose(text: str, vocabulary: Vocabulary) -> Prose:
@@ -42,30 +54,18 @@ def read_prose(text: str, vocabulary: Vocabulary) -> Prose:
     parts = text.split("$")
     if len(parts) % 2 == 0:  # a dollar too many: none of them means mathematics
         return (text,)
-    runs = (_formula(part, vocabulary) if k % 2 else part for k, part in enumerate(parts))
-    return tuple(run for run in runs if run)
+    runs = (_formulas(part, vocabulary) if k % 2 else (part,) for k, part in enumerate(parts))
+    return tuple(run for run in chain.from_iterable(runs) if run)
 
 
-def _formula(tex: str, vocabulary: Vocabulary) -> str | Formula:
-    try:
-        return read(tex, vocabulary, _InWords)
-    except NotationError:
-        pass
-    try:
-        return read(tex, _loosened(tex, vocabulary), _InWords)
-    except NotationError:
-        return f"${tex}$"
-
-
-def _loosened(tex: str, vocabulary: Vocabulary) -> Vocabulary:
-    """The vocabulary in which all letters are names: words speak of what no formula declares."""
-    names = set()
-    for token in scan(tex):
-        if token.kind in ("letter", "plusminus"):
-            index = _INDEX.match(tex, token.end)
-            names |= {token.text, token.text + index[0]} if index else {token.text}
-    scalars = vocabulary.scalars | (names - vocabulary.ranks.keys())
-    return replace(vocabulary, scalars=scalars, functions=vocabulary.functions - names)
+def _formulas(tex: str, vocabulary: Vocabulary) -> Prose:
+    """The formulas between two dollars, with commas between them."""
+    for parser in (_InWords, _Loosened):
+        with suppress(NotationError):
+            each = (parser(tex, tokens, vocabulary) for tokens in printed(scan(tex), tex))
+            if runs := [run for one in each for run in (", ", one.statement()[0])]:
+                return tuple(runs[1:])
+    return (f"${tex}$",)
 
 
 def print_prose(

@@ -1,7 +1,9 @@
 r"""Ranges of an index: :math:`\dot q_i=p_i,\; i=1,2` is a statement for each value.
 
 A range stands behind the statements, also in brackets, and holds for those in which its letter is
-an index; of two such letters, :math:`\delta_{ij}` is Kronecker's delta. One that does not end with
+an index; of two such letters, :math:`\delta_{ij}` is Kronecker's delta. Sums are over indices of
+their own, which have ranges in the limits of the sum, or behind: of :math:`\sum_{j\ne i}`, that of
+the other one. One that does not end with
 a number, as :math:`i=1,\ldots,n`, says that the letter is an index, and no more: what is printed
 for it is read as it stands.
 """
@@ -13,9 +15,8 @@ from collections.abc import Iterator, Mapping
 from itertools import product
 
 from kowalevski_cas.notation.errors import NotationError
+from kowalevski_cas.notation.sums import Ranges, Sum, outside_sums
 from kowalevski_cas.notation.tokens import Token
-
-Ranges = Mapping[str, range | tuple[int, ...]]
 
 _SIGNS = {
     "letter": "l", "number": "n", "comma": ",", "dots": "d", "sign": "s", "stop": ".",
@@ -26,6 +27,10 @@ _RANGE = re.compile(
     rf"""(?:(?P<open>\()|(?<![^ ,]))(?P<letters>l(?:,l)*)
     [ ]?=[ ]?(?P<values>{_VALUE}(?:,{_VALUE})+)(?(open)\))(?=[ ,.]|$)""".replace("\n    ", "")
 )
+
+
+_PERIOD = re.compile(r"(.+)_\{?(\w)(?:\+(\d+)\}=\1_\{?\2\}?|\}?=\1_\{\2\+(\d+)\})")
+""":math:`x_{i+3}=x_i`, which is said of the values before the first one, too."""
 
 
 def without_ranges(tokens: list[Token], tex: str) -> tuple[list[Token], Ranges]:
@@ -50,10 +55,13 @@ def without_ranges(tokens: list[Token], tex: str) -> tuple[list[Token], Ranges]:
 
 def each_value(tokens: list[Token], ranges: Ranges, tex: str) -> Iterator[list[Token]]:
     """A statement for all values of the indices in it; itself, if it has none."""
-    own = [name for name, values in ranges.items() if values and _is_index(tokens, name)]
-    for values in product(*(ranges[name] for name in own)):
-        at = dict(zip(own, values, strict=True))
-        yield _substituted(tokens, at, tex) if at else tokens
+    free = [*outside_sums(tokens)]
+    own = {name: v for name, v in ranges.items() if v and _is_index(free, name)}
+    if period := _PERIOD.fullmatch("".join(token.text for token in tokens)):
+        length = int(period[3] or period[4])
+        own = {n: range(max(0, v[0] - length), v[-1] + 1) for n, v in own.items()}
+    for values in product(*own.values()):
+        yield _substituted(tokens, dict(zip(own, values, strict=True)), ranges, tex)
 
 
 def _sign(token: Token) -> str:
@@ -91,20 +99,51 @@ def _indexed(tokens: list[Token]) -> Iterator[tuple[Token, bool]]:
         before = token.kind
 
 
-def _substituted(tokens: list[Token], at: Mapping[str, int], tex: str) -> list[Token]:
+def _substituted(
+    tokens: list[Token], at: Mapping[str, int], ranges: Ranges, tex: str
+) -> list[Token]:
     """The tokens with values in the place of indices, and sums in indices added up."""
+    first = next((k for k, token in enumerate(tokens) if token.kind == "sum"), None)
+    if first is None:
+        return _put(tokens, at, tex) if at else tokens
+    sum_ = Sum.at(tokens, first)
+    before, behind = tokens[:first], tokens[sum_.end :]
+    return [
+        *_put(before, at, tex),
+        *_summed(sum_, at, ranges, tex),
+        *_substituted(behind, at, ranges, tex),
+    ]
+
+
+def _summed(sum_: Sum, at: Mapping[str, int], ranges: Ranges, tex: str) -> Iterator[Token]:
+    """A sum by its terms, if its index stands beside others, or its limits are no numbers."""
+    outer = {name: value for name, value in at.items() if name not in sum_.own}
+    terms = sum_.terms(outer, ranges)
+    mixed = not sum_.is_plain or any(_is_index(sum_.body, name) for name in outer)
+    if terms is None or not mixed:
+        yield from _put(sum_.head, outer, tex)
+        yield from _substituted(sum_.body, outer, ranges, tex)
+        return
+    start = sum_.head[0].start
+    yield Token("open", "(", start, start)
+    for number, values in enumerate(terms):
+        yield from [Token("sign", "+", start, start)] if number else []
+        yield from _substituted(sum_.body, {**outer, **values}, ranges, tex)
+    yield from [] if terms else [Token("number", "0", start, start)]
+    yield Token("close", ")", start, start)
+
+
+def _put(tokens: list[Token], at: Mapping[str, int], tex: str) -> list[Token]:
+    """The tokens of what has no sums with values in the place of indices."""
     found: list[Token] = []
     tokens = [*_without_deltas(tokens, at)]
     for k, token in enumerate(tokens):
-        before = [t.kind for t in tokens[max(0, k - 3) : k]]
+        before = [t.kind for t in tokens[max(0, k - 2) : k]]
         if token.kind != "letter" or token.text not in at:
             found.append(token)
             continue
-        if before[-1:] == ["^"] or before[-2:] == ["^", "{"]:
+        if before[-1:] == ["^"] or before == ["^", "{"]:
             raise NotationError("is this a power or an index? write it out", tex, token.start)
-        if before == ["sum", "_", "{"]:
-            message = f"{token.text} is the index of a sum and of the statements: rename one"
-            raise NotationError(message, tex, token.start)
         number = Token("number", str(at[token.text]), token.start, token.end)
         group = before[-1:] == ["_"] and at[token.text] > 9
         braces = [Token(kind, kind, token.start, token.end) for kind in "{}"] if group else []
@@ -145,7 +184,9 @@ def _sum(tokens: list[Token], printed: set[int], tex: str) -> Iterator[Token]:
     """A row of numbers and signs in an index, as one number if there are signs."""
     numbers = [token for token in tokens if token.kind == "number"]
     put = [token.start not in printed for token in numbers]
-    if not any(put) or (len(numbers) == len(tokens) and all(put) and _digits(numbers)):
+    if not any(put) or (
+        len(numbers) == len(tokens) and all(put) and all(len(one.text) == 1 for one in numbers)
+    ):
         yield from tokens
         return
     total = -1
@@ -156,7 +197,3 @@ def _sum(tokens: list[Token], printed: set[int], tex: str) -> Iterator[Token]:
         message = "a product, or several indices? write the statements out"
         raise NotationError(message, tex, tokens[0].start)
     yield Token("number", str(total), tokens[0].start, tokens[-1].end)
-
-
-def _digits(numbers: list[Token]) -> bool:
-    return all(len(number.text) == 1 for number in numbers)

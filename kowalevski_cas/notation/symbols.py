@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from kowalevski_cas.notation.cursor import Cursor, Piece
@@ -38,28 +38,15 @@ class _Scripts:
     timed: bool = False
 
 
-class Symbols(Cursor, ABC):
+class Symbols(Cursor):
     """Reads names, accents, primes, powers and arguments."""
 
-    @abstractmethod
-    def sum(self) -> Piece:
-        """A sum, which the parser reads."""
-
-    @abstractmethod
-    def term(self) -> Piece:
-        """A term, which the parser reads."""
-
-    @abstractmethod
-    def factor(self) -> Piece:
-        """An atom with its powers and primes, which the parser reads."""
-
-    @abstractmethod
-    def bracket(self) -> Piece:
-        """A bracket, which the parser reads."""
-
-    @abstractmethod
-    def listed(self, pair: bool = False) -> tuple[Piece, ...]:
-        """A list in brackets, which the parser reads."""
+    # What the parser reads further on.
+    sum: Callable[[], Piece]
+    term: Callable[[], Piece]
+    factor: Callable[[], Piece]
+    bracket: Callable[[], Piece]
+    listed: Callable[[], tuple[Piece, ...]]
 
     # Names
 
@@ -213,7 +200,7 @@ class Symbols(Cursor, ABC):
 
     def exponent(self) -> Piece:
         """What stands behind the sign of a power; a name in brackets there is no power."""
-        self.at += 1
+        self.script()
         bracket = self.tokens[self.at + (self.tokens[self.at].kind == "{")]
         piece = self.argument()
         if bracket.kind == "open" and isinstance(piece[0], Name | Number):

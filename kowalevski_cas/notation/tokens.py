@@ -7,6 +7,8 @@ import re
 from kowalevski_cas.notation.errors import NotationError
 
 DEEPEST = 100
+BEGINNING = frozenset({"open", "{", "begin"})
+ENDING = frozenset({"close", "}", "end"})
 
 TOKEN = re.compile(
     r"""(?P<blank>[\s~]+|%[^\n]*|\\[,;:!\ ])

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from kowalevski_cas.notation.formula import Changed, Conjugate, Formula, Name, Root
 from kowalevski_cas.notation.printer import Printer
-from kowalevski_cas.notation.unicode import SIGNS, symbol
+from kowalevski_cas.notation.unicode import symbol
 
 _FONTS = {
     r"\mathbf": "upright(bold({}))", r"\boldsymbol": "bold({})", r"\vec": "arrow({})",
@@ -25,7 +25,7 @@ class Typst(Printer):
 
     minus, times, cross, prime, partial_d = "-", "⋅ ", "×", "'", "∂"
     dots, const, braces = "…", 'upright("const")', ("{", "}")
-    bars = ("abs⟮", "⟯")
+    bars, thin = ("abs⟮", "⟯"), "thin "
 
     def finished(self, text: str) -> str:
         return text.translate(_PRINTED)
@@ -43,9 +43,6 @@ class Typst(Printer):
 
     def upright(self, word: str) -> str:
         return f'op⟮"{word}"⟯'
-
-    def sign(self, sign: str) -> str:
-        return SIGNS[sign]
 
     def joined(self, parts: Iterable[str]) -> str:
         return " ".join(parts)

@@ -10,6 +10,7 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Product,
+    Quotient,
     Sum,
     Vector,
     rank,
@@ -29,7 +30,7 @@ def parts(formula: Formula, setting: Meaning) -> tuple[Formula, ...]:
 
 
 def size(vector: Formula, setting: Meaning) -> int:
-    """The number of components of a vector."""
+    """The number of components of a vector; raises ``Meaningless`` if its parts differ in it."""
     match vector:
         case Vector(components):
             return len(components)
@@ -37,9 +38,12 @@ def size(vector: Formula, setting: Meaning) -> int:
             return len(setting.scene.vectors[name])
         case Name(name) if name in setting.scene.definitions:
             return size(setting.definition(name), setting)
-    parts = vector.children()
-    found = [one for one in parts if rank(one, setting.texts.vocabulary) == VECTOR]
-    return size(found[0], setting) if found else 3
+    parts = (one for one in vector.children() if rank(one, setting.texts.vocabulary) == VECTOR)
+    found = {size(one, setting) for one in parts} or {3}
+    if len(found) > 1 or (isinstance(vector, CrossProduct) and found != {3}):
+        numbers = " and ".join(map(str, sorted(found)))
+        raise Meaningless(f"the vectors in {to_latex(vector)} have {numbers} components")
+    return found.pop()
 
 
 def applied(matrix: Formula, vector: Formula, setting: Meaning) -> Vector:
@@ -60,8 +64,8 @@ def component(vector: Formula, index: int, setting: Meaning) -> Formula:
 
     vocabulary = setting.texts.vocabulary
     match vector:
-        case Vector(components):
-            return components[index]
+        case Vector(entries) | Diagonal(entries):
+            return entries[index]
         case Name(name) if name in setting.scene.definitions:
             step = setting.step(name)
             assert isinstance(step, Let)
@@ -72,8 +76,8 @@ def component(vector: Formula, index: int, setting: Meaning) -> Formula:
             return vector.mapped(lambda argument: of(argument, index))
         case Sum(terms):
             return Sum(tuple(of(term, index) for term in terms))
-        case Diagonal(entries):
-            return entries[index]
+        case Quotient(above, below):
+            return Quotient(of(above, index), below)
         case Product(factors):
             vectors = (f if not rank(f, vocabulary) else of(f, index) for f in factors)
             return Product(tuple(vectors))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import cache
 
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -26,10 +25,6 @@ class Elaborations:
                 self._known[key] = Elaboration(scene, self.texts, self)
             self._own[scene] = self._known[key]
         return self._own[scene]
-
-    def made(self) -> Iterator[Elaboration]:
-        """All elaborations so far, under these and other texts."""
-        yield from self._known.values()
 
     def under(self, texts: Texts) -> Elaborations:
         """The elaborations under other texts."""

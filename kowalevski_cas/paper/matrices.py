@@ -56,9 +56,7 @@ def rows(formula: Formula, setting: Meaning, within: tuple[str, ...] = ()) -> Ro
         case Vector(lines) if all(isinstance(line, Vector) for line in lines):
             return tuple(tuple(map(setting.plain, line.children())) for line in lines)
         case Diagonal(entries):
-            size = range(len(entries))
-            plain = [*map(setting.plain, entries)]
-            return tuple(tuple(plain[i] if i == j else Number(0) for j in size) for i in size)
+            return _diagonal([*map(setting.plain, entries)])
         case Negative(argument):
             return _each(of(argument), Negative)
         case Derivative(argument, mark):
@@ -99,7 +97,7 @@ def alike(
     }
     size = len(next(iter(found.values())))
     return [
-        found[k] if k in found else _multiple(setting.plain(formula), size)
+        found[k] if k in found else _diagonal([setting.plain(formula)] * size)
         for k, formula in enumerate(formulas)
     ]
 
@@ -155,9 +153,9 @@ OF_MATRICES = {r"\det": determinant, r"\mathrm{tr}": trace}
 """The functions of matrices."""
 
 
-def _multiple(value: Formula, size: int) -> Rows:
-    """What a number stands for in a sum of matrices: a multiple of the unit matrix."""
-    return tuple(tuple(value if i == j else Number(0) for j in range(size)) for i in range(size))
+def _diagonal(entries: Sequence[Formula]) -> Rows:
+    size = range(len(entries))
+    return tuple(tuple(entries[i] if i == j else Number(0) for j in size) for i in size)
 
 
 def _each(matrix: Rows, function: Callable[[Formula], Formula]) -> Rows:

@@ -255,7 +255,7 @@ class Scene:
         for place in statements(*by):
             names = [name for name in place.heads.names if name not in known]
             if not names:
-                raise ValueError(f"{place.place} defines no new name on the scene “{self.name}”")
+                raise ValueError(f"{place.tex} defines no new name on the scene “{self.name}”")
             for name in names:
                 if not again:
                     self._is_new(name, definitions)
@@ -274,16 +274,21 @@ class Scene:
 
     def places(self) -> Iterator[Printed]:
         """Every place of the paper on which the scene rests."""
-        yield from (printed for printed in (self.unit, self.clock) if printed is not None)
-        yield from self.definitions.values()
-        yield from (printed for printed in self.roots.values() if printed is not None)
-        yield from self.zero
+        yield from (place for _, place in self.roles())
         if isinstance(self.field, Change):
-            yield from self.field.formulas
             yield from self.field.source.places()
-            yield self.field.time
-        else:
-            yield from self.field
+
+    def roles(self) -> Iterator[tuple[str, Printed]]:
+        """Its own places, without those of a scene from which it is changed; what each is for."""
+        change = self.field if isinstance(self.field, Change) else None
+        by = (*change.formulas, change.time) if change else ()
+        found = {
+            "unit": (self.unit,),
+            "definition": (self.clock, *self.definitions.values(), *by),
+            "condition": (*self.roots.values(), *self.zero),
+            "vector field": () if isinstance(self.field, Change) else self.field,
+        }
+        yield from ((role, one) for role, places in found.items() for one in places if one)
 
     def names(self) -> Iterator[str]:
         """Every scalar name that has a meaning on the scene."""

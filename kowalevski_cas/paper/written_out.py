@@ -20,12 +20,12 @@ class WrittenOut:
     def __init__(self, plain: Plain) -> None:
         self.plain = plain
         self.setting = plain.setting
-        self._known: dict[Printed, frozenset[Printed]] = {}
+        self._known: dict[Printed, tuple[Printed, ...]] = {}
 
-    def __call__(self, place: Printed) -> frozenset[Printed]:
+    def __call__(self, place: Printed) -> tuple[Printed, ...]:
         """What a printed formula writes out."""
         if place not in self._known:
-            self._known[place] = frozenset(self._of(self.setting.texts.formula(place)))
+            self._known[place] = tuple(self._of(self.setting.texts.formula(place)))
         return self._known[place]
 
     def _of(self, formula: Formula) -> Iterator[Printed]:

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations
 
+from kowalevski_cas.algebra.factors import divided
 from kowalevski_cas.algebra.hermite import hermite_minors
 from kowalevski_cas.algebra.numbers import rational
-from kowalevski_cas.algebra.present import divided
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation

@@ -126,7 +126,7 @@ class Fold(ABC):
                 return None
             exponents, value = monomial
             terms[exponents] = terms.get(exponents, 0) + value
-        return self.ring.from_terms({0: {e: Fraction(v) for e, v in terms.items()}})
+        return self.ring.from_terms({0: terms})
 
     @cached_property
     def _places(self) -> dict[str, int]:
@@ -157,10 +157,17 @@ def _monomial(formula: Formula, places: Mapping[str, int]) -> tuple[tuple[int, .
 # -- rules -----------------------------------------------------------------------
 
 
+def _paired(left: Triple, right: Triple) -> Iterator[tuple[Element, Element]]:
+    """The components of two vectors; raises :class:`Meaningless` if one has more of them."""
+    if len(left) != len(right):
+        raise Meaningless(f"a vector of {len(left)} components beside one of {len(right)}")
+    return zip(left, right, strict=True)
+
+
 def multiply(left: Value, right: Value) -> Value:
     """The product of scalars, of a scalar and a vector, or of a diagonal matrix and a vector."""
     if isinstance(left, Triple) and isinstance(right, Triple):
-        return Triple(a * b for a, b in zip(left, right, strict=True))
+        return Triple(a * b for a, b in _paired(left, right))
     if isinstance(left, Triple):
         assert isinstance(right, Element)
         return Triple(a * right for a in left)
@@ -171,7 +178,7 @@ def multiply(left: Value, right: Value) -> Value:
 
 def _add(left: Value, right: Value) -> Value:
     if isinstance(left, Triple) and isinstance(right, Triple):
-        return Triple(a + b for a, b in zip(left, right, strict=True))
+        return Triple(a + b for a, b in _paired(left, right))
     if isinstance(left, Triple) or isinstance(right, Triple):
         raise Meaningless("a vector is added to a scalar")
     return left + right
@@ -247,13 +254,16 @@ def _power(formula: Power, at: Fold, bar: bool) -> Value:
 def _scalar_product(formula: ScalarProduct, at: Fold, bar: bool) -> Value:
     left, right = (at.vector(f, bar) for f in (formula.left, formula.right))
     total = at.ring.zero
-    for a, b in zip(left, right, strict=True):
+    for a, b in _paired(left, right):
         total = total + a * b
     return total
 
 
 def _cross_product(formula: CrossProduct, at: Fold, bar: bool) -> Value:
-    (a1, a2, a3), (b1, b2, b3) = (at.vector(f, bar) for f in (formula.left, formula.right))
+    left, right = (at.vector(f, bar) for f in (formula.left, formula.right))
+    if {len(left), len(right)} != {3}:
+        raise Meaningless(f"{to_latex(formula)} multiplies vectors that have not three components")
+    (a1, a2, a3), (b1, b2, b3) = left, right
     return Triple((a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1))
 
 

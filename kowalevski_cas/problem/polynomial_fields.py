@@ -11,7 +11,6 @@ from operator import mul
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.algebra.weights import whole_solutions
-from kowalevski_cas.notation import Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless
 
@@ -74,14 +73,10 @@ class PolynomialField:
 
     def element(self, terms: Terms) -> Element:
         """A polynomial in the names as an element of the ring of the evaluation."""
-        total = self.at.ring.zero
-        for exponents, value in terms.items():
-            product = self.at.ring.number(value)
-            for name, exponent in zip(self.names, exponents, strict=True):
-                if exponent:
-                    product = product * self.at.scalar(Name(name)) ** exponent
-            total = total + product
-        return total
+        generators = self.at.ring.polynomials.generators
+        order = [self.names.index(name) if name in self.names else -1 for name in generators]
+        padded = (((*e, 0), value) for e, value in terms.items())  # no power stands in it
+        return self.at.ring.from_terms({0: {tuple(e[k] for k in order): v for e, v in padded}})
 
     @cached_property
     def gradings(self) -> list[Exponents]:

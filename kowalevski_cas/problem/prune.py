@@ -28,9 +28,9 @@ def mentions(formula: Formula) -> Mentions:
     """The names and printed roots in a formula, from left to right, and whether it moves."""
     found: dict[Formula, None] = {}
     for one in formula.nodes():
-        if isinstance(one, Name | Root):
+        if type(one) is Name or type(one) is Root:
             found[one] = None
-        elif isinstance(one, Derivative):
+        elif type(one) is Derivative:
             found[MOTION] = None
     return tuple(found)
 
@@ -38,9 +38,9 @@ def mentions(formula: Formula) -> Mentions:
 class Reach:
     """What is reached of a setting, from formulas, through definitions of definitions."""
 
-    def __init__(self, setting: Setting, bound: Iterable[str] = ()) -> None:
+    def __init__(self, setting: Setting) -> None:
         self.setting = setting
-        self.bound = {*bound}
+        self.bound: set[str] = set()
         self.names: set[str] = set()
         self.steps: list[Step] = []
         self.moving = False
@@ -195,8 +195,8 @@ def _reach_source(setting: Setting, reaches: dict[Setting, Reach]) -> None:
     for _, formula in change.formulas:
         source.formula(formula)
     source.formula(change.time)
-    for name in source.names:
-        if name in change.old.constants or name in change.old.roots:
+    for name in (*change.old.constants, *change.old.roots):
+        if name in source.names:
             reaches[setting].name(name)
     _reach_source(change.old, reaches)
 

@@ -8,16 +8,3 @@ from kowalevski_cas.report.evidence import Evidence
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.places import Item, Row, Section, Stated, sections
 from kowalevski_cas.report.sentences import Phrases
-
-__all__ = [
-    "Contents",
-    "Evidence",
-    "Findings",
-    "Item",
-    "Phrases",
-    "Row",
-    "Section",
-    "Stated",
-    "contents",
-    "sections",
-]

@@ -142,7 +142,7 @@ class Contents:
         own = next((name.number for name in names if not name.number.startswith("(")), "")
         if own and any(name.number.startswith("(") for name in names):
             valid = (*valid, f" A number such as {own} is this report's, (1) is the paper's.")
-        if means:
+        if valid or present != [Verdict.PROVED]:
             yield Paragraph((*means, ".", *valid), "note")
 
     def _confirmed(self) -> Text:
@@ -161,7 +161,8 @@ class Contents:
                 many = "Each statement has a certificate"
             text = (
                 *text, f" {many}, accepted by a checker that shares no line of code with the "
-                "program: ", Code(f"kowalevski-cas check {run.derivation}"), " lets it judge them.",
+                "program: ", Code(f"kowalevski-cas check {run.derivation}"), " lets it judge them. "
+                "What is too long to be shown here stands in the certificates.",
             )  # fmt: skip
         if self.programs:
             named = listed([(f"{w.name} confirms {len(w.claims)}",) for w in self.programs])
@@ -200,14 +201,15 @@ class Contents:
         return {outcome.claim: self._box(outcome) for outcome in self.run.outcomes}
 
     def _box(self, outcome: Outcome) -> str:
-        """A number, and with one of the report's own a short formula or a name."""
+        """A number, and what is stated if that is short."""
         name = self.phrases.names[outcome.claim]
-        if name.number.startswith("(") or name.several > 1:
-            return name.number
-        said = ", ".join(to_plain(f) for f in outcome.formulas if isinstance(f, Relation))
-        if len(said) > _SHORT or any(map(unicodedata.combining, said)):
-            return name.number
-        return f"{name.number} {said or outcome.claim.replace('-', ' ')}"
+        said = [to_plain(f) for f in outcome.formulas if isinstance(f, Relation)]
+        words = print_prose(read_prose(outcome.words, self.run.vocabulary), str, to_plain)
+        for text in (", ".join(said), *(f"{one}, …" for one in said[:1]), words):
+            plain = name.several == 1 and not any(map(unicodedata.combining, text))
+            if text and plain and len(text) <= _SHORT:
+                return f"{name.number} {text}"
+        return name.number
 
     def _frames(self) -> str:
         """What the frames of the boxes mean, of those that are drawn."""
@@ -228,8 +230,8 @@ class Contents:
             yield Paragraph((Emphasis((f"{name}.",)), " ", *self.phrases.words(text)))
 
 
-_SHORT: Final = 16
-"""How many letters a formula has at most that stands in a box."""
+_SHORT: Final = 30
+"""How many letters stand in a box behind the number at most."""
 
 _FRAMES: Final = {
     Verdict.PROVED: "thin where a statement holds",

@@ -60,7 +60,14 @@ class Evidence:
         """Hypotheses that are missing, those for the same reason together."""
         having = [(row.claim, one) for row in self.rows for one in row.conditions if one.witness]
         for claims, (condition, *_) in alike(having):
-            yield Paragraph((*self._whose(claims), *missing(self.phrases, condition)))
+            head = Emphasis(("A hypothesis is missing:",))
+            needed = (head, " ", *self.phrases.where((condition,)), ". ")
+            yield Paragraph((*self._whose(claims), *needed, *self._fails(condition)))
+
+    def _fails(self, condition: Condition) -> Text:
+        """What happens without a hypothesis, and a point where it does."""
+        witness = self.phrases.values(condition.witness) if condition.witness else ()
+        return (*self.phrases.sentence(condition.words), " ", *witness)
 
     def _counterexamples(self) -> Iterator[Block]:
         """Each point once, with the values that the first of the rows has there."""
@@ -99,7 +106,7 @@ class Evidence:
                 yield Display(formulas, verdict=one.verdict)
             for condition in one.conditions:
                 if condition.witness:
-                    yield Paragraph(missing(self.phrases, condition))
+                    yield Paragraph(self._fails(condition))
 
     def _of(self, claims: Sequence[str]) -> Text:
         whose = self._unless_all(claims)
@@ -123,12 +130,3 @@ def _told(formulas: Iterable[Formula]) -> tuple[Formula, ...]:
         if len(said) > 1 or not isinstance(one, Relation):
             told.setdefault(frozenset(said), one)
     return tuple(told.values())
-
-
-def missing(phrases: Phrases, condition: Condition) -> Text:
-    """A hypothesis that is missing, and a point where the statement fails without it."""
-    witness = phrases.values(condition.witness) if condition.witness else ()
-    return (
-        Emphasis(("A hypothesis is missing:",)), " ", *phrases.where((condition,)), ". ",
-        *phrases.sentence(condition.words), " ", *witness,
-    )  # fmt: skip

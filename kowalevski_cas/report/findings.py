@@ -83,36 +83,34 @@ class Findings:
         found = [
             (many[Verdict.PROVED], "as printed" if self.copied else "as stated here"),
             (where, "where their denominators do not vanish"),
-            (
-                len(self.lacking),
-                f"only under a hypothesis that the paper does not state{self._all()}",
-            ),
+            (len(self.lacking), f"only under {self._hypotheses()}"),
         ]
         what = counted(len(self.outcomes), "formula or statement", "formulas and statements")
+        wrong = self._wrong(many)
+        if len(self.outcomes) == 1:
+            said = [f"holds {how}" for n, how in found if n] + [f"is {how}" for _, how in wrong]
+            return f"The only statement {said[0]}."
         for n, how in found:
             if n == len(self.outcomes) > 2:
                 return f"All {what} hold {how}."
         holds = [f"{in_words(n)} {_verb('hold', n)} {how}" for n, how in found if n]
-        return f"Of {what}, {_joined(holds) or 'none is proved'}.{self._wrong(many)}"
+        fails = _joined([f"{in_words(n)} {_is(n)} {how}" for n, how in wrong])
+        more = f" {capital(fails)}." if fails else ""
+        return f"Of {what}, {_joined(holds) or 'none is proved'}.{more}"
 
-    def _all(self) -> str:
-        """How many hypotheses are missing, if there are several."""
+    def _hypotheses(self) -> str:
+        """What is missing, and how many there are if there are several."""
         many = len(self.missing)
-        return f" ({in_words(many)} in all)" if many > 1 else ""
+        if many == 1:
+            return "a hypothesis that the paper does not state"
+        return f"hypotheses that the paper does not state ({in_words(many)} in all)"
 
-    def _wrong(self, many: Mapping[Verdict, int]) -> str:
-        """What does not hold, or is open."""
-        spoiled = len(self.refuted) - len(self.false)
-        wrong = []
-        if spoiled:
-            slips = counted(len(self.slips), "misprint")
-            wrong.append(f"{in_words(spoiled)} {_is(spoiled)} spoiled by {slips}")
-        if self.false:
-            wrong.append(f"{in_words(len(self.false))} {_is(len(self.false))} false")
-        for verdict, what in _OPEN.items():
-            if many[verdict]:
-                wrong.append(f"{in_words(many[verdict])} {_is(many[verdict])} {what}")
-        return f" {capital(_joined(wrong))}." if wrong else ""
+    def _wrong(self, many: Mapping[Verdict, int]) -> list[tuple[int, str]]:
+        """How many statements do not hold, or are open, and why."""
+        slips = counted(len(self.slips), "misprint")
+        spoiled = (len(self.refuted) - len(self.false), f"spoiled by {slips}")
+        open_ones = [(many[verdict], what) for verdict, what in _OPEN.items()]
+        return [one for one in (spoiled, (len(self.false), "false"), *open_ones) if one[0]]
 
     def blocks(self) -> Iterator[Block]:
         """What is wrong, for a reader who has half a minute."""

@@ -27,7 +27,6 @@ from kowalevski_cas.report.document import (
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
-from kowalevski_cas.report.plates import for_a_page
 from kowalevski_cas.report.setting import Setter
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Verdict
@@ -58,7 +57,7 @@ class HtmlSetter(Setter):
     def line(self, left: str, right: str, indent: int, leads: bool) -> str:
         space = f'<mspace width="{indent}em"></mspace>' if indent else ""
         if leads:
-            right = right.replace("<mo>", '<mo form="infix">', 1)
+            right = _infix(right)
         return f"<mtr><mtd>{left}</mtd><mtd>{space}{right}</mtd></mtr>"
 
     def lines(self, lines: Sequence[str]) -> str:
@@ -74,7 +73,13 @@ class HtmlSetter(Setter):
             parts[-1].append(piece)
         if measured(row) < 0.8 * _NARROW:
             parts = [[*row]]
-        return " ".join(f"<math>{joined(part, self.printer)}</math>" for part in parts)
+        texts = [joined(part, self.printer) for part in parts if part]
+        return " ".join(f"<math>{text}</math>" for text in (*texts[:1], *map(_infix, texts[1:])))
+
+
+def _infix(text: str) -> str:
+    """A part of a formula that begins with a sign, which stands between it and what is before."""
+    return text.replace("<mo>", '<mo form="infix">', 1)
 
 
 class HtmlWriter(Writer):
@@ -194,8 +199,7 @@ class HtmlWriter(Writer):
         return f'<div class="graph" tabindex="0">{svg(block.picture)}</div>'
 
     def shown(self, block: Shown) -> str:
-        picture = for_a_page(block.plate.file(self.beside))
-        image = b64encode(picture).decode()
+        image = b64encode(block.plate.file(self.beside).read_bytes()).decode()
         caption = self.text(block.caption)
         return (
             f'<figure><img alt="" src="data:image/png;base64,{image}">'

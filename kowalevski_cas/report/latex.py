@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.notation.latex import LATEX
+from kowalevski_cas.notation.latex import Latex
 from kowalevski_cas.report.document import (
     Claim,
     Display,
@@ -33,10 +33,16 @@ def render_latex(document: Document) -> str:
     return LatexWriter().write(paged(document))
 
 
+class _Typeset(Latex):
+    """LaTeX to be looked at; what is read again needs no thin spaces."""
+
+    thin = r"\,"
+
+
 class LatexSetter(Setter):
     """Displays in LaTeX, with the environment ``aligned``."""
 
-    printer = LATEX
+    printer = _Typeset()
     gap = r",\quad "
 
     def opened(self, bracket: str, tall: bool) -> str:

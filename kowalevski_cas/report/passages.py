@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Final
 
-from kowalevski_cas.notation import Formula
+from kowalevski_cas.notation import Formula, Relation
 from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.compare import compared
 from kowalevski_cas.report.document import (
@@ -32,10 +32,8 @@ _ROLES: Final = {
     "definition": "We put",
     "unit": "We put",
     "condition": "We consider",
+    "claim": "It will be shown that",
 }
-
-
-_CLAIMED: Final = ("It is claimed that",)
 
 
 class Passages:
@@ -66,7 +64,7 @@ class Passages:
             yield Paragraph(("Of the two values of a root we mean the one with ", *meant, "."))
         before = ""
         for item in section.items:
-            what = "" if item.stated else capital(item.source) or _ROLES.get(item.role, "")
+            what = "" if item.stated else capital(item.source) or _role(item)
             if what and what != before:
                 yield Paragraph((*self.phrases.words(what), ":"), "note", leads=True)
             before = what
@@ -103,7 +101,7 @@ class Passages:
                     bool(own and own.verdict is Verdict.REFUTED),
                 )
             )
-        head = self.phrases.sentence(*words) if len(words) == 1 else _CLAIMED * bool(words)
+        head = self.phrases.sentence(*words) if len(words) == 1 else ()
         if len(where) == 1:
             head = (*head, *_valid(*where))
         return self._claim(None, "", head, stated.number, shown, outcomes)
@@ -161,6 +159,12 @@ class Passages:
             corrected = self.phrases.links(outcome.corrected)
             text = (*text, "; read with the correction of ", *corrected)
         return text
+
+
+def _role(item: Item) -> str:
+    """What a display is for that nobody claims where it stands."""
+    equations = any(isinstance(f, Relation) for row in item.rows for f in row.formulas)
+    return _ROLES.get(item.role if equations else "condition", "")
 
 
 def _slips(formulas: tuple[Formula, ...], outcome: Outcome | None) -> tuple[Formula, ...]:

@@ -16,6 +16,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Final, Literal
 
+from kowalevski_cas import UserError
 from kowalevski_cas.files import write
 from kowalevski_cas.report.contents import contents
 from kowalevski_cas.report.document import Document, drawing
@@ -34,7 +35,7 @@ Engine = Literal["auto", "latex", "typst"]
 _SECONDS: Final = 120
 
 
-class ReportError(Exception):
+class ReportError(UserError):
     """A report could not be made; the message says why and what to do."""
 
 

@@ -196,7 +196,7 @@ def _row(place: _Place, printed: Printed) -> list[Outcome]:
 
 
 def _displayed(display: Display, place: _Place, texts: Texts, roles: Roles) -> Item:
-    role = roles.at(Printed(display, 1).place).name
+    role = roles.at(Printed(display, 1).place).elsewhere
     rows: tuple[Row, ...] = ()
     with suppress(NotationError):
         rows = tuple(Row((one.formula,), one.source) for one in texts.statements(display))

@@ -12,19 +12,12 @@ from __future__ import annotations
 import json
 import shutil
 from dataclasses import dataclass
-from io import BytesIO
 from pathlib import Path
 from typing import Final
 
 LIST: Final = "plates.json"
 
 SUFFIX: Final = ".png"
-
-LARGE: Final = 150_000
-"""The bytes from which a picture is made smaller for a page."""
-
-WIDTH: Final = 1200
-"""The pixels of a picture in a page, from left to right."""
 
 
 @dataclass(frozen=True)
@@ -61,28 +54,6 @@ def plates(folder: Path, derivation: str) -> tuple[Plate, ...]:
             if (file.parent / f"{name}{SUFFIX}").is_file()
         ]
     return tuple(found)
-
-
-def for_a_page(file: Path) -> bytes:
-    """A picture as a page carries it: a large one no wider than a screen, in few colours.
-
-    It is taken as it is where Pillow, which comes with Matplotlib, is not installed.
-    """
-    if file.stat().st_size < LARGE:
-        return file.read_bytes()
-    try:
-        from PIL import Image
-    except ImportError:
-        return file.read_bytes()
-    with Image.open(file) as image:
-        small = image.convert("RGB")
-    if small.width > WIDTH:
-        height = round(small.height * WIDTH / small.width)
-        small = small.resize((WIDTH, height), Image.Resampling.LANCZOS)
-    few = small.quantize(128, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
-    written = BytesIO()
-    few.save(written, "PNG", optimize=True)
-    return written.getvalue()
 
 
 def copy_plates(found: tuple[Plate, ...], source: Path, target: Path) -> None:

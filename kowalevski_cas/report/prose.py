@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
+from kowalevski_cas import UserError
 from kowalevski_cas.report.counters import THEOREM, numbers
 from kowalevski_cas.report.document import (
     Block,
@@ -49,7 +50,7 @@ _PLAIN: Final = frozenset(
 )
 
 
-class ProseError(Exception):
+class ProseError(UserError):
     """The text cannot be read; the message says why and what to do."""
 
 
@@ -307,6 +308,8 @@ class _Article:
                 parts.append([])
             parts[-1].append(inner)
         self._apart(parts[0])
+        if node.environmentname == "thebibliography":
+            self._heading(1, ("References",))
         kept, self.blocks = self.blocks, []
         items: list[tuple[Block, ...]] = []
         for first, *rest in parts[1:]:

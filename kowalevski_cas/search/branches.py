@@ -44,7 +44,7 @@ class Branch:
 
     def is_part(self, other: Branch) -> bool:
         """Whether the equations of another branch are seen to hold here, and to be solved."""
-        slopes = (_part(equation, place, 1) for place, equation in other.solved)
+        slopes = (coefficient(equation, place, 1) for place, equation in other.solved)
         return all(map(self.vanishes, other.equations)) and not any(map(self.vanishes, slopes))
 
 
@@ -182,7 +182,7 @@ def _linear(single: Sequence[_Factor], places: Sequence[int], nonzero: _Group) -
     for equation in in_order:
         for place in places:
             if equation.degrees[place] == 1:
-                slope = _factors(_part(equation.polynomial, place, 1))
+                slope = _factors(coefficient(equation.polynomial, place, 1))
                 unknown = tuple(
                     one for one in slope if one not in nonzero and one.may_vanish(places)
                 )
@@ -204,7 +204,7 @@ def _eliminated(
     """The cases in which the coefficient of an unknown vanishes, and where it does not."""
     polynomial = equation.polynomial
     for factor in unknown:
-        rest = _part(polynomial, place, 0)
+        rest = coefficient(polynomial, place, 0)
         others = [] if rest.is_zero() else [_factors(rest)]
         yield from _split([(factor,), *others, *left], places, nonzero, solved)
         nonzero = (*nonzero, factor)
@@ -240,7 +240,7 @@ def _reduced(solved: Solved) -> Solved:
     return tuple(found)
 
 
-def _part(polynomial: fmpq_mpoly, place: int, power: int) -> fmpq_mpoly:
+def coefficient(polynomial: fmpq_mpoly, place: int, power: int) -> fmpq_mpoly:
     """The coefficient of a power of the unknown at a place."""
     terms = {
         (*exponents[:place], 0, *exponents[place + 1 :]): value
@@ -263,5 +263,7 @@ def without(polynomial: fmpq_mpoly, place: int, equation: fmpq_mpoly) -> fmpq_mp
     rest = equation - slope * values[place]
     total = context.constant(0)
     for power in range(degree + 1):
-        total += _part(polynomial, place, power) * (-rest) ** power * slope ** (degree - power)
+        total += (
+            coefficient(polynomial, place, power) * (-rest) ** power * slope ** (degree - power)
+        )
     return total

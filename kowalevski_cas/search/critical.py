@@ -15,29 +15,25 @@ equations in the variables of which the surface is free.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import combinations, combinations_with_replacement, islice, permutations
+from itertools import combinations, combinations_with_replacement, permutations
 
 from kowalevski_cas.algebra.derivation import gradient
 from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.polynomials import Terms
-from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.present import written
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.algebra.weights import weights
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Point, Proof, Shown
-from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
-from kowalevski_cas.search.cases import Case, Splitter
+from kowalevski_cas.search.cases import Row, Splitter
 from kowalevski_cas.search.cofactors import cofactors
-from kowalevski_cas.search.place import Candidate
-from kowalevski_cas.search.real import real_points
-from kowalevski_cas.search.splits import Prover, Row, System, Unsplit
+from kowalevski_cas.search.place import Candidate, Good, PointFinder
 
 PYTHAGOREAN = Fraction(3, 5)
-TRIES = 12
 
 
 class Critical:
@@ -57,7 +53,8 @@ class Critical:
         zero_level: bool,
         names: Sequence[str],
     ) -> None:
-        self.at, self.zero_level, self.names = at, zero_level, names
+        self.at, self.zero_level = at, zero_level
+        self.finder = PointFinder(lambda setting: at, lambda setting: names)
         self.variables = at.setting.variables
         self.function = at.scalar(function)
         self.level, self.value = (at.scalar(side) for side in level)
@@ -90,7 +87,7 @@ class Critical:
             if self.zero_level:
                 rows[-1][j] = rows[-1][j] + factor * self.goals[i]
         whole = [[*entries, -e] for entries, e in zip(rows, excess, strict=True)]
-        return Shown(Proof(tuple(tuple(map(formula_in, entries)) for entries in whole)), point)
+        return Shown(Proof(written(whole)), point)
 
     def converse(self) -> Evidence | None:
         """Critical points lie on the set: a proof by cases; or a point of an open case."""
@@ -100,23 +97,14 @@ class Critical:
         excess = self._excess(homogeneous)
         if excess is None:
             return None
-        system = self._system(homogeneous)
-        polynomials = self.at.ring.polynomials
-        targets, goals, granted = (
-            [element.parts.get(0, polynomials.zero) for element in elements]
-            for elements in (system.targets, system.goals, system.granted)
-        )
-        case = Splitter(polynomials, targets, goals, granted).case()
-        if any(one.kind == "open" for one in case.nodes()):
-            point = self._point_off_the_set(case, system)
+        targets, rows = self._targets(homogeneous), self._rows(excess)
+        splitter = Splitter(targets, self.goals, self.granted, rows, len(excess), self.value)
+        proof = splitter.proof(len(excess) + 1)
+        if splitter.open:
+            point = self._point_off_the_set(splitter.open)
             return None if point is None else At(point)
-        prover = Prover(system, self._rows(excess), len(excess), self.value)
-        try:
-            proof = prover.proof(case, len(excess) + 1, [])
-        except Unsplit:
-            return None
         point = self._point_of_the_set()
-        return None if point is None else Shown(proof, point)
+        return None if point is None or proof is None else Shown(proof, point)
 
     # -- the function and its derivatives ------------------------------------------------
 
@@ -181,13 +169,11 @@ class Critical:
             ]
         return fields
 
-    def _system(self, homogeneous: Element) -> System:
-        """The critical equations and consequences of them, the set, and what is granted."""
+    def _targets(self, homogeneous: Element) -> Row:
+        """The critical equations and consequences of them."""
         critical = self._derivatives(homogeneous)
         targets = [*critical, *(self._dot(field, critical) for field in self._fields())]
-        if self.zero_level:
-            targets.append(homogeneous)
-        return System(self.at.ring, targets, self.goals, self.granted)
+        return [*targets, homogeneous] if self.zero_level else targets
 
     def _rows(self, excess: Row) -> list[Row]:
         """The targets of the tree of cases, as combinations of the rates and the surface."""
@@ -216,7 +202,8 @@ class Critical:
     def _point_of_the_set(self) -> Point | None:
         """A point of the set, on the surface, where what is granted does not vanish."""
         zero = [*self.goals, self.beside]
-        return self._point(zero, lambda candidate: candidate.vanish(zero), self._planes())
+        points = (self._point([*zero, *plane]) for plane in self._planes())
+        return next(filter(None, points), None)
 
     def _planes(self) -> Iterator[list[Element]]:
         """Planes that a quadric meets in rational points: a coordinate 0, another one 3/5."""
@@ -226,35 +213,17 @@ class Critical:
             yield [ring.generator(first), ring.generator(second) - ring.number(PYTHAGOREAN)]
         yield []
 
-    def _point_off_the_set(self, case: Case, system: System) -> Point | None:
+    def _point_off_the_set(self, cases: Sequence[Row]) -> Point | None:
         """A critical point where an equation of the set fails, in one of the open cases."""
-        cases = [one for one in case.nodes() if one.kind == "open"]
         critical = self._rates(self.function)
 
         def good(candidate: Candidate) -> bool:
             return candidate.vanish(critical) and not candidate.vanish(self.goals)
 
-        for one in sorted(cases, key=lambda one: sum(map(len, one.known))):
-            known = [system.element(terms) for terms in one.known]
-            point = self._point([*known, self.beside], good, ([],))
-            if point is not None:
-                return point
-        return None
+        in_order = sorted(cases, key=lambda one: sum(len(e.parts[0]) for e in one))
+        points = (self._point([*known, self.beside], good) for known in in_order)
+        return next(filter(None, points), None)
 
-    def _point(
-        self,
-        zero: Sequence[Element],
-        good: Callable[[Candidate], bool],
-        sections: Iterator[list[Element]] | tuple[list[Element], ...],
-    ) -> Point | None:
-        for section in sections:
-            for point in islice(
-                real_points(self.at, self.names, [*zero, *section], self.granted), TRIES
-            ):
-                candidate = Candidate(self.at, point)
-                if good(candidate) and not any(candidate(g).is_zero for g in self.granted):
-                    try:
-                        return candidate.point(self.names)
-                    except Misplaced:
-                        continue
-        return None
+    def _point(self, zero: Row, good: Good = lambda candidate: True) -> Point | None:
+        divided = [granted.inverse() for granted in self.granted]
+        return self.finder.point(self.at, zero, divided, good, most=0)

@@ -7,7 +7,7 @@ exponents, the eigenvalues of Df(c) + w. See H. Yoshida, Celestial Mechanics 31 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import chain, combinations
@@ -16,14 +16,14 @@ from operator import mul
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.flint import polynomial_of, to_flint, to_fraction
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint, to_fraction
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.polynomial_fields import PolynomialField
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.branches import Branch, maximal, solved, without
-from kowalevski_cas.search.groebner import Basis
+from kowalevski_cas.search.branches import Branch, branches, maximal, solved, without
+from kowalevski_cas.search.groebner import reduced_basis
 
 LARGEST = 6
 """The largest weight that is tried."""
@@ -119,34 +119,41 @@ class LeadingPart:
             ([*homogeneous, *self.variables[:k]], self.places, [self.scale, variable])
             for k, variable in enumerate(self.variables)
         )
-        found = []
-        for one in chain.from_iterable(pool.map(solved, tasks)):
-            rest = self._rest(one)
-            if rest is not None:
-                at_one = ((place, self._at_one(equation)) for place, equation in one.solved)
-                pairs = tuple((place, _monic(equation, place)) for place, equation in at_one)
-                found.append(Branch(pairs, rest, ()))
-        for equations in maximal(found):
+        found = chain.from_iterable(pool.map(solved, tasks))
+        for equations in maximal([*chain.from_iterable(map(self._at_one, found))]):
             yield self._balance(sides, equations)
 
-    def _at_one(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+    def _at_one(self, found: Branch) -> Iterator[Branch]:
+        """The cases of a case, at the scale 1; what is left of several equations is a basis."""
+        parts: Iterable[Branch] = [found]
+        if len(found.rest) > 1:  # the factors of a basis tell cases apart
+            basis = (self._homogeneous(one) for one in self._basis(found))
+            parts = branches(
+                [*(one for _, one in found.solved), *basis], self.places, found.nonzero
+            )
+        for part in parts:
+            rest = self._basis(part) if len(part.rest) > 1 else [*map(self._scaled, part.rest)]
+            if all(any(map(one.derivative, self.places)) for one in rest):
+                pairs = ((place, _monic(self._scaled(one), place)) for place, one in part.solved)
+                yield Branch(tuple(pairs), tuple(rest), ())
+
+    def _scaled(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """A polynomial at the scale 1, with leading coefficient 1."""
         one = without(polynomial, 0, self.scale - 1)
         return one / one.leading_coefficient()
 
-    def _rest(self, found: Branch) -> tuple[fmpq_mpoly, ...] | None:
-        """What is not solved, where nothing vanishes that should not; ``None`` if that is nowhere.
+    def _homogeneous(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+        """A polynomial at the scale 1, at any scale."""
+        terms = terms_of(polynomial)
+        top = max(self._weight(e[1:]) for e in terms)
+        own = {(int(top - self._weight(e[1:])), *e[1:]): value for e, value in terms.items()}
+        return polynomial_of(self.context, own)
 
-        Of several equations it is a Gröbner basis.
-        """
-        rest, unit = [*map(self._at_one, found.rest)], self.scale
-        if len(rest) > 1:
-            for one in found.nonzero:
-                unit *= self._at_one(one)
-            basis = Basis([*rest, unit - 1], ()).minimal()
-            rest = [one for one in basis if not one.degrees()[0]]
-        moving = all(any(map(one.derivative, self.places)) for one in rest)
-        return tuple(rest) if moving else None
+    def _basis(self, found: Branch) -> list[fmpq_mpoly]:
+        """A Gröbner basis of what vanishes at the scale 1 where the rest does, and nothing else."""
+        unit = prod(map(self._scaled, found.nonzero), start=self.scale) - 1
+        basis = reduced_basis([*map(self._scaled, found.rest), unit])
+        return [one for one in basis if not one.degrees()[0]]
 
     def _balance(self, sides: Sequence[fmpq_mpoly], equations: Branch) -> Balance:
         divisions = tuple(divided(side, equations) for side in sides)

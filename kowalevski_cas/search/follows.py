@@ -7,7 +7,7 @@ from functools import reduce
 from itertools import product
 from operator import add, mul
 
-from kowalevski_cas.algebra.present import formula_in
+from kowalevski_cas.algebra.present import written
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Proof, Shown
@@ -57,7 +57,7 @@ class FollowsFinder(PointFinder):
         proof = self._everywhere(goal, at, rows) if power == 1 else None
         if proof is not None:
             return Shown(proof, point)
-        proof = Proof(tuple(tuple(map(formula_in, row)) for row in rows), power=power)
+        proof = Proof(written(rows), power=power)
         if not goal.conclusions and self._divides(Shown(proof), goal):
             return None
         entries = [entry for row in rows for entry in row]
@@ -118,15 +118,8 @@ class FollowsFinder(PointFinder):
                 factor = total**exponent * goals[0] ** (exponent - 1)
                 row = [entry * factor for entry in rows[0]]
                 last = [*(at.ring.zero for _ in known), at.ring.one]
-                return Proof(
-                    (tuple(map(formula_in, row)),),
-                    (tuple(map(formula_in, group)), (formula_in(goals[0]),)),
-                    (
-                        Proof((tuple(map(formula_in, there)),)),
-                        Proof((tuple(map(formula_in, last)),)),
-                    ),
-                    exponent,
-                )
+                cases = Proof(written([there])), Proof(written([last]))
+                return Proof(written([row]), written([group, goals]), cases, exponent)
         return None
 
     def failure(self, goal: Follows, at: Evaluation) -> At | None:

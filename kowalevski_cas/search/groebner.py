@@ -12,16 +12,22 @@ from collections.abc import Iterable, Iterator, Sequence
 from heapq import heapify, heappop, heappush
 from itertools import combinations
 from math import prod
-from typing import TypeVar
+from typing import Any, TypeVar
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_mpoly_vec
 
 from kowalevski_cas.algebra.flat import Flat
+from kowalevski_cas.algebra.flint import terms_of
+from kowalevski_cas.algebra.kernels import TooLarge
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.problem.polynomial_fields import primitive
 from kowalevski_cas.search.cofactors import cofactors, conditional_cofactors
 
 LONGEST = 500_000
 """How many terms are reduced to make a basis, before it is given up."""
+
+LIMITS = (500, 10_000, 50_000)
+"""Elements, terms of one and bits of a number with which a basis is given up that nobody made."""
 
 POWERS = 3
 """The largest power of a unit by which a target is multiplied."""
@@ -137,6 +143,24 @@ class Basis:
     def _over(self, monomial: Monomial, divisor: Monomial) -> fmpq_mpoly:
         exponents = tuple(a - b for a, b in zip(monomial, divisor, strict=True))
         return self.context.from_dict({exponents: 1})
+
+
+def reduced_basis(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
+    """The reduced Gröbner basis of polynomials, where nobody asks how it is made.
+
+    Raises:
+        TooLarge: there are too many elements or terms on the way, or too large numbers.
+    """
+    context = polynomials[0].context()
+    whole = fmpz_mpoly_ctx.get(context.names(), context.ordering())
+    given = (primitive(terms_of(one)) for one in polynomials if one)
+    own = [whole.from_dict({e: int(value) for e, value in terms.items()}) for terms in given]
+    answer: Any = fmpz_mpoly_vec(own, whole).buchberger_naive(LIMITS)  # its type leaves limits out
+    found, complete = answer
+    if not complete:
+        raise TooLarge("a Gröbner basis has over {} elements, {} terms or {} bits".format(*LIMITS))
+    rational = (context.from_dict(one.to_dict()) for one in found.autoreduction(groebner=True))
+    return [one / one.leading_coefficient() for one in rational]
 
 
 def remainder(polynomial: fmpq_mpoly, divisors: Sequence[fmpq_mpoly]) -> fmpq_mpoly:

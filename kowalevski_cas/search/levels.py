@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
+from math import prod
 
 from flint import fmpq, fmpq_mpoly
 
@@ -115,13 +116,8 @@ def written_point(values: dict[str, Fraction]) -> Point:
 
 def value(terms: Mapping[tuple[int, ...], Fraction], at: Sequence[Fraction | int]) -> Fraction:
     """The value of a polynomial."""
-    total = Fraction(0)
-    for exponents, coefficient in terms.items():
-        for x, exponent in zip(at, exponents, strict=True):
-            if exponent:
-                coefficient *= x**exponent
-        total += coefficient
-    return total
+    values = (prod(map(pow, at, exponents), start=c) for exponents, c in terms.items())
+    return sum(values, Fraction(0))
 
 
 def small_points(levels: Sequence[Terms], size: int) -> Iterator[tuple[Values, Values]]:

@@ -21,7 +21,7 @@ from kowalevski_cas.algebra.flint import to_flint
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.branches import Branch, branches, without
 from kowalevski_cas.search.exponents import Balance, LeadingPart, determinant
-from kowalevski_cas.search.groebner import Basis, remainder
+from kowalevski_cas.search.groebner import reduced_basis, remainder
 
 Vector = list[fmpq_mpoly]
 
@@ -141,7 +141,7 @@ class _Series:
 
     def _nowhere(self, polynomial: fmpq_mpoly) -> bool:
         """Whether a polynomial vanishes at no point of the balance."""
-        basis = Basis([*self.rest, polynomial], ()).minimal()
+        basis = reduced_basis([*self.rest, polynomial])
         return not all(any(one.degrees()[: self.size + 1]) for one in basis)
 
     def extended(self, order: int) -> Vector | None:

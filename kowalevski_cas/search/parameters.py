@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations_with_replacement
 from typing import Any
 
 from flint import fmpq, fmpq_mpoly
@@ -12,6 +11,7 @@ from flint import fmpq, fmpq_mpoly
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.polynomial_fields import monomials
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.branches import Branch, solved
 
@@ -117,12 +117,8 @@ def cofactor_monomials(at: Evaluation) -> list[Monomial]:
     """
     rates = [at.rates.get(name, at.ring.zero) for name in at.setting.variables]
     degree = max((sum(m) for rate in rates for m in _coefficients(at, rate)), default=0)
-    places = range(len(at.setting.variables))
-    return [
-        tuple(map(chosen.count, places))
-        for size in range(degree)
-        for chosen in combinations_with_replacement(places, size)
-    ]
+    ones = (1,) * len(at.setting.variables)
+    return [monomial for size in range(degree) for monomial in monomials(ones, size)]
 
 
 def _coefficients(at: Evaluation, element: Element) -> dict[Monomial, fmpq_mpoly]:

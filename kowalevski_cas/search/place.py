@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from contextlib import suppress
-from itertools import combinations, islice
+from itertools import chain, combinations, islice
 
 from kowalevski_cas.algebra.numbers import Substitution, gaussian, number_ring
 from kowalevski_cas.algebra.points import ExactPoint
@@ -24,18 +24,19 @@ TRIES = 60
 
 
 class Candidate:
-    """An exact point, before anybody has checked it: the values of elements there."""
+    """An exact point, before anybody has checked it: the values of elements there.
 
-    def __init__(self, at: Evaluation, point: ExactPoint) -> None:
+    Roots that are ``negative`` there have the other one of two values.
+    """
+
+    def __init__(self, at: Evaluation, point: ExactPoint, negative: Container[str] = ()) -> None:
         self.at = at
         self.numbers = number_ring(at.polynomials)
         values = {name: gaussian(self.numbers, *value) for name, value in point.items()}
-        self._value = Substitution(at.ring, values, self.numbers, roots={})
+        self._value = Substitution(at.ring, values, self.numbers)
         for bit, name in enumerate(at.ring.roots):
-            own = values.get(name)
-            self._value.roots[bit] = (
-                self._value.root(self(at.ring.radicands[bit])) if own is None else own
-            )
+            if name in negative:
+                self._value.roots[bit] = -self._value.roots[bit]
 
     def __call__(self, element: Element) -> Element:
         """The value there; raises ``ZeroDivisionError`` on a zero of the denominator."""
@@ -87,12 +88,11 @@ class PointFinder:
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
         for further in self._sections(at, most):
             for point in islice(real_points(at, names, [*norms, *further], avoid), TRIES):
-                try:
-                    candidate = Candidate(at, point)
-                    if candidate.vanish(zero) and good(candidate):
-                        return candidate.point(names)
-                except (ZeroDivisionError, Misplaced):
-                    continue
+                for negative in _negative(at, point):
+                    with suppress(ZeroDivisionError, Misplaced):
+                        candidate = Candidate(at, point, negative)
+                        if candidate.vanish(zero) and good(candidate):
+                            return candidate.point(names)
         return None
 
     def _sections(self, at: Evaluation, most: int) -> Iterator[Sequence[Element]]:
@@ -126,6 +126,12 @@ class PointFinder:
                 parts = {mask ^ 1 << bit: part for mask, part in element.parts.items()}
                 element = Element(element.ring, parts, element.denominator)
         return element
+
+
+def _negative(at: Evaluation, point: ExactPoint) -> Iterator[tuple[str, ...]]:
+    """Which of the roots are negative that have a name, and no value yet; at first none."""
+    free = [n for n in at.ring.roots if n != "i" and n not in point and not n.startswith(r"\sqrt")]
+    return chain.from_iterable(combinations(free, size) for size in range(len(free) + 1))
 
 
 def _imaginary_parts(at: Evaluation, names: Sequence[str]) -> Iterator[Element]:

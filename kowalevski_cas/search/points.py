@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import count, islice, product
+from itertools import chain, count, islice, product
 
 from flint import fmpq, fmpq_mat, fmpq_mpoly
 
-from kowalevski_cas.algebra.flint import terms_of, to_flint, to_fraction
-from kowalevski_cas.algebra.numbers import square_root
+from kowalevski_cas.algebra.flint import to_flint, to_fraction
 
 Assignment = dict[int, Fraction]
 
@@ -36,25 +35,30 @@ def points(
     ``variables`` are indices of generators. Variables that a constraint gives at
     once are eliminated. For the constraints that remain, one variable each is
     solved for, while all others get small values from a fixed sequence: where the
-    equations are linear, or quadratic with a discriminant that is a square.
+    equations are linear, or have rational roots.
     """
     rest, eliminated = eliminate([c for c in constraints if not c.is_zero()], variables)
     avoided = [_entered(a, eliminated) for a in avoid]
     if any(c.is_constant() for c in rest) or any(a.is_zero() for a in avoided):
         return
     gone = {v for v, _ in eliminated}
-    open_variables = [v for v in variables if v not in gone]
-    choices = list(islice(_choices(rest, open_variables), CHOICES))
-    for attempts, solved in product(((0, FIRST), (FIRST, ATTEMPTS)), choices):
-        free = [v for v in open_variables if v not in solved]
-        for sequence in islice(_small_numbers(), *attempts):
-            values = {v: next(sequence) for v in free}
-            if not _complete(rest, len(solved), values):
-                continue
-            if not any(constant(a, values) == 0 for a in avoided):
-                for variable, expression in reversed(eliminated):
-                    values[variable] = constant(expression, values)
-                yield values
+    for values in _completions(rest, [v for v in variables if v not in gone]):
+        if not any(constant(a, values) == 0 for a in avoided):
+            for variable, expression in reversed(eliminated):
+                values[variable] = constant(expression, values)
+            yield values
+
+
+def _completions(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Iterator[Assignment]:
+    """One point for each choice of starting values, then the other roots for these."""
+    choices, others = list(islice(_choices(constraints, variables), CHOICES)), []
+    for (first, last), solved in product(((0, FIRST), (FIRST, ATTEMPTS)), choices):
+        free = [v for v in variables if v not in solved]
+        for sequence in islice(_small_numbers(), first, last if free else 1):
+            found = _completed(constraints, len(solved), {v: next(sequence) for v in free})
+            yield from islice(found, 1)
+            others.append(found)
+    yield from chain.from_iterable(others)
 
 
 def constant(polynomial: fmpq_mpoly, values: Mapping[int, Fraction]) -> Fraction:
@@ -101,11 +105,16 @@ def _gives(constraint: fmpq_mpoly, variable: int) -> bool:
     return constraint.degrees()[variable] == 1 and constraint.derivative(variable).is_constant()
 
 
-def _choices(constraints: list[fmpq_mpoly], variables: list[int]) -> Iterator[tuple[int, ...]]:
-    """A variable for each constraint, of low degree in it; those that occur in few come first."""
+def _choices(constraints: list[fmpq_mpoly], variables: Sequence[int]) -> Iterator[tuple[int, ...]]:
+    """A variable for each constraint, of low degree in it; those that occur in few come first.
+
+    No constraint is of a higher degree than 2 in it, unless there is no such choice.
+    """
     occurring = [{v: int(c.degrees()[v]) for v in variables if c.degrees()[v]} for c in constraints]
     shared = {v: sum(v in degrees for degrees in occurring) for v in variables}
     usable = [{v for v, degree in degrees.items() if degree <= 2} for degrees in occurring]
+    if not _matched(usable):
+        usable = [{*degrees} for degrees in occurring]
 
     def extend(chosen: tuple[int, ...]) -> Iterator[tuple[int, ...]]:
         if len(chosen) == len(constraints):
@@ -136,36 +145,31 @@ def _matched(sets: Sequence[set[int]]) -> bool:
     return all(place(k, set()) for k in range(len(sets)))
 
 
-def _complete(constraints: list[fmpq_mpoly], unknowns: int, values: Assignment) -> bool:
-    """Solve for the unknown variables, entering what is found; whether it could be done."""
+def _completed(
+    constraints: list[fmpq_mpoly], unknowns: int, values: Assignment
+) -> Iterator[Assignment]:
+    """The values with those of the unknown variables, which are solved for one after another."""
     left = _entering(values, constraints)
-    while unknowns:
-        single = [c for c in left if sum(1 for d in c.degrees() if d) == 1]
-        if single:
-            found = _solve_one(single[0])
-        else:
-            found = _solve_linear([c for c in left if c.total_degree() == 1])
-        if not found:
-            return False
-        values.update(found)
-        unknowns -= len(found)
-        left = _entering(found, left)
-    return not left
+    if not unknowns:
+        yield from [] if left else [values]
+        return
+    single = next((c for c in left if sum(1 for d in c.degrees() if d) == 1), None)
+    linear = [c for c in left if c.total_degree() == 1]
+    for found in [_solve_linear(linear)] if single is None else _solve_one(single):
+        if found:
+            yield from _completed(left, unknowns - len(found), {**values, **found})
 
 
-def _solve_one(polynomial: fmpq_mpoly) -> Assignment:
-    """The root of a linear polynomial in one variable, or a rational one of a quadratic."""
+def _solve_one(polynomial: fmpq_mpoly) -> Iterator[Assignment]:
+    """The rational roots of a polynomial in one variable, in the order of the quadratic formula."""
     variable = next(k for k, d in enumerate(polynomial.degrees()) if d)
-    if polynomial.degrees()[variable] > 2:
-        return {}
-    coefficients = [Fraction(0)] * 3
-    for exponents, value in terms_of(polynomial).items():
-        coefficients[exponents[variable]] = value
-    c, b, a = coefficients
-    if a == 0:
-        return {variable: -c / b}
-    root = square_root(b * b - 4 * a * c)
-    return {} if root is None else {variable: (root - b) / (2 * a)}
+    roots = [
+        -constant(factor, {}) / to_fraction(factor.derivative(variable).leading_coefficient())
+        for factor, _ in polynomial.factor()[1]
+        if factor.total_degree() == 1
+    ]
+    upwards = polynomial.leading_coefficient() < 0
+    return ({variable: root} for root in sorted(roots, reverse=not upwards))
 
 
 def _solve_linear(polynomials: list[fmpq_mpoly]) -> Assignment:

@@ -9,13 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from itertools import islice
+from math import prod
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.flint import to_flint
 from kowalevski_cas.algebra.numbers import square_root
 from kowalevski_cas.algebra.points import ExactPoint
-from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.search.points import Assignment, constant, distinct, points
@@ -72,28 +71,19 @@ class RealCoordinates:
 
     def equations(self, element: Element) -> list[fmpq_mpoly]:
         """Real polynomials whose vanishing makes the element vanish."""
-        ring = self.ring
-        known = [bit for bit, name in enumerate(ring.roots) if name in self.images]
-        groups: dict[int, fmpq_mpoly] = {}
-        for mask, terms in element.terms().items():
-            value = self.polynomial(terms)
-            for bit in known:
-                if mask >> bit & 1:
-                    value = value * self.images[ring.roots[bit]]
-            rest = sum(1 << b for b in range(len(ring.roots)) if mask >> b & 1 and b not in known)
-            groups[rest] = groups.get(rest, self.context.constant(0)) + value
-        return [part for value in groups.values() for part in self.split(value)]
+        return [part for value in self.by_roots(element).values() for part in self.split(value)]
 
-    def polynomial(self, terms: Terms) -> fmpq_mpoly:
-        """A polynomial of the generators in the real coordinates."""
-        total = self.context.constant(0)
-        for exponents, coefficient in terms.items():
-            product = self.context.constant(to_flint(coefficient))
-            for name, exponent in zip(self.ring.polynomials.generators, exponents, strict=True):
-                if exponent:
-                    product *= self.images[name] ** exponent
-            total += product
-        return total
+    def by_roots(self, element: Element) -> dict[frozenset[str], fmpq_mpoly]:
+        """The numerator in the real coordinates, by the roots that are none of them."""
+        ring, groups = self.ring, dict[frozenset[str], fmpq_mpoly]()
+        values = [self.images[name] for name in ring.polynomials.generators]
+        for mask, part in element.parts.items():
+            names = frozenset(ring.roots[bit] for bit in _bits(mask))
+            rest = names.difference(self.images)
+            known = (self.images[name] for name in names - rest)
+            value = prod(known, start=part.compose(*values, ctx=self.context))
+            groups[rest] = groups.get(rest, self.context.constant(0)) + value
+        return groups
 
     def split(self, polynomial: fmpq_mpoly) -> list[fmpq_mpoly]:
         """The real and the imaginary part, where they do not vanish."""
@@ -112,19 +102,9 @@ class RealCoordinates:
         found = []
         for name in self.moving:
             radicand = ring.radicands[ring.roots.index(name)]
-            found.extend(self.split(self.images[name] ** 2 - self.value(radicand)))
+            (value,) = self.by_roots(radicand).values()
+            found.extend(self.split(self.images[name] ** 2 - value))
         return found
-
-    def value(self, element: Element) -> fmpq_mpoly:
-        """An element that is a polynomial, in the real coordinates."""
-        total = self.context.constant(0)
-        for mask, terms in element.terms().items():
-            product = self.polynomial(terms)
-            for bit, name in enumerate(self.ring.roots):
-                if mask >> bit & 1:
-                    product = product * self.images[name]
-            total += product
-        return total
 
     def point(self, assignment: Assignment) -> ExactPoint:
         """The exact point with these coordinates."""
@@ -180,9 +160,7 @@ def _points(
         for polynomial in [sum((e * e for e in equations), coordinates.context.constant(0))]
     ]
     found = points(constraints, range(len(coordinates.names)), avoid)
-    radicands = [
-        coordinates.split(coordinates.value(radicand)) for radicand in coordinates.radicands
-    ]
+    radicands = [*map(coordinates.equations, coordinates.radicands)]
 
     def usable(assignments: Iterable[Assignment]) -> Iterator[tuple[bool, ExactPoint]]:
         """Points at which no radicand is negative, and whether all are squares."""

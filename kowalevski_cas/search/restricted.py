@@ -26,7 +26,7 @@ from kowalevski_cas.problem.polynomial_fields import (
     weight_of,
 )
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.groebner import Basis, remainder
+from kowalevski_cas.search.groebner import reduced_basis, remainder
 from kowalevski_cas.search.integrals import Span
 
 CONSTANTS = 2
@@ -64,7 +64,7 @@ class _Search:
         given = [one for one in whole if one]
         if not given:
             raise Meaningless("the relations hold everywhere")
-        self.basis = Basis(given, ()).reduced()
+        self.basis = reduced_basis(given)
         if any(one.is_constant() for one in self.basis):
             raise Meaningless("the relations hold nowhere")
         self.leads = [tuple(map(int, one.monomial(0))) for one in self.basis]

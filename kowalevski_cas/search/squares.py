@@ -8,6 +8,8 @@ reduction of Lagrange). There are sums of squares that this does not find.
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import product
+from math import isqrt
 
 from kowalevski_cas.algebra.polynomials import Terms
 
@@ -74,3 +76,18 @@ def _reduce(gram: dict[Monomial, dict[Monomial, Fraction]]) -> Squares | None:
                     gram[one][other] = gram[one].get(other, Fraction(0)) - change
             gram[one].pop(m, None)
     return tuple(squares)
+
+
+def four_squares(number: Fraction) -> tuple[Fraction, ...]:
+    """Four rational numbers, the squares of which add up to a positive number (Lagrange).
+
+    >>> sum(part**2 for part in four_squares(Fraction(7, 3))) == Fraction(7, 3)
+    True
+    """
+    whole = number.numerator * number.denominator
+    top = isqrt(whole)
+    for a, b, c in product(range(top, -1, -1), repeat=3):
+        rest = whole - a * a - b * b - c * c
+        if rest >= 0 and isqrt(rest) ** 2 == rest:
+            return tuple(Fraction(n, number.denominator) for n in (a, b, c, isqrt(rest)))
+    raise AssertionError("every natural number is a sum of four squares")

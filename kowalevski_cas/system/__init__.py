@@ -3,5 +3,3 @@
 from kowalevski_cas.system.answers import Function, Stated
 from kowalevski_cas.system.source import display
 from kowalevski_cas.system.system import System
-
-__all__ = ["Function", "Stated", "System", "display"]

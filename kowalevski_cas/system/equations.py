@@ -23,7 +23,6 @@ from kowalevski_cas.notation import (
     Summation,
     Vector,
     Vocabulary,
-    heads,
     independent,
     rank,
     read,
@@ -37,17 +36,20 @@ from kowalevski_cas.paper.plain import half_power, written_out
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.system.vectors import Vectors, bold, names_only, vectors_of
 
 _INDEX = re.compile("[i-n]")
 _PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
 
 
-def bold(vectors: Mapping[str, tuple[str, ...]]) -> dict[str, tuple[str, ...]]:
-    r"""Components by the names of vectors as the reader makes them, ``\mathbf{r}`` of ``\bf r``."""
-    return {heads(f"{name}=0")[0].names[0]: parts for name, parts in vectors.items()}
+def components(tex: str, vectors: Vectors) -> dict[str, tuple[str, ...]]:
+    """The vectors of equations of motion with their components, beside those that are told."""
+    display, known = Display("field", tex, ""), bold(vectors)
+    words = replace(_vocabulary(display, known), matrices=frozenset())
+    return vectors_of(display, known, words)
 
 
-def with_time(tex: str, vectors: Mapping[str, tuple[str, ...]]) -> str:
+def with_time(tex: str, vectors: Vectors) -> str:
     """Equations of motion, with one for the time, :math:`dt/dt=1`, if it stands in them."""
     display = Display("field", tex, "")
     words = _vocabulary(display, vectors)
@@ -59,7 +61,7 @@ def with_time(tex: str, vectors: Mapping[str, tuple[str, ...]]) -> str:
     return tex
 
 
-def moving_by(display: Display, name: str, vectors: Mapping[str, tuple[str, ...]]) -> Scene:
+def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     """The scene of equations of motion, and of what is defined and supposed beside them.
 
     Raises ``ValueError`` if they do not say what moves, and how.
@@ -68,9 +70,9 @@ def moving_by(display: Display, name: str, vectors: Mapping[str, tuple[str, ...]
     formulas = _read(display, words)
     moving = dict.fromkeys(one for formula in formulas.values() for one in _moving(formula))
     words = replace(words, moving=frozenset(moving))  # only these may be printed as x(t)
-    formulas = _read(display, words)
+    formulas = {p: one for p, one in _read(display, words).items() if not names_only(one)}
     laws = tuple(place for place, formula in formulas.items() if _is_law(formula))
-    others = [place for place in display if place not in laws]
+    others = [place for place in formulas if place not in laws]
     heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
     defined = {one for known, arguments in heads_of for one in (known, *arguments)} - {*moving}
     names = [
@@ -83,8 +85,9 @@ def moving_by(display: Display, name: str, vectors: Mapping[str, tuple[str, ...]
     variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
     fixed = [one for one in names if one not in defined and one not in words.matrices]
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
-    constants = tuple(part for part in parts if part not in variables)
+    constants = tuple(one for one in parts if one not in variables and one not in defined)
     _check_indices((*variables, *constants))
+    _check_derivatives(constants, defined, moving)
     title, time = name or "the system", min(words.times)
     scene = Scene(title, "the equations of motion", vectors, variables, constants, laws, time)
     for place in others:
@@ -92,7 +95,7 @@ def moving_by(display: Display, name: str, vectors: Mapping[str, tuple[str, ...]
     return rooted(scene, display)
 
 
-def _vocabulary(display: Display, vectors: Mapping[str, tuple[str, ...]]) -> Vocabulary:
+def _vocabulary(display: Display, vectors: Vectors) -> Vocabulary:
     """What is a vector, a matrix, a function or the independent variable in a display."""
     words = vocabulary(())
     names = [one for place in display for one in place.heads.names]
@@ -146,6 +149,18 @@ def _check_indices(names: Sequence[str]) -> None:
             other == letter and index.isdigit() for other, index in map(letter_and_index, names)
         ):
             raise ValueError(f"{name} stands beside names with numbers: print {low}=1,2,3 behind")
+
+
+def _check_derivatives(
+    constants: Sequence[str], defined: Container[str], moving: Container[str]
+) -> None:
+    """Refuse an index that says by what a function is derived: it would be a constant."""
+    for name in constants:
+        letter, by = letter_and_index(name)
+        if letter in defined and by in moving:
+            raise ValueError(
+                rf"{name} is a name here: print \partial {letter}/\partial {by}, or rename it"
+            )
 
 
 def _with(scene: Scene, place: Printed, formula: Formula) -> Scene:
@@ -206,13 +221,32 @@ def _derived(formula: Formula) -> list[str]:
 def with_parameters(scene: Scene, display: Display) -> Scene:
     r"""A scene with the new names of which a display defines functions, as :math:`L(\lambda)`.
 
-    They are constants: a function stands for its value whatever they are.
+    They are constants: a function stands for its value whatever they are. New vectors have
+    components.
     """
+    words = vocabulary((scene,))
+    scene = replace(scene, vectors=vectors_of(display, scene.vectors, words))
     heads_of = [head(name) for place in display for name in place.heads.names]
     arguments = dict.fromkeys(one for name, listed in heads_of if name != BRACKET for one in listed)
     known = {name for name, _ in heads_of} | {*scene.names(), *scene.vectors, scene.time, "t"}
     new = (one for one in arguments if one not in known and not one.startswith(r"\dot"))
     return scene.having(constants=tuple(new))
+
+
+def with_levels(scene: Scene, place: Printed) -> Scene:
+    """A scene with the new names in an integral: T for it, or its value, as h in :math:`2T=2h`."""
+    known = {*scene.names(), *scene.definitions, *scene.vectors, scene.time}
+    scene = with_parameters(scene, place.display)
+    for name in place.heads.names:
+        if name not in known:
+            scene = scene.naming(name, place)
+    formula = read(place.tex, vocabulary((scene,)), OpenParser)
+    members = formula.members if isinstance(formula, Relation) else ()
+    names = [{node.name for node in one.nodes() if isinstance(node, Name)} for one in members]
+    new = {one for own in names if own.isdisjoint({*known, *place.heads.names}) for one in own}
+    if known.isdisjoint(one for own in names for one in own):
+        return scene  # of nothing that moves it is no value
+    return scene.having(constants=tuple(sorted(new)))
 
 
 def rooted(scene: Scene, display: Display) -> Scene:

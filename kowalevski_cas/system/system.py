@@ -40,9 +40,7 @@ from kowalevski_cas.notation import (
     to_latex,
     to_plain,
 )
-from kowalevski_cas.paper.claims import (
-    Claim,
-)
+from kowalevski_cas.paper.claims import Claim, FirstIntegral
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
@@ -53,10 +51,11 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.system.answers import Function, Stated, in_html
 from kowalevski_cas.system.claims import Claims, Tex
 from kowalevski_cas.system.equations import (
-    bold,
+    components,
     moving_by,
     restricted,
     rooted,
+    with_levels,
     with_parameters,
     with_time,
 )
@@ -79,7 +78,8 @@ class System(Claims):
     Args:
         field: a display of equations with derivatives, or the right sides by variables of SymPy.
         name: what the claims of a file with several systems are called after.
-        vectors: the components of the names in bold type.
+        vectors: the components of the names in bold type, where the display does not name them,
+            as :math:`\mathbf r=(x,y,z)`, and neither has vector products nor :math:`r_1,r_2`.
 
     Raises:
         NotationError: an equation cannot be read.
@@ -104,10 +104,10 @@ class System(Claims):
         self.prefix = f"{name}-" if name else ""
         self.section = Section(name or "1", "")
         MADE.append(self.section)
-        components = bold(vectors or {})
-        tex = with_time(field if isinstance(field, str) else self._rows(field), components)
-        display = self.section.display(f"{self.prefix}field", tex)
-        self._stand_on(moving_by(display, name, components))
+        tex = field if isinstance(field, str) else self._rows(field)
+        parts = components(tex, vectors or {})
+        display = self.section.display(f"{self.prefix}field", with_time(tex, parts))
+        self._stand_on(moving_by(display, name, parts))
         moving, constant = self.scene.variables, self.scene.constants
         self.section.title = _echo(moving, constant, "${}$".format)
 
@@ -215,6 +215,9 @@ class System(Claims):
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
         claim = finding.claim(id, partial(self._place, id))
+        if isinstance(claim, FirstIntegral):
+            with suppress(ValueError):
+                claim = replace(claim, scene=with_levels(claim.scene, claim.own))
         for place in claim.places():
             with suppress(ValueError):  # what cannot be read is the outcome of the claim
                 claim = replace(claim, scene=rooted(claim.scene, place.display))

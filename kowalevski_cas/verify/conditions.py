@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
 
-from kowalevski_cas.algebra.factors import irreducible_factors
-from kowalevski_cas.algebra.present import divided, formula_of
+from kowalevski_cas.algebra.factors import divided, irreducible_factors
+from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Negative, Power, Product, Quotient, Sum
 from kowalevski_cas.paper.elaborate import Elaboration

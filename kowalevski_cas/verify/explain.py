@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from kowalevski_cas.notation import (
     Application,
@@ -68,7 +68,8 @@ def conditions(
         if locus and (failure := failure_on(statement, setting, locus, stored)):
             condition = _where_it_fails(statement, setting, locus, formula, failure)
         found.append(condition)
-    singular = {condition.expression: condition for condition in _singular(statement)}
+    known = [condition.expression for condition in found]
+    singular = {condition.expression: condition for condition in _singular(statement, known)}
     return tuple(singular.get(condition.expression, condition) for condition in found)
 
 
@@ -124,14 +125,16 @@ def _where_it_fails(
     return Condition(formula, words, witness)
 
 
-def _singular(statement: Statement) -> Iterator[Condition]:
-    """Loci where a set has another dimension, or is singular; with points."""
+def _singular(statement: Statement, known: Sequence[Formula]) -> Iterator[Condition]:
+    """Loci of known conditions where a set has another dimension, or is singular; with points."""
     goal = statement.goals[0]
     if not isinstance(statement.claim, Dimension) or not isinstance(goal, Rank):
         return
     assert isinstance(goal.space, Elaboration)
     for locus in goal.space.scene.loci:
         expression = goal.space.texts.expression(locus.condition)
+        if expression not in known:
+            continue
         found = rank_on(statement, goal, goal.space, locus)
         if found is not None and found[0] < goal.rank:
             count = len(goal.space.variables)

@@ -7,13 +7,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from kowalevski_cas import UserError
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict, in_latex
 
 FILE = "record.json"
 
 
-class RecordError(ValueError):
+class RecordError(UserError, ValueError):
     """A record that cannot be read; the message says what to do."""
 
 

@@ -41,6 +41,8 @@ MOST = 12
 
 _VANISHES: Final = Step("The derivative along the vector field vanishes identically.")
 
+_IDENTICAL: Final = Step("Both sides are equal identically, by the definitions alone.")
+
 
 def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
     """The steps that the program took; formulas of which the same is said stand together."""
@@ -50,6 +52,8 @@ def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
     else:
         both = zip(statement.goals, verdicts, strict=True)
         told = [s for goal, evidence in both for s in _steps(statement.claim, goal, evidence)]
+        follows = all(isinstance(goal, Follows) for goal in statement.goals)
+        told = told or [_IDENTICAL] * follows
     merged: dict[Step, dict[Formula, None]] = {}
     for step in told:
         merged.setdefault(replace(step, formulas=()), {}).update(dict.fromkeys(step.formulas))
@@ -210,9 +214,11 @@ def _bound(
 ) -> Step:
     values = [at.scalar(evidence.values[name]) for name, _ in terms]
     what = "derivatives" if isinstance(left, Derivative) else "functions"
-    words = f"The {what} are linear combinations of the relations"
     if (many := size(values)) > LONGEST:
-        return Step(f"{words}; the coefficients have {many} terms.")
+        one = f"The {what[:-1]} of one" if what == "derivatives" else "One function"
+        words = "is a linear combination of the relations whose coefficients have"
+        return Step(f"{one} {words} {many} terms.")
+    words = f"The {what} are linear combinations of the relations"
     right = _sum(values, [written(one, at.setting) for _, one in terms], at.setting)
     return Step(f"{words}:", (_equal(written(left, at.setting), right),))
 

@@ -7,14 +7,13 @@ panel. The rows of its tasks, one a method, have its name as their case.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from matplotlib.figure import Figure
 
 from kowalevski_cas.pictures import new_figure
 from study.failures import branch, cancellation, differences, phase, primes, separatrix
 from study.step import Row, Task
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 WAYS: dict[str, Any] = {
     "differences": differences,

@@ -11,7 +11,8 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from math import isfinite
-from typing import TYPE_CHECKING
+
+from matplotlib.axes import Axes
 
 from kowalevski_cas.algebra.points import ExactPoint
 from kowalevski_cas.algebra.programs import Program
@@ -21,9 +22,6 @@ from kowalevski_cas.search.place import Candidate
 from study.charts import curve, shown
 from study.paper import both, paper, sides
 from study.step import Measured, Row, Task
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 TITLE = r"cancellation as $\theta\to0$"
 

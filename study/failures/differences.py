@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 from itertools import takewhile
-from typing import TYPE_CHECKING
+
+from matplotlib.axes import Axes
 
 from kowalevski_cas.algebra import load_points
 from kowalevski_cas.algebra.points import Question
@@ -15,9 +16,6 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from study.charts import look, shown
 from study.paper import both, paper, sides
 from study.step import Measured, Row, Task
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 TITLE = "a difference too small"
 

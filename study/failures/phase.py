@@ -10,9 +10,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from kowalevski_cas.motion import Motion, load
 from kowalevski_cas.motion.parameters import precision
@@ -20,9 +21,6 @@ from kowalevski_cas.motion.phases import as_fraction
 from study.charts import curve
 from study.motions import MOTIONS, Array, parameters, relative_error
 from study.step import Measured, Row, Task
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 TITLE = "the phase at late times"
 

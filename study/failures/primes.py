@@ -10,9 +10,9 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import partial
 from random import Random
-from typing import TYPE_CHECKING
 
 from flint import fmpz
+from matplotlib.axes import Axes
 
 from kowalevski_cas.algebra.bounds import Sizes
 from kowalevski_cas.algebra.modular import residue_point
@@ -21,9 +21,6 @@ from kowalevski_cas.pictures import FAINT
 from study.charts import look, shown
 from study.failures.differences import near_miss
 from study.step import Measured, Row, Task
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 TITLE = "a prime too small"
 

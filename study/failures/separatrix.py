@@ -8,18 +8,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import partial
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from kowalevski_cas.motion import Motion, Parameters, load
 from kowalevski_cas.motion.methods.integrators import initial_state
 from study.charts import curve
 from study.motions import INTEGRATORS, relative_error, tolerances
 from study.step import Measured, Row, Task
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
 
 TITLE = "near a separating curve"
 

@@ -7,7 +7,7 @@ list is then written out for python-flint, Singular or PARI/GP, and timed there.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -16,7 +16,7 @@ from time import perf_counter
 from typing import Any
 
 from kowalevski_cas.algebra.flint import Arithmetic as Flint
-from kowalevski_cas.algebra.polynomials import Polynomials, Terms
+from kowalevski_cas.algebra.polynomials import Coefficients, Polynomials, Terms
 from kowalevski_cas.tools import TOOLS
 from study.growth.work import growth
 
@@ -86,7 +86,7 @@ class Recording(Polynomials):
     def terms(self, polynomial: Recorded) -> Terms:
         return self.plain.terms(polynomial.value)
 
-    def from_terms(self, terms: Mapping[tuple[int, ...], Fraction]) -> Recorded:
+    def from_terms(self, terms: Coefficients) -> Recorded:
         return self._given(self.plain.from_terms(terms))
 
 

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import json
-import subprocess
 from functools import cached_property
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from kowalevski_cas.export import Format
+from kowalevski_cas.export import Format, witness
 from kowalevski_cas.export.polynomials import Polynomials
 from kowalevski_cas.problem import checker
 from study.labelled import Labelled
@@ -79,17 +78,8 @@ class Program(Method):
         return text
 
     def answer(self, prepared: str) -> Measured:
-        done = self._run(self._path)
-        said = done.stdout.decode("utf-8", "replace")
-        failed = said.strip()[-80:]
-        return answer(failed if done.returncode else self.format.objection(prepared, said))
+        code, said = self._run(self._path)
+        return answer(said.strip()[-80:] if code else self.format.objection(prepared, said))
 
-    def _run(self, path: Path) -> subprocess.CompletedProcess[bytes]:
-        return subprocess.run(
-            [*self.call, *self.format.arguments(path)],
-            cwd=path.parent,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            check=False,
-        )
+    def _run(self, path: Path) -> tuple[int, str]:
+        return witness.answer([*self.call, *self.format.arguments(path)], path.parent)

@@ -7,6 +7,7 @@ import pytest
 
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.catching import Measure
+from kowalevski_cas.audit.patch import mended
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source, decode, read_source
 from kowalevski_cas.audit.synthetic import synthetic
@@ -57,6 +58,18 @@ def source() -> Source:
 def audited() -> Audit:
     """The audit of the source as it is."""
     return audit(source(), base())
+
+
+@cache
+def patched() -> str:
+    """The source with its misprints mended."""
+    return mended(audited())
+
+
+@cache
+def audited_again() -> Audit:
+    """The audit of what is mended."""
+    return audit(Source("paper.tex", patched()), base())
 
 
 def work() -> Measure:

@@ -5,9 +5,8 @@ import random
 
 import pytest
 
-from kowalevski_cas.audit.patch import mended
 from kowalevski_cas.cli import main
-from tests.audit.material import audited, base, source
+from tests.audit.material import base, patched, source
 from tests.sample import sampled
 
 NAMED = ("--derivation", "kharlamov2002")
@@ -96,7 +95,7 @@ def test_patch(paper, capfdbinary):
 
 def test_nothing_but_words_is_wrong_after_the_patch(tmp_path, capsys):
     path = tmp_path / "mended.tex"
-    path.write_text(mended(audited()), encoding="utf-8")
+    path.write_text(patched(), encoding="utf-8")
     main(["audit", str(path), "--format", "json", *NAMED])
     value = json.loads(capsys.readouterr().out)
     assert value["summary"]["wrong"] == 1  # the sentence of the critical set

@@ -7,7 +7,7 @@ import pytest
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.listing import listing
 from kowalevski_cas.audit.source import Source, SourceError, decode
-from kowalevski_cas.cli.audit_formats import FORMATS, load_format
+from kowalevski_cas.cli.formats import OF_AUDITS, load_format
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.outcome import Verdict
 from tests.audit.material import base, source
@@ -41,8 +41,8 @@ def survives(data: bytes) -> None:
         result = audit(found, base())
     except SourceError:
         return
-    for name in FORMATS:
-        assert load_format(name)(result)
+    for name in OF_AUDITS:
+        assert load_format(name).audited(result)
 
 
 def survive(sources: list[bytes]) -> None:

@@ -18,7 +18,7 @@ PAPER = find("kharlamov2002")
 def copy(tmp_path):
     """A derivation with three of its certificates."""
     folder = tmp_path / "copied"
-    shutil.copytree(PAPER, folder, ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(PAPER, folder)
     record = json.loads((folder / "record.json").read_text())
     kept = ("eq6", "eq7", "eq14")
     record["claims"] = {claim: record["claims"][claim] for claim in kept}
@@ -31,8 +31,8 @@ def copy(tmp_path):
 
 def test_a_run_with_a_report_checks_them_as_make_verify_does(copy, tmp_path, capsys):
     makefile = (PAPER.parents[1] / "Makefile").read_text(encoding="utf-8")
-    assert "\t@$(RUN) verify --report reports\n" in makefile
-    arguments = ["verify", str(copy), "--arithmetic", "flint", "--only", "eq14"]
+    assert "\t@$(RUN) verify --arithmetic all --report reports\n" in makefile
+    arguments = ["verify", str(copy), "--only", "eq14"]
     arguments += ["--report", str(tmp_path / "out")]
     first, *others = certificate_files(copy)
     first.write_text("{}")
@@ -54,7 +54,7 @@ def test_a_line_says_what_is_proved(copy, capsys, monkeypatch):
     out = capsys.readouterr().out
     lines = out.splitlines()
     assert lines[0].startswith("eq14: it is false that ") and ", for " in lines[0]
-    assert lines[1].startswith("eq6: D(((J_1 ^ 2) + (J_2 ^ 2))) = 0; the differentials of ")
+    assert lines[1].startswith("eq6: D(J_1 ^ 2 + J_2 ^ 2) = 0; the differentials of ")
     assert lines[3].startswith("corrected/eq14: D(")
     assert lines[4:] == ["certificates: CERTIFIED 4 of 4"]
     monkeypatch.setenv("COLUMNS", "60")
@@ -65,7 +65,7 @@ def test_a_line_says_what_is_proved(copy, capsys, monkeypatch):
 def test_it_says_all_of_it(copy, capsys):
     assert main(["check", "--full", str(copy)]) == 0
     out = capsys.readouterr().out
-    assert "\neq6: D(" in out and "\n  D(((J_1 ^ 2) + (J_2 ^ 2))) = 0\n" in out
+    assert "\neq6: D(" in out and "\n  D(J_1 ^ 2 + J_2 ^ 2) = 0\n" in out
     assert "    variables: " in out and "    field: " in out and "    point: " in out
     with pytest.raises(SystemExit):
         main(["check", "--full", "-q", str(copy)])

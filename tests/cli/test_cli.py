@@ -121,7 +121,7 @@ def test_1_a_verdict_that_changes_in_either_direction(cli, write):
 
 
 def test_1_a_refuted_claim_without_a_record(cli, write):
-    code, out, _ = cli("verify", write(WRONG), "--arithmetic", "flint")
+    code, out, _ = cli("verify", write(WRONG))
     assert code == 1
     assert "\n✗   ẋ = −v\n✓   ẋ = v\n" in out
 
@@ -179,7 +179,7 @@ def test_4_the_arithmetics_disagree(cli, write, monkeypatch):
 
     monkeypatch.setattr(Session, "_judged", fickle)
     folder = write()
-    code, out, _ = cli("verify", folder)
+    code, out, _ = cli("verify", folder, "--arithmetic", "all")
     assert code == 4
     assert "the arithmetics disagree (flint: proved, symengine: proved, sympy: refuted)" in out
     code, _, err = cli("record", folder)
@@ -187,8 +187,13 @@ def test_4_the_arithmetics_disagree(cli, write, monkeypatch):
     assert not Path(folder, "record.json").exists()
 
 
+def test_a_run_says_which_arithmetics_decided(cli, write):
+    assert "2 proved; flint; " in cli("verify", write())[1]
+    assert "2 proved; flint, symengine, sympy; " in cli("verify", write(), "--arithmetic", "all")[1]
+
+
 def test_6_nothing_selected(cli):
-    code, _, err = cli("verify", "--only", "eq10.55", "--arithmetic", "flint")
+    code, _, err = cli("verify", "--only", "eq10.55")
     assert code == 6
     assert err.startswith(
         f"kowalevski-cas verify: there is no claim “eq10.55” in {', '.join(available())}; "
@@ -197,9 +202,9 @@ def test_6_nothing_selected(cli):
 
 
 def test_only_selects_the_derivations_that_have_the_claim(cli):
-    code, out, err = cli("verify", "--only", "psi-free", "--arithmetic", "flint")
+    code, out, err = cli("verify", "--only", "psi-free")
     assert (code, out) == (6, "") and "there is no claim “psi-free”" in err
-    code, out, err = cli("verify", "--only", "resultant.a", "--arithmetic", "flint")
+    code, out, err = cli("verify", "--only", "resultant.a")
     assert (code, err) == (0, "") and out.count("claims:") + out.count("claim:") == 1
 
 
@@ -316,7 +321,7 @@ def test_the_answer_comes_first_and_each_slip_once(cli, derivation, decided, mon
 
 
 def test_claim_by_claim(cli, monkeypatch):
-    only = ("--only", "eq9.i", "--only", "eq12", "--arithmetic", "flint")
+    only = ("--only", "eq9.i", "--only", "eq12")
     monkeypatch.setenv("COLUMNS", "60")
     _, narrow, _ = cli("verify", "kharlamov2002", "-v", *only)
     assert max(map(len, narrow.splitlines()[:-1])) <= 60
@@ -352,7 +357,7 @@ def claim(tex):
     ],
 )
 def test_a_formula_that_cannot_be_used_is_named(cli, write, tex, words):
-    code, out, err = cli("verify", write(claim(tex)), "--arithmetic", "flint")
+    code, out, err = cli("verify", write(claim(tex)))
     assert code == 2
     assert words in out + err
     assert len(out) < 3000
@@ -412,7 +417,7 @@ def test_seconds_are_a_finite_number(cli, write, seconds):
     ],
 )
 def test_a_claim_that_makes_no_sense_is_an_error(cli, write, body):
-    assert cli("verify", write(body), "--arithmetic", "flint")[0] in (1, 2, 3)
+    assert cli("verify", write(body))[0] in (1, 2, 3)
 
 
 # -- interrupts, pipes, imports -----------------------------------------------------
@@ -483,7 +488,7 @@ def test_record_shows_what_changed(cli, write):
 
 
 def test_a_reader_that_goes_away_is_no_error():
-    command = f"{sys.executable} -m kowalevski_cas verify kharlamov2002 --arithmetic flint --only eq6 | head -0"
+    command = f"{sys.executable} -m kowalevski_cas verify kharlamov2002 --only eq6 | head -0"
     done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, cwd=ROOT)
     assert done.stderr == ""
 
@@ -491,7 +496,7 @@ def test_a_reader_that_goes_away_is_no_error():
 def test_proving_with_flint_imports_no_other_library():
     script = (
         "import sys; from kowalevski_cas.cli import main; code = main("
-        "['verify', 'kharlamov2002', '--only', 'eq12', '--arithmetic', 'flint']);"
+        "['verify', 'kharlamov2002', '--only', 'eq12']);"
         "found = {'sympy', 'symengine', 'numpy', 'matplotlib', 'rich', 'typst', 'difflib'}"
         " & set(sys.modules); print(code, sorted(found), file=sys.stderr)"
     )
@@ -500,7 +505,7 @@ def test_proving_with_flint_imports_no_other_library():
 
 
 def test_python_m_is_the_command():
-    done = process("verify", "kharlamov2002", "--only", "eq6", "--arithmetic", "flint")
+    done = process("verify", "kharlamov2002", "--only", "eq6")
     assert (done.returncode, done.stderr) == (0, "")
     assert "1 claim: 1 proved; flint" in done.stdout
 
@@ -563,7 +568,7 @@ sys.exit(cli.main(["verify"]))
 
 
 def test_a_full_disk_is_said():
-    command = "verify kharlamov2002 --only eq6 --arithmetic flint > /dev/full"
+    command = "verify kharlamov2002 --only eq6 > /dev/full"
     done = subprocess.run(
         f"{sys.executable} -m kowalevski_cas {command}",
         shell=True, capture_output=True, text=True, cwd=ROOT,

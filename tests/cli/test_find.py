@@ -11,9 +11,15 @@ CLOSURE = ["find", "closure", "kharlamov2002", "--scene"]
 CASE = ["find", "integrals", "kharlamov2002", "--scene", "Kowalevski case"]
 
 
-def test_the_integrals_of_the_kowalevski_case(capsys):
-    assert main([*CASE, "--degree", "4"]) == 0
-    lines = capsys.readouterr().out.splitlines()
+def test_the_integrals_of_the_kowalevski_case_of_which_a_long_one_is_cut(capsys):
+    printed = []
+    for more in ([], ["-v"]):
+        assert main([*CASE, "--degree", "4", *more]) == 0
+        printed.append(capsys.readouterr().out.splitlines())
+    lines, full = printed
+    (cut,) = [k for k, line in enumerate(lines) if line.endswith(" letters: -v shows all)")]
+    assert full[cut].startswith(lines[cut].partition(" … (")[0]) and len(full[cut]) > 400
+    assert lines[:cut] == full[:cut] and lines[cut + 1 :] == full[cut + 1 :]
     assert lines[0].endswith(":  α₁² + α₂² + α₃²")
     assert lines[3].endswith(":  2ω₁² + 2ω₂² + ω₃² − 2α₁ − 2β₂")
     assert "each polynomial first integral up to degree 4 is a polynomial in these" in lines[6]
@@ -34,14 +40,6 @@ def test_a_degree_by_the_weights_of_the_motion(capsys):
     assert main([*CASE, "--degree", "6", "--weighted"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 8 and "ω₁ counts 1, ω₂ counts 1, ω₃ counts 1, α₁ counts 2" in lines[6]
-
-
-def test_what_was_found_in_time_is_kept(capsys):
-    assert main([*CASE, "--degree", "40", "--timeout", "2"]) == 3
-    said = capsys.readouterr()
-    *found, number = said.out.splitlines()
-    assert number == f"{len(found)} found"
-    assert "9 variables have 2054455634 monomials up to degree 40" in said.err
 
 
 def test_a_field_without_an_integral_is_answered_none(tmp_path, capsys):
@@ -98,7 +96,7 @@ def test_the_constants_for_which_a_polynomial_divides_its_derivative(capsys, tmp
     assert "only where σ = 0, or b = 2σ" in lines[1]
     assert "with K = −2σ where A = −2σ and b = 2σ" in lines[3]
     assert main(["find", "parameters", str(file), "x+y^2"]) == 0
-    assert "only where never" in capsys.readouterr().out
+    assert "for no values of the constants" in capsys.readouterr().out
     file.write_text(
         "from kowalevski_cas import System\ns = System(r'\\dot x=y,\\quad \\dot y=-x')\n"
     )
@@ -113,17 +111,20 @@ def test_cases_that_only_real_numbers_exclude(capsys, tmp_path):
     field = r"\dot x=-y+x(1-x^2-y^2),\quad \dot y=x+y(1-x^2-y^2)"
     file.write_text(f"from kowalevski_cas import System\ncycle = System(r'{field}')\n")
     assert main(["find", "parameters", str(file), "x+Ay"]) == 0
-    assert "proved  F' = KF only where never" in capsys.readouterr().out
+    assert "proved  F' = KF for no values of the constants" in capsys.readouterr().out
 
 
-def test_a_large_question_is_said_to_be_large_beforehand(tmp_path, capsys):
+def test_a_large_question_is_said_to_be_large_beforehand_and_what_was_found_in_time_is_kept(
+    tmp_path, capsys
+):
     file = tmp_path / "nahm.py"
     field = r"\dot x=yz,\quad \dot y=zx,\quad \dot z=xy"
     file.write_text(f"from kowalevski_cas import System\nnahm = System(r'{field}')\n")
     assert main(["find", "darboux", str(file), "--degree", "50", "--timeout", "1"]) == 3
     said = capsys.readouterr()
     assert "3 variables have 23426 monomials up to degree 50: the search ends before" in said.err
-    assert not said.out.startswith("0 found")
+    *found, number = said.out.splitlines()
+    assert number == f"{len(found)} found" != "0 found"
     main(["find", "integrals", str(file), "--degree", "25", "--timeout", "0.1"])
     assert "3 variables have 3276 monomials up to degree 25: it may take" in capsys.readouterr().err
 
@@ -166,6 +167,7 @@ def test_darboux_polynomials_and_the_constants_for_which_there_are_some(tmp_path
 TWO_FIELDS = ["find", "exponents", "kharlamov2002", "--scene", "Kowalevski case"]
 
 
+@pytest.mark.slow
 def test_kowalevski_exponents_of_two_fields(capsys):
     assert main([*TWO_FIELDS, "--format", "json"]) == 0
     weights, *found = json.loads(capsys.readouterr().out)
@@ -177,27 +179,19 @@ def test_kowalevski_exponents_of_two_fields(capsys):
     assert [len(one["computed"]) for one in found] == [2] * len(found)
 
 
-def test_the_steps_of_exponents_are_printed_only_if_they_are_asked_for(capsys):
-    assert main(TWO_FIELDS) == 0
+def test_the_steps_of_exponents_are_printed_only_if_they_are_asked_for(tmp_path, capsys):
+    file = tmp_path / "henon_heiles.py"
+    field = r"\dot x=u,\quad \dot y=v,\quad \dot u=-2xy,\quad \dot v=-x^2-6y^2"
+    file.write_text(f"from kowalevski_cas import System\nheiles = System(r'{field}')\n")
+    words = ["find", "exponents", str(file)]
+    assert main(words) == 0
     short = capsys.readouterr().out.splitlines()
     assert max(map(len, short)) < 400 and "counts" not in "".join(short[1:])
     assert [line.split()[0] for line in short[:4]] == ["proved", "proved", "computed", "computed"]
-    assert main([*TWO_FIELDS, "-v"]) == 0
+    assert main([*words, "-v"]) == 0
     full = capsys.readouterr().out.splitlines()
     assert all(long.startswith(line) for line, long in zip(short, full, strict=True))
     assert sum("det(" in line for line in full) == sum("balance" in line for line in short) == 2
-
-
-def test_a_long_formula_is_cut(capsys):
-    words = [*CASE, "--degree", "4"]
-    printed = []
-    for more in ([], ["-v"]):
-        assert main([*words, *more]) == 0
-        printed.append(capsys.readouterr().out.splitlines())
-    short, full = printed
-    (cut,) = [k for k, line in enumerate(short) if line.endswith(" letters: -v shows all)")]
-    assert full[cut].startswith(short[cut].partition(" … (")[0]) and len(full[cut]) > 400
-    assert short[:cut] == full[:cut] and short[cut + 1 :] == full[cut + 1 :]
 
 
 def test_without_a_degree_the_largest_exponent_is_taken(tmp_path, capsys):
@@ -287,7 +281,7 @@ def test_what_is_written_to_the_file_is_proved_there(tmp_path, capsys):
     for question in ("darboux", "integrals"):
         assert main(["find", question, str(file), "--write"]) == 0
     capsys.readouterr()
-    assert main(["verify", str(file), "--arithmetic", "flint"]) == 0
+    assert main(["verify", str(file)]) == 0
     assert "3 claims: " in capsys.readouterr().out
     assert main([*CASE, "--degree", "1", "--write"]) == 2
     assert "--write needs a file in which a System" in capsys.readouterr().err
@@ -298,15 +292,12 @@ def test_what_has_constants_of_its_own_is_written_and_certified_too(tmp_path, ca
     field = r"\dot x=y,\quad \dot y=6x^2+c"
     file.write_text(f"from kowalevski_cas import System\nelliptic = System(r'{field}')\n")
     assert main(["find", "exponents", str(file), "--write"]) == 0
-    assert (
-        main(["find", "parameters", str(file), "y^2+Ax^3+Bx", "--write", "--scene", "the system"])
-        == 0
-    )
+    assert main(["find", "parameters", str(file), "y^2+Ax^3+Bx", "--write"]) == 0
     lines = file.read_text().splitlines()
     assert r"elliptic.having('\\rho').states(" in lines[-5]
     assert "elliptic.having('A', 'B', " in lines[-1]
-    for words in (["verify", "--arithmetic", "flint"], ["record"], ["check"]):
-        assert main([words[0], str(file), *words[1:]]) == 0
+    for command in ("verify", "record", "check"):
+        assert main([command, str(file)]) == 0
     assert "CERTIFIED 4 of 4" in capsys.readouterr().out
 
 

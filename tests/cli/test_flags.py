@@ -82,7 +82,7 @@ def hangs(tmp_path):
 
 def test_a_claim_that_hangs_in_compiled_code_ends_at_its_limit(hangs):
     done = subprocess.run(
-        [*KOWALEVSKI, "verify", "hangs", "--timeout", "2", "--arithmetic", "flint"],
+        [*KOWALEVSKI, "verify", "hangs", "--timeout", "2"],
         cwd=hangs.parent, env=_environment(), capture_output=True, text=True, timeout=60,
     )  # fmt: skip
     assert done.returncode == 3 and done.stderr == ""

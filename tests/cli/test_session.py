@@ -2,7 +2,10 @@
 
 import json
 import os
+import subprocess
+import sys
 from argparse import Namespace
+from pathlib import Path
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -33,12 +36,26 @@ def test_each_claim_is_in_one_share_and_no_share_is_empty(parts, data):
 
 def test_however_many_processes_decide_the_outcomes_are_the_same(monkeypatch, capsys):
     found = []
-    for cores in (1, 2, 3):
+    for cores in (1, 3):
         monkeypatch.setattr(verify, "CORES", cores)
-        chosen = [f"--only={id}" for id in ("eq9.i", "eq10.1", "eq14", "eq12", "eq21")]
-        main(["verify", "kharlamov2002", "--arithmetic=flint", "--format=json", *chosen])
+        chosen = [f"--only={id}" for id in ("eq10.1", "eq14", "eq12", "eq21")]
+        main(["verify", "kharlamov2002", "--format=json", *chosen])
         found.append(json.loads(capsys.readouterr().out, object_hook=untimed))
-    assert found[0] == found[1] == found[2]
+    assert found[0] == found[1]
+
+
+def test_outcomes_do_not_depend_on_the_order_of_sets():
+    """Strings are hashed differently in each process; two of these seeds once gave two orders."""
+    command = [sys.executable, "-m", "kowalevski_cas", "verify", "bobenko_reyman_semenov1989"]
+    found = [
+        subprocess.run(
+            [*command, "--format=json"], env={**os.environ, "PYTHONHASHSEED": seed},
+            cwd=Path(__file__).parents[2], capture_output=True, check=True,
+        ).stdout
+        for seed in "01"
+    ]  # fmt: skip
+    first, second = (json.loads(text, object_hook=untimed) for text in found)
+    assert first == second
 
 
 def untimed(data):

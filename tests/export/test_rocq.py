@@ -36,7 +36,8 @@ def rocq(tmp_path_factory, pytestconfig):
     """
     version = subprocess.run(["coqc", "--version"], capture_output=True, text=True).stdout
     known = sha256("".join([version, *ROCQ.shared().values()]).encode()).hexdigest()[:16]
-    compiled = pytestconfig.cache.mkdir(f"rocq-{known}")
+    compiled = pytestconfig.rootpath / ".pytest_cache" / f"rocq-{known}"
+    compiled.mkdir(parents=True, exist_ok=True)
     for name, text in ROCQ.shared().items():
         if not (compiled / name).with_suffix(".vo").exists():
             (compiled / name).write_text(text, encoding="utf-8")

@@ -1,6 +1,6 @@
 """What is printed below a line is a condition wherever it stands, also where it cancels."""
 
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas import System
@@ -30,5 +30,17 @@ def test_what_is_divided_by_is_named(formula, around):
     for one in around:
         formula = one.replace("%s", formula)
     outcome = SYSTEM.identity(f"{formula}={formula}").outcome
+    assert outcome.verdict is Verdict.CONDITIONAL
+    assert "y" in [to_latex(condition.expression) for condition in outcome.conditions]
+
+
+@settings(max_examples=15)
+@given(st.sampled_from(LEAVES), st.sampled_from([one for one in AROUND if "{d}" not in one]))
+def test_what_the_motion_divides_by_is_named(formula, around):
+    """Also where nothing is left of it: the equations of motion say nothing where it vanishes."""
+    formula = around.replace("%s", formula)
+    given = r"F=\frac1y,\ G(x)=\frac xy,\ \{x,z\}=1,\ {\bf A}=\begin{pmatrix}F&1\\0&x\end{pmatrix}"
+    system = System(rf"\dot u=({formula})-({formula}),\ \dot x=y,\ \dot y=z,\ \dot z=x,\ {given}")
+    outcome = system.integral("u").outcome
     assert outcome.verdict is Verdict.CONDITIONAL
     assert "y" in [to_latex(condition.expression) for condition in outcome.conditions]

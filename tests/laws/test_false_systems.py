@@ -8,6 +8,8 @@ from kowalevski_cas import System
 from kowalevski_cas.paper.claims import AllIntegrals
 from tests.laws.falsehoods import NAMES, Maker, Polynomial
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 FEW, MANY = 2, 100
 
 

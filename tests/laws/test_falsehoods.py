@@ -10,6 +10,8 @@ from kowalevski_cas.verify.run import verify
 from tests.laws.falsehoods import KINDS, NAMES, Maker
 from tests.laws.systems import Stated, System
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 FEW, MANY = 3, 200
 
 

@@ -13,6 +13,8 @@ from kowalevski_cas.verify.run import Session, verify
 from tests.laws.systems import NAME, SYSTEMS, System
 from tests.sample import sampled
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 GREEN = ("proved", "conditional")
 
 

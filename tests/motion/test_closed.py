@@ -8,7 +8,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, Motion, Parameters, all_regimes, load
-from kowalevski_cas.motion.formulas import equations, integrals
+from kowalevski_cas.motion.formulas import offered
 from kowalevski_cas.motion.methods.ball import enclosures
 from kowalevski_cas.motion.point import on_N4
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
@@ -79,7 +79,7 @@ def test_its_derivative_is_the_right_hand_side(motion, t):
         slope = [
             (w - 8 * x + 8 * y - z) / float(12 * h) for w, x, y, z in zip(a, b, d, e, strict=True)
         ]
-        expected = equations()(*closed(motion, np.array([start]))[0])
+        expected = offered("equations")(*closed(motion, np.array([start]))[0])
         scale = 1 + np.linalg.norm(expected)
         assert np.linalg.norm(np.array(slope) - expected) < 1e-11 * scale
         assert c == [0.0] * 9
@@ -90,7 +90,7 @@ def test_its_integrals_have_the_values_of_its_constants_to_rounding(motion, t):
     states, known = closed(motion, t), motion.parameters
     expected = (known.h, known.k, known.a**2, known.b**2, 0, known.g, 0, 0)
     size = max(1.0, np.max(np.abs(states))) ** 6
-    for values, value in zip(integrals()(*states.T), expected, strict=True):
+    for values, value in zip(offered("integrals")(*states.T), expected, strict=True):
         assert np.max(np.abs(values - float(value))) < 1e-13 * size
 
 
@@ -115,7 +115,7 @@ def test_the_signs_are_those_of_the_third_components_just_after_the_origins(regi
     assert (np.sign(state[5]), np.sign(state[8])) == signs
 
 
-@pytest.mark.parametrize("region", sampled([(r,) for r in EVERY_REGIME if r[1] > "0"], 3))
+@pytest.mark.parametrize("region", sampled([(r,) for r in EVERY_REGIME if r[1] > "0"], 1))
 def test_ell_changes_sign_where_s1_passes_through_infinity(region):
     # With the positive root of x1x2, ℓ keeps its sign for m > 0; for m < 0 both signs occur.
     states = closed(motion(*region, origins=ORIGINS), np.linspace(0, 30, 12))

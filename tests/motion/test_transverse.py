@@ -102,7 +102,9 @@ def test_motions_leave_n4_at_the_predicted_rate(m, ell):
     assert np.polyfit(times[late], far[late], 1)[0] == pytest.approx(rate, rel=0.1)
 
 
-@pytest.mark.parametrize(("m", "ell"), [("0.8", "0.9"), ("0.5", "1.45"), ("0.3", "1.7")])
+@pytest.mark.parametrize(
+    ("m", "ell"), sampled([("0.8", "0.9"), ("0.5", "1.45"), ("0.3", "1.7")], 1)
+)
 def test_motions_near_elliptic_tori_stay_near(m, ell):
     here = motion(m, ell)
     assert exponent(here.parameters).real == 0 != exponent(here.parameters).imag

@@ -29,6 +29,8 @@ def shown(text):
         ("on $N^4$, at $E_1$", "on N⁴, at E₁"),
         ("the roots of $\\varphi$", "the roots of φ"),
         ("as $\\beta\\to 0$, or at $\\pm a$", "as β → 0, or at ±a"),
+        ("at $x_1=0,\\ x_2=\\frac{1}{2}$", "at x₁ = 0, x₂ = 1/2"),
+        ("nothing: $$", "nothing: $$"),
         ("$\\frac{$ is typed", "$\\frac{$ is typed"),
     ],
 )

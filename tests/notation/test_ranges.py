@@ -36,11 +36,34 @@ def test_a_statement_stands_for_all_values_of_its_index(first, more):
         (r"z=y,\ x_i=iy\ (i=1,2)", "z=y x_1=1y x_2=2y"),
         (r"x_{i+1}=q_{1+2}y_i, i=1,2", "x_2=q_{1+2}y_1 x_3=q_{1+2}y_2"),
         (r"x_i = y_i \quad (i=1,2,\cdots,n)", "x_i=y_i"),
+        (r"x_i=\sum_{i=1}^2y_i, i=1,2", r"x_1=\sum_{i=1}^{2}y_i x_2=\sum_{i=1}^{2}y_i"),
+        (r"x=\sum_{i\ne j}y_{ij}, i,j=1,2", "x=y_{12}+y_{21}"),
+        (r"x=\sum_{i,j}y_{ij}+z, i,j=1,2", "x=(y_{11}+y_{12}+y_{21}+y_{22})+z"),
+        (r"x=2\sum_{1\leqslant i<j\leqslant3}y_i z_j", "x=2(y_1z_2+y_1z_3+y_2z_3)"),
+        (r"x=\sum_{i=1}^2\sum_{j<i}(y_{ij}+z), j=1,2", "x=0+(y_{21}+z)"),
+        (r"x_{i+2}=x_i, i=1,2", "x_2=x_0 x_3=x_1 x_4=x_2"),
+        (r"x_i=x_{i+2}\quad(i=0,1)", "x_0=x_2 x_1=x_3"),
         (r"\begin{align} x_i &= y, \\ z_i &= y, & i&=1,2 \end{align}", "x_1=y x_2=y z_1=y z_2=y"),
     ],
 )  # fmt: skip
 def test_what_a_range_says(tex, expected):
     assert statements(tex) == expected.split()
+
+
+@given(st.integers(1, 5), st.sampled_from(["<", r"\le", ">", r"\ge", r"\ne"]), st.booleans())
+def test_a_sum_has_the_terms_that_are_printed_below_it(n, sign, free):
+    """Of an index beside another one, which is that of the statement, or also of the sum."""
+    holds = {"<": int.__lt__, r"\le": int.__le__, ">": int.__gt__, r"\ge": int.__ge__}
+    every = range(1, n + 2)
+    pairs = [(j, i) for j in every for i in every if holds.get(sign, int.__ne__)(j, i)]
+
+    def total(i=None):
+        terms = [f"a_{{{j}{k}}}y_{j}" for j, k in sorted(pairs) if i in (None, k)]
+        return "+".join(terms) or "0"
+
+    expected = [f"x_{i}={total(i)}" for i in every] if free else [f"x={total()}"]
+    left, values = "x_i" if free else "x", ",".join(map(str, every))
+    assert statements(rf"{left}=\sum_{{j{sign} i}}a_{{ji}}y_j,\quad i,j={values}") == expected
 
 
 def test_what_is_defined_has_the_values_as_indices():
@@ -56,7 +79,11 @@ def test_what_is_defined_has_the_values_as_indices():
         (r"x_{i-2}=y, i=1,2", "a product, or several indices"),
         (r"x_{ij}=y, i,j=9,10", "a product, or several indices"),
         (r"x_i=y^i, i=1,2", "is this a power or an index"),
-        (r"x_i=\sum_{i=1}^3y_i, i=1,2", "i is the index of a sum and of the statements"),
+        (r"x_i=\sum_{j=1}^iy_j, i=1,2", "is this a power or an index"),
+        (r"x=\sum_j", "print where the sum begins and ends"),
+        (r"x=\sum_{i<j}y_{ij}", "print where the sum begins and ends"),
+        (r"x=\sum_{i<2j}y_{ij}, i,j=1,2", "print where the sum begins and ends"),
+        (r"x=\sum_{j=1}^{n}y_{kj}, x_i=\sum_{j\ne k}y_{ij}, i=1,2", "print where the sum begins"),
         (r"x_i=y, i=1,2, z_i=y, i=3,4", "a second range of i"),
     ],
 )

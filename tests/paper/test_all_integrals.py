@@ -8,6 +8,7 @@ from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.found import Finding, with_findings
 from kowalevski_cas.verify.run import Session, verify
 from tests.laws.systems import EULER, LORENZ, SPECIAL_LORENZ, TODA, VOLTERRA
+from tests.sample import sampled
 
 
 def claimed(system, degree, *integrals, weights=()):
@@ -31,7 +32,7 @@ CASES = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("system", "degree", "integrals", "verdict"), CASES)
+@pytest.mark.parametrize(("system", "degree", "integrals", "verdict"), sampled(CASES, 6))
 def test_the_verdict_in_every_arithmetic_and_its_certificate(system, degree, integrals, verdict):
     derivation = claimed(system, degree, *integrals)
     (outcome,) = verify(derivation, EXACT).outcomes
@@ -54,7 +55,9 @@ DARBOUX = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("system", "cofactor", "degree", "found", "integrals", "verdict"), DARBOUX)
+@pytest.mark.parametrize(
+    ("system", "cofactor", "degree", "found", "integrals", "verdict"), sampled(DARBOUX, 5)
+)
 def test_all_darboux_polynomials_with_a_cofactor(
     system, cofactor, degree, found, integrals, verdict
 ):

@@ -120,8 +120,9 @@ def test_another_number_is_refuted(session, count: int) -> None:
     assert found.right == Number(count) and found.left in (Number(4), Number(count + 1))
 
 
-def test_each_mutant_is_refuted(session) -> None:
-    mutants = list(CLAIM.neighbours(session.texts))
+@pytest.mark.parametrize("many", [1, pytest.param(None, marks=pytest.mark.slow)])
+def test_each_mutant_is_refuted(session, many: int | None) -> None:
+    mutants = list(CLAIM.neighbours(session.texts))[:many]
     assert mutants
     for neighbour in mutants:
         assert denied(session, neighbour.claim)

@@ -7,6 +7,8 @@ from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import verify
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 VOLTERRA = r"\dot x=\alpha x-\beta xy,\quad \dot y=\delta xy-\gamma y"
 INTEGRAL = r"\delta x-\gamma\ln x+\beta y-\alpha\ln y"
 

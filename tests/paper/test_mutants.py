@@ -105,11 +105,11 @@ def is_slow(name, id):
 
 
 OF_EACH_KIND = {
-    (name, type(claim)): (name, id)
+    type(claim): (name, id)
     for (name, id), claim in reversed(CLAIMS.items())
     if not is_slow(name, id)
 }
-"""The first claim of each kind in each derivation: a quick run looks at these."""
+"""The first claim of each kind: a quick run looks at these."""
 
 MUTABLE = [
     pytest.param(
@@ -157,7 +157,9 @@ def is_level(formula, names):
 
 
 @pytest.mark.parametrize("enough", ENOUGH)
-@pytest.mark.parametrize("id", [id for id, claim in FIRST.items() if on_by_hand(claim)])
+@pytest.mark.parametrize(
+    "id", sampled([id for id, claim in FIRST.items() if on_by_hand(claim)], 15)
+)
 def test_the_two_values_are_those_that_plain_python_finds(id, enough):
     session, claim, checked = SESSIONS["kharlamov2002"], FIRST[id], 0
     for neighbour, statement, denial, accepted in refuted_mutants(session, claim):
@@ -208,7 +210,7 @@ def test_the_two_values_are_those_that_plain_python_finds(id, enough):
 NAMES = "eq10.1 eq10.5 theta-prime eq12 U1-prime eq14 F2-prime eq13.conjugate".split()
 
 
-@pytest.mark.parametrize("id", sampled(NAMES, 3))
+@pytest.mark.parametrize("id", sampled(NAMES, 2))
 def test_no_single_edit_of_an_identity_in_the_complex_variables_is_true(id):
     """But for the correction of what is misprinted."""
     session, claim = SESSIONS["kharlamov2002"], FIRST[id]

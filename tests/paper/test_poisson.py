@@ -6,6 +6,8 @@ from kowalevski_cas import System
 from kowalevski_cas.verify.outcome import Verdict
 from tests.sample import sampled
 
+pytestmark = pytest.mark.usefixtures("uncorrected")
+
 PROVED, REFUTED = Verdict.PROVED, Verdict.REFUTED
 
 MOMENTA = r"\{x,y\}=z,\quad \{y,z\}=x,\quad \{z,x\}=y"

@@ -1,7 +1,7 @@
 """A statement about a set is about all of it: no point makes it green by itself."""
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.notation import to_latex
@@ -17,6 +17,8 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.derivation import Locus, Scene, Section
 from tests.paper.small import decide
+
+pytestmark = pytest.mark.usefixtures("uncorrected")
 
 SPACE = Scene("space", "", variables=("x", "y", "z"))
 
@@ -89,6 +91,7 @@ def test_complex_equations_count_twice(paper):
     assert paper.dimension(1, "xy=1", scene=scene).verdict == "proved"
 
 
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.lists(st.integers(-3, 3), min_size=3, max_size=3), st.integers(-3, 3))
 def test_quadrics_are_manifolds_but_for_cones(squares, level):
     """a x^2 + b y^2 + c z^2 = d is regular exactly if it does not hold where the slope vanishes."""

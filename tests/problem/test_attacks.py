@@ -213,7 +213,7 @@ class TestCases:
 
     def test_a_sum_of_squares_vanishes_with_each(self):
         (found,) = accepted([XY], [self.GOAL], [self.PROOF])
-        assert found.words == "x = 0, y = 0 wherever ((x ^ 2) + (y ^ 2)) = 0"
+        assert found.words == "x = 0, y = 0 wherever x ^ 2 + y ^ 2 = 0"
 
     def test_but_not_for_complex_names(self):
         rejected([{**XY, "conjugates": [["x", "y"]]}], [self.GOAL], [self.PROOF], "real names")

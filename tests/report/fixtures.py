@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 from hashlib import sha256
 from itertools import groupby
 from typing import Any
@@ -35,6 +36,7 @@ P, C, R = Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED
 ALL = ("flint", "symengine", "sympy")
 
 
+@cache
 def read(tex: str) -> tuple[Formula, ...]:
     """The formulas of a source; none where there is nothing that can be read."""
     try:

@@ -9,13 +9,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.notation import Formula
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.report import contents
 from kowalevski_cas.report.compare import unmarked
 from kowalevski_cas.report.document import (
     Claim,
     Display,
     Document,
+    Graph,
     Heading,
     Link,
     Paragraph,
@@ -143,6 +144,11 @@ class TestWrong:
         pair = [claim(n, "1", "x=x", n, C, conditions=(needed,)) for n in ("one", "other")]
         blocks = document(*pair).blocks
         assert "two hold only under a hypothesis that the paper" in said(blocks[0]).lower()
+        several = [
+            claim(n, "1", "x=x", n, C, conditions=(replace(needed, expression=Name(n)),))
+            for n in ("y", "z")
+        ]
+        assert "hypotheses that the paper does not state (two in all)" in said(document(*several))
         assert "One missing hypothesis" in said(blocks)
 
     def test_an_unmended_refutation_says_so(self) -> None:
@@ -154,7 +160,7 @@ class TestWrong:
     @pytest.mark.parametrize(
         ("chosen", "sentence"),
         [
-            ([claim("a", "1", "x=x", "", P)], "Of one formula or statement, one holds as printed."),
+            ([claim("a", "1", "x=x", "", P)], "The only statement holds as printed."),
             (
                 [claim("a", "1", "x=x", "", P), claim("b", "1", "x=y", "", R, correction=correction("x=x", "", P, place="b"))],
                 "Of two formulas and statements, one holds as printed. One is spoiled by one misprint.",
@@ -169,7 +175,7 @@ class TestWrong:
         first = document(*chosen).blocks[0]
         assert isinstance(first, Paragraph) and said(first.text) == sentence
 
-    @given(st.lists(st.sampled_from([P, C, R, Verdict.UNDECIDED]), min_size=1, max_size=9))
+    @given(st.lists(st.sampled_from([P, C, R, Verdict.UNDECIDED]), min_size=2, max_size=9))
     def test_the_numbers_in_it_add_up(self, verdicts: list[Verdict]) -> None:
         chosen = [
             claim(f"c{k}", "1", "x=x", "", v, conditions=(condition("x", ""),) if v is C else ())
@@ -208,6 +214,15 @@ class TestEvidence:
         text = said(document(claim("a", "1", "x=x", "", P, steps=told)).blocks)
         assert "This does:" in text and "says nothing" not in text
 
+    def test_a_box_of_the_graph_shows_what_is_stated_if_that_is_short(self) -> None:
+        long = "x=1+2+3+4+5+6+7+8+9+10+11+12"
+        one = claim("one", "1", "x=x", "", P)
+        two = claim("two", "1", "", "$x$ is real", P, rests_on=("one",))
+        three = claim("three", "1", long, "a statement of more words than there is room", P,
+            rests_on=("one",))  # fmt: skip
+        (drawn,) = (p.picture for p in parts(document(one, two, three)) if isinstance(p, Graph))
+        assert [box.label for box in drawn.boxes] == ["1.1 x = x", "1.2 x is real", "1.3"]
+
     def test_arithmetics_that_disagree_are_named(self) -> None:
         assert "FLINT says undecided and SymPy says timeout" in said(WHOLE.blocks)
 
@@ -239,7 +254,7 @@ class TestEvidence:
         one = run(claim("a", "1", "x=x", "", P))
         (section,) = in_order(one)
         lead = said(contents(one, [replace(section, copied=False)]).blocks[0])
-        assert "one holds as stated here" in lead and "printed" not in lead
+        assert "The only statement holds as stated here" in lead and "printed" not in lead
 
 
 class TestOnPaper:

@@ -1,12 +1,9 @@
 """Pictures that other commands left beside a report."""
 
 import json
-from io import BytesIO
 from pathlib import Path
-from random import Random
 
 import pytest
-from PIL import Image
 from pypdf import PdfReader
 
 from kowalevski_cas.pictures import new_figure, save, style
@@ -14,7 +11,7 @@ from kowalevski_cas.report import contents, pdf
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.pdf import write_report
-from kowalevski_cas.report.plates import Plate, for_a_page, plates
+from kowalevski_cas.report.plates import Plate, plates
 from tests.report.fixtures import P, claim, in_order, run
 
 SMALL = run(claim("a", "1", "x=x", "", P))
@@ -46,18 +43,6 @@ def test_a_report_shows_the_pictures_of_its_derivation_that_are_there(tmp_path: 
 def test_a_list_that_cannot_be_read_shows_nothing(tmp_path: Path, text: str) -> None:
     (offer(tmp_path / "motion") / "plates.json").write_text(text)
     assert plates(tmp_path, "kharlamov2002") == ()
-
-
-def test_a_page_carries_it_small(tmp_path: Path) -> None:
-    rng = Random(1)
-    size = (1600, 40)
-    noise = Image.new("RGB", size)
-    noise.putdata([tuple(rng.choices(range(256), k=3)) for _ in range(size[0] * size[1])])
-    noise.save(tmp_path / "noise.png")
-    small = for_a_page(tmp_path / "noise.png")
-    assert len(small) < (tmp_path / "noise.png").stat().st_size / 3
-    assert Image.open(BytesIO(small)).size == (1200, 30)
-    assert for_a_page(tmp_path / "noise.png") == small
 
 
 @pytest.mark.parametrize(

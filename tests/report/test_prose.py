@@ -70,12 +70,13 @@ def test_fonts_reach_to_the_end_of_their_group() -> None:
 
 def test_references_citations_and_the_literature() -> None:
     to = Link("claim.eq1", ("1",))
-    first, literature = read(
+    first, heading, literature = read(
         r"See (\ref{eq}), \eqref{eq}, \ref{no}; \cite{b,none}."
         r"\begin{thebibliography}{9}\bibitem{a} One.\bibitem{b} Two.\end{thebibliography}",
         eq=to,
     )
     assert said(first.text) == "See (claim.eq11), (claim.eq11), no; [bib.b2, none]."
+    assert isinstance(heading, Heading) and heading.text == ("References",)
     assert isinstance(literature, Items)
     assert [item[0].anchor for item in literature.items] == ["bib.a", "bib.b"]
 

@@ -4,10 +4,11 @@ import re
 
 import pytest
 
-from kowalevski_cas.notation import to_typst
+from kowalevski_cas.notation import Name, Number, Power, Product, Sum, to_plain, to_typst
 from kowalevski_cas.notation.latex import LATEX
 from kowalevski_cas.notation.mathml import MATHML
 from kowalevski_cas.notation.typst import TYPST
+from kowalevski_cas.report.html import HtmlSetter
 from kowalevski_cas.report.latex import LatexSetter
 from kowalevski_cas.report.pieces import joined, measured, pieces
 from kowalevski_cas.report.typst import TypstSetter
@@ -20,6 +21,9 @@ FORMULAS = [
         for formula in (*outcome.formulas, *(f for step in outcome.steps for f in step.formulas))
     )
 ]
+SN, CN, U = Name(r"\mathrm{sn}"), Name(r"\mathrm{cn}"), Name("u")
+WORDS = Product((Name("k"), Power(SN, Number(2)), CN, U))
+FORMULAS += [WORDS, Product((U, Sum((Name("x"), Name("y")))))]
 LATEX_SETTER, TYPST_SETTER = LatexSetter(), TypstSetter()
 
 
@@ -36,9 +40,26 @@ def test_lines_hold_everything(formula, room):
     body = LATEX_SETTER.display([formula], room)
     said = re.sub(r"\\(begin|end)\{aligned\}|\\\\|\\[bB]ig+[lr]|\\q+uad|\{\}|&|\s", "", body)
     said = re.sub(r"\\left|\\right", "", said)
-    whole = re.sub(r"\\left|\\right|\\\\|&|\s", "", LATEX(formula))
+    whole = re.sub(r"\\left|\\right|\\\\|&|\s", "", LATEX_SETTER.inline(formula))
     # A fraction that is taken apart stands behind its denominator, in brackets.
     assert said == whole or sorted(said) == sorted(whole + "1()" * said.count(r"\frac{1}"))
+
+
+def test_words_stand_apart_from_other_factors():
+    assert LATEX_SETTER.inline(WORDS) == r"k\,\mathrm{sn}^2\,\mathrm{cn}\,u"
+    assert TYPST_SETTER.inline(WORDS) == 'k thin upright("sn")^(2) thin upright("cn") thin u'
+    assert MATHML(WORDS).count("mspace width") == 3
+    assert to_plain(WORDS) == "k sn² cn u"
+    nine = Product((Number(3), Number(3)))
+    assert (LATEX(nine), to_plain(nine)) == (r"3\times3", "3×3")
+    assert LATEX(WORDS) == r"k\mathrm{sn}^2\mathrm{cn}u"  # what is read again has no spaces
+
+
+def test_a_sign_at_which_a_line_may_be_broken_stays_between_two_parts():
+    left = read(EQ16)[0].members[0]
+    parts = HtmlSetter().inline(Sum((left, *left.terms))).split(" <math>")
+    assert len(parts) > 1
+    assert all(part.startswith('<mo form="infix">') for part in parts[1:])
 
 
 def test_short_formulas_share_a_line_and_others_are_aligned():

@@ -2,10 +2,11 @@
 
 from collections import Counter
 from fractions import Fraction
+from itertools import combinations_with_replacement
 
 import pytest
-from flint import fmpq
-from hypothesis import given
+from flint import fmpq, fmpq_mat
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -141,6 +142,51 @@ def test_scaling_variables_changes_no_exponent_and_minus_one_is_always_one(matri
         for _, balances in (kept, changed)
     )
     assert first == second
+
+
+PAIRS = [*combinations_with_replacement(range(3), 2)]
+digits = st.integers(-9, 9).filter(bool)
+
+
+@settings(max_examples=15)
+@given(st.lists(st.tuples(*6 * [digits]), min_size=3, max_size=3), st.tuples(*3 * [digits]))
+def test_a_balance_of_a_field_with_all_quadratic_terms_is_found(rows, c):
+    """The first coefficients are chosen so that c + f(c) = 0."""
+    fields = []
+    for row, value in zip(rows, c, strict=True):
+        rest = sum(a * c[j] * c[k] for a, (j, k) in zip(row[1:], PAIRS[1:], strict=True))
+        fields.append([Fraction(-value - rest, c[0] ** 2), *row[1:]])
+    tex = []
+    for name, row in zip("xyz", fields, strict=True):
+        numbers = (Fraction(a) for a in row)
+        terms = (
+            rf"(\frac{{{a.numerator}}}{{{a.denominator}}}){'xyz'[j]}{'xyz'[k]}"
+            for a, (j, k) in zip(numbers, PAIRS, strict=True)
+        )
+        tex.append(rf"\dot {name}={'+'.join(terms)}")
+    part, balances = found(r",\quad ".join(tex))
+    at = [part.context.constant(0), *map(part.context.constant, c), part.exponent]
+    (own,) = [
+        one
+        for one in balances
+        if not any(e.compose(*at, ctx=part.context) for e in one.equations.equations)
+    ]
+    slope = fmpq_mat([[slope_of(row, i, j, c) for j in range(3)] for i, row in enumerate(fields)])
+    expected = slope.charpoly()
+    computed = own.characteristic[2].compose(*at, ctx=part.context)
+    powers = (a * part.exponent**k for k, a in enumerate(expected.coeffs()))
+    assert computed / computed.leading_coefficient() == sum(powers, part.context.constant(0))
+    roots = [Fraction(int(r.p), int(r.q)) for r, power in expected.roots() for _ in range(power)]
+    assert [*own.exponents] == sorted(roots) and -1 in roots
+
+
+def slope_of(row, i, j, c):
+    """The derivative of x_i + f_i by x_j at c."""
+    terms = (
+        fmpq(a.numerator, a.denominator) * ((j == k) * c[m] + (j == m) * c[k])
+        for a, (k, m) in zip(map(Fraction, row), PAIRS, strict=True)
+    )
+    return sum(terms, fmpq(i == j))
 
 
 monomials = st.tuples(*3 * [st.integers(0, 3)])

@@ -2,10 +2,11 @@
 
 from fractions import Fraction
 from itertools import islice
+from math import prod
 
 import pytest
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
-from hypothesis import assume, given
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra.weights import weights
@@ -14,6 +15,7 @@ from kowalevski_cas.search.cofactors import cofactors, pseudo_divide
 from kowalevski_cas.search.levels import value
 from kowalevski_cas.search.points import constant, points
 from kowalevski_cas.search.squares import sum_of_squares
+from kowalevski_cas.system import System
 from kowalevski_cas.verify.outcome import in_latex
 from tests.algebra.strategies import nonzero, simple, terms, tower
 from tests.paper.small import Oscillator, decide
@@ -74,6 +76,30 @@ def test_points_of_a_sphere_and_of_nothing():
     assert any(True for _ in points([x**2 + y**2 + z**2 - 1], range(3)))
     assert list(islice(points([x**2 + y**2 + z**2 + 1], range(3)), 1)) == []
     assert list(points([x - x + 1], range(3))) == []
+
+
+rationals = st.fractions(-3, 3, max_denominator=4)
+
+
+@given(st.sets(rationals, min_size=1, max_size=4), st.sets(rationals, min_size=1, max_size=2))
+def test_all_rational_points_of_equations_in_one_unknown_after_another_are_found(roots, shifts):
+    x, y, _ = CONTEXT.gens()
+    one = CONTEXT.constant(1)
+    f = prod((x - fmpq(r.numerator, r.denominator) for r in roots), start=x**2 - 2 * one)
+    g = prod((y - x - fmpq(r.numerator, r.denominator) for r in shifts), start=one)
+    found = {(at[0], at[1]) for at in points([f, g], range(2))}
+    assert found == {(root, root + shift) for root in roots for shift in shifts}
+
+
+@settings(max_examples=6)
+@given(st.fractions(0, 5, max_denominator=6).filter(bool), st.booleans())
+def test_a_constant_that_is_given_by_its_square_may_be_negative(value, rational):
+    system = System(r"\dot x=bx")
+    number = rf"\frac{{{value.numerator}}}{{{value.denominator}}}"
+    square, root = (f"({number})^2", number) if rational else (number, rf"\sqrt{{{number}}}")
+    special = system.where(f"b^2={square}")
+    assert special.identity(f"b^2={square}").verdict == "proved"
+    assert special.identity(f"b={root}").verdict == "refuted"
 
 
 @given(st.lists(st.tuples(nonzero.map(abs), terms(3, 1)), min_size=1, max_size=3))

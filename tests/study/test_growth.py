@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from itertools import product
+
 import pytest
 
 from kowalevski_cas.algebra import load
@@ -8,10 +10,12 @@ from study.growth import draw
 from study.growth.trace import LANGUAGES, program, recorded
 from study.growth.work import growth, steps
 from study.process import race
+from tests.sample import sampled
 
 
-@pytest.mark.parametrize("claim", ["eq15", "eq16.invariance"])
-@pytest.mark.parametrize("arithmetic", ["flint", "sympy"])
+@pytest.mark.parametrize(
+    ("claim", "arithmetic"), sampled(product(["eq15", "eq16.invariance"], ["flint", "sympy"]), 2)
+)
 def test_derivatives_of_the_relations_are_powers_of_the_matrix(claim, arithmetic):
     assert len(list(steps(growth(claim, load(arithmetic)), 2))) == 2
 

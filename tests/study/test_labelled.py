@@ -12,20 +12,22 @@ def statements():
     return labelled(1, ["kharlamov2002"])
 
 
-def test_every_identity_is_true_and_every_misprint_is_false(statements):
-    assert {s.truth for s in statements if s.kind == TRUE} == {True}
-    assert {s.truth for s in statements if s.kind == MISPRINT} == {False}
+@pytest.mark.parametrize("many", [4, pytest.param(None, marks=pytest.mark.slow)])
+def test_every_identity_is_true_and_every_misprint_is_false(statements, many):
+    assert {s.truth for s in [s for s in statements if s.kind == TRUE][:many]} == {True}
+    assert {s.truth for s in [s for s in statements if s.kind == MISPRINT][:many]} == {False}
     assert Counter(s.kind for s in statements)[TRUE] > 25
 
 
-def test_there_are_near_misses_of_each_kind_and_hardly_one_is_true(statements):
+@pytest.mark.parametrize("many", [2, pytest.param(8, marks=pytest.mark.slow)])
+def test_there_are_near_misses_of_each_kind_and_hardly_one_is_true(statements, many):
     kinds = {s.kind for s in statements} - {TRUE, MISPRINT, "mutant"}
     assert kinds == {
         "coefficient off by 10^-20", "coefficient off by 2^61-1", "vanishes at small integers",
         "vanishes at real points", "true only for a=b", "wrong branch of a root",
     }  # fmt: skip
     for kind in kinds:
-        labels = [s.truth for s in spread([s for s in statements if s.kind == kind], 8)]
+        labels = [s.truth for s in spread([s for s in statements if s.kind == kind], many)]
         assert not all(labels)
 
 

@@ -59,7 +59,7 @@ def rejected(data, message=None):
         checker.check(seal(data))
 
 
-@pytest.mark.parametrize("many", [60, pytest.param(None, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("many", [25, pytest.param(None, marks=pytest.mark.slow)])
 def test_all_are_accepted(many):
     files = random.Random(1).sample(FILES, many or len(FILES))
     command = [sys.executable, "-I", "-S", "-O", str(CHECKER), *map(str, files)]
@@ -89,7 +89,7 @@ def test_words():
 @pytest.fixture
 def paper(tmp_path):
     """The derivation of the first paper, with its record and without a certificate."""
-    others = shutil.ignore_patterns("__pycache__", "certificates")
+    others = shutil.ignore_patterns("certificates")
     return shutil.copytree(FIRST.parent, tmp_path / "paper", ignore=others)
 
 
@@ -286,7 +286,9 @@ class TestStatements:
         sides[1] = sides[0]
         rejected(data, "may be equal")
 
-    @pytest.mark.parametrize("claim", ["eq16.invariance", "equilibria", "corrected/critical-set"])
+    @pytest.mark.parametrize(
+        "claim", sampled(["eq16.invariance", "equilibria", "corrected/critical-set"], 2)
+    )
     def test_a_failure_where_no_condition_is_violated(self, claim):
         data = certificate(claim)
         assert [line for line in checker.check(seal(data)).lines() if "at a point where" in line]
@@ -367,7 +369,7 @@ def tampered(many):
 
 
 def test_tampering():
-    tampered(4 * SAMPLE)
+    tampered(2 * SAMPLE)
 
 
 @pytest.mark.slow
@@ -417,7 +419,7 @@ def exchanged(text, choose):
 
 @pytest.mark.parametrize("change", CHANGES)
 def test_what_is_changed_in_any_way_is_rejected_or_true(change):
-    assert counted(60, CHANGES[change], change) < (1 if change == "doubled" else 30)
+    assert counted(30, CHANGES[change], change) < (1 if change == "doubled" else 15)
 
 
 @pytest.mark.slow

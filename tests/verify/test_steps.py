@@ -8,7 +8,8 @@ from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.run import verify
 
 CLAIMS = (
-    "U1-prime", "eq4.1", "eq7", "J3", "M4-dimension", "eq9.i", "eq9", "eq10.5", "eq14", "eq15", "eq16.invariance",
+    "U1-prime", "eq4.1", "eq7", "J3", "M4-dimension", "eq9.i", "eq9", "eq10.5", "eq14", "eq15", "Q1-prime",
+    "eq16.invariance",
     "real-form.1", "equilibria", "eq22", "critical-set", "redundant-integral", "kowalevski-variable",
 )  # fmt: skip
 
@@ -70,7 +71,13 @@ def test_invariant_relations_show_the_cofactors(steps):
 
 def test_what_is_too_long_is_counted(steps):
     _, (words, formulas) = steps("eq16.invariance")
-    assert words.endswith("; the coefficients have 152 terms.") and not formulas
+    assert words.endswith("whose coefficients have 152 terms.") and not formulas
+
+
+def test_an_identity_without_derivatives_holds_by_the_definitions(steps):
+    assert steps("Q1-prime") == [
+        ("Both sides are equal identically, by the definitions alone.", [])
+    ]
 
 
 def test_cases_eliminants_and_numbers(steps):

@@ -1,17 +1,18 @@
-"""How results are printed: one file for each format."""
+"""How results and audits are printed: a file for each format, with a function for either."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
+from typing import Any
 
 from kowalevski_cas.report import Section
 from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import Difference
 
-FORMATS = ("pretty", "json", "junit", "github")
+FORMATS, OF_AUDITS = ("pretty", "json", "junit", "github"), ("pretty", "json", "sarif", "github")
 """The formats that are chosen by name; ``-v`` chooses :mod:`.verbose`."""
 
 
@@ -37,7 +38,6 @@ class Result:
         return str(Path(file).relative_to(here) if Path(file).is_relative_to(here) else file), line
 
 
-def load_format(name: str) -> Callable[[Sequence[Result]], str]:
-    """The function that turns results into text in this format."""
-    render: Callable[[Sequence[Result]], str] = import_module(f"{__name__}.{name}").render
-    return render
+def load_format(name: str) -> Any:
+    """The module of a format: ``render`` turns results into text, ``audited`` an audit."""
+    return import_module(f"{__name__}.{name}")

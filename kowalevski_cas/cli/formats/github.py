@@ -1,11 +1,15 @@
-"""Results as annotations of a GitHub workflow."""
+"""Results, and audits at the lines of their sources, as annotations of a GitHub workflow."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.verify.outcome import Verdict, in_latex
+
+if TYPE_CHECKING:
+    from kowalevski_cas.audit.audit import Audit
 
 
 def render(results: Sequence[Result]) -> str:
@@ -24,6 +28,29 @@ def render(results: Sequence[Result]) -> str:
                 right = in_latex(outcome.correction.formulas) if outcome.correction else "unknown"
                 message = f"misprint: {outcome.source}\ncorrect: {right}"
                 lines.append(annotation("notice", place, outcome.claim, message))
+    return "".join(f"{line}\n" for line in lines)
+
+
+def audited(audit: Audit) -> str:
+    """An error for what is wrong, a warning for what is not decided or moved."""
+    lines = []
+    for formula in audit.formulas:
+        message = audit.explained(formula) or formula.verdict
+        if formula.wrong:
+            level = "error"
+        elif formula.moved or formula.verdict in ("undecided", "timeout"):
+            level = "warning"
+            message = f"{message}; it has moved" if formula.moved else message
+        else:
+            continue
+        place = audit.source.path, max(1, formula.line)
+        lines.append(annotation(level, place, formula.id, f"{formula.verdict}: {message}"))
+    for outcome in audit.statements:
+        if not outcome.verdict.green:
+            words = f"{outcome.verdict}: {outcome.message or outcome.words}"
+            level = "error" if outcome in audit.false else "warning"
+            place = audit.source.path, audit.lines.get(outcome.claim, 1)
+            lines.append(annotation(level, place, outcome.claim, words))
     return "".join(f"{line}\n" for line in lines)
 
 

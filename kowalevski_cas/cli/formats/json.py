@@ -1,11 +1,11 @@
-"""Results as JSON."""
+"""Results and audits as JSON."""
 
 from __future__ import annotations
 
 import json
 from collections import Counter
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.notation import to_latex
@@ -17,6 +17,10 @@ from kowalevski_cas.verify.outcome import (
     Value,
     in_latex,
 )
+
+if TYPE_CHECKING:
+    from kowalevski_cas.audit.audit import Audit
+    from kowalevski_cas.audit.audited import Audited
 
 
 def render(results: Sequence[Result]) -> str:
@@ -50,7 +54,7 @@ def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
         "words": outcome.words,
         "verdict": str(outcome.verdict),
         "verdicts": {name: str(verdict) for name, verdict in outcome.verdicts.items()},
-        "conditions": conditions(outcome.conditions),
+        **_evidence(outcome),
         "failures": [
             {
                 "condition": to_latex(c.expression),
@@ -63,13 +67,69 @@ def _claim(derivation: str, outcome: Outcome) -> dict[str, Any]:
         "chance": outcome.chance,
         "radius": outcome.radius,
         "seconds": {name: round(value, 6) for name, value in outcome.seconds.items()},
-        "counterexample": counterexample(outcome.counterexample),
-        "correction": correction(outcome.correction),
         "branches": [to_latex(formula) for formula in outcome.branches],
         "rests_on": list(outcome.rests_on),
         "corrected": list(outcome.corrected),
         "digest": outcome.digest,
-        "message": outcome.message,
+    }
+
+
+def _evidence(found: Outcome | Audited) -> dict[str, Any]:
+    """What a verdict depends on, what is against it, and what is said."""
+    return {
+        "conditions": conditions(found.conditions),
+        "counterexample": counterexample(found.counterexample),
+        "correction": correction(found.correction),
+        "message": found.message,
+    }
+
+
+def audited(audit: Audit) -> str:
+    """All formulas, the statements in words, and a summary."""
+    value = {
+        "formulas": [_formula(formula) for formula in audit.formulas],
+        "statements": [_statement(audit, outcome) for outcome in audit.statements],
+        "summary": {
+            "source": audit.source.path,
+            "derivation": audit.session.derivation.name,
+            "formulas": len(audit.formulas),
+            **audit.counts,
+            "claims": Counter(str(outcome.verdict) for outcome in audit.outcomes.values()),
+            "wrong": audit.wrong,
+            "moved": [formula.id for formula in audit.formulas if formula.moved],
+            "notes": [{"line": line, "words": words} for line, words in audit.notes],
+            "seconds": round(audit.seconds, 6),
+        },
+    }
+    return json.dumps(value, indent=2, ensure_ascii=False) + "\n"
+
+
+def _formula(formula: Audited) -> dict[str, Any]:
+    return {
+        "id": formula.id,
+        "label": formula.label or None,
+        "line": formula.line,
+        "column": formula.column,
+        "role": formula.role,
+        "tex": formula.tex,
+        "verdict": formula.verdict,
+        "claims": list(formula.claims),
+        **_evidence(formula),
+        "causes": list(formula.causes),
+        "breaks": list(formula.breaks),
+        "moved": formula.moved,
+    }
+
+
+def _statement(audit: Audit, outcome: Outcome) -> dict[str, Any]:
+    causes = audit.session.causes.get(outcome.claim, ())
+    return {
+        "id": outcome.claim,
+        "words": outcome.words,
+        "line": audit.lines.get(outcome.claim),
+        "verdict": str(outcome.verdict),
+        **_evidence(outcome),
+        "causes": [cause.place for cause in causes],
     }
 
 

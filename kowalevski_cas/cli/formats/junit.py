@@ -7,6 +7,7 @@ from xml.etree import ElementTree
 
 from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.record import Difference
 
 
 def render(results: Sequence[Result]) -> str:
@@ -21,10 +22,8 @@ def render(results: Sequence[Result]) -> str:
 
 def _suite(result: Result) -> ElementTree.Element:
     changed = {d.claim: d for d in result.differences}
-    outcomes = result.run.outcomes
     suite = ElementTree.Element("testsuite", name=result.run.derivation)
-    failures = errors = 0
-    for outcome in outcomes:
+    for outcome in result.run.outcomes:
         case = ElementTree.SubElement(
             suite,
             "testcase",
@@ -32,28 +31,26 @@ def _suite(result: Result) -> ElementTree.Element:
             name=outcome.claim,
             time=f"{sum(outcome.seconds.values()):.6f}",
         )
+        difference = changed.pop(outcome.claim, None)
         if outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT):
-            errors += 1
             error = ElementTree.SubElement(case, "error", message=str(outcome.verdict))
             error.text = _clean(outcome.message)
-        elif outcome.claim in changed:
-            failures += 1
-            difference = changed[outcome.claim]
-            message = f"recorded: {difference.recorded}; found: {difference.found}"
-            ElementTree.SubElement(case, "failure", message=_clean(message))
+        elif difference is not None:
+            _fail(case, difference)
         output = ElementTree.SubElement(case, "system-out")
         output.text = _clean(f"{outcome.verdict}: {outcome.source or outcome.words}")
-    for claim in changed.keys() - {outcome.claim for outcome in outcomes}:
-        failures += 1
-        case = ElementTree.SubElement(
-            suite, "testcase", classname=result.run.derivation, name=claim
-        )
-        message = f"recorded: {changed[claim].recorded}; found: {changed[claim].found}"
-        ElementTree.SubElement(case, "failure", message=_clean(message))
+    for claim, difference in changed.items():
+        gone = {"classname": result.run.derivation, "name": claim}
+        _fail(ElementTree.SubElement(suite, "testcase", gone), difference)
     suite.set("tests", str(len(suite)))
-    suite.set("failures", str(failures))
-    suite.set("errors", str(errors))
+    suite.set("failures", str(len(suite.findall("*/failure"))))
+    suite.set("errors", str(len(suite.findall("*/error"))))
     return suite
+
+
+def _fail(case: ElementTree.Element, difference: Difference) -> None:
+    message = f"recorded: {difference.recorded}; found: {difference.found}"
+    ElementTree.SubElement(case, "failure", message=_clean(message))
 
 
 def _clean(text: str) -> str:

@@ -1,15 +1,24 @@
-"""Results for a reader at a terminal: the answer, what is wrong, and a summary."""
+"""Results and audits for a reader at a terminal: the answer, what is wrong, and a summary."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.formats import Result
-from kowalevski_cas.report import Contents
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.report import Contents, Findings, Phrases
+from kowalevski_cas.report.document import Block, Display, Paragraph
 from kowalevski_cas.report.places import names
-from kowalevski_cas.verify.outcome import Verdict
+from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
+
+if TYPE_CHECKING:
+    from kowalevski_cas.audit.audit import Audit
+    from kowalevski_cas.audit.audited import Audited
 
 
 def render(results: Sequence[Result]) -> str:
@@ -22,17 +31,14 @@ def told(result: Result, claims: Iterable[str] = ()) -> str:
     run, contents = result.run, contents_of(result)
     named = filter(None, (run.author, run.title, run.source))
     title = contents.phrases.words("".join(f"{part}. " for part in named))
-    lines = [
-        *plain.wrapped(plain.text(title)),
-        "",
-        *plain.wrapped(contents.findings.lead()),
-        *plain.lines(contents.findings.blocks()),
-        *_errors(result),
-        *claims,
-        "",
-        *_summary(result),
-    ]
-    return "\n".join(lines) + "\n"
+    wrong = *plain.lines(contents.findings.blocks()), *_errors(result), *claims
+    return _page(plain.text(title), contents.findings, wrong, _summary(result))
+
+
+def _page(title: str, findings: Findings, wrong: Iterable[str], summary: Iterable[str]) -> str:
+    """The answer under a title, what is wrong, and a summary."""
+    head = *plain.wrapped(title), "", *plain.wrapped(findings.lead())
+    return "\n".join((*head, *wrong, "", *summary, ""))
 
 
 def contents_of(result: Result) -> Contents:
@@ -61,8 +67,8 @@ def _summary(result: Result) -> Iterator[str]:
     counts = Counter(o.verdict for o in run.outcomes)
     shown = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
     seconds = sum(sum(o.seconds.values()) for o in run.outcomes)
-    claims = f"{len(run.outcomes)} claim{'s' * (len(run.outcomes) != 1)}"
-    head = f"{claims}: {shown}; {', '.join(run.arithmetics)}; {seconds:.2f} s"
+    claims, by = _many(len(run.outcomes), "claim"), ", ".join(run.arithmetics)
+    head = f"{claims}: {shown}; {by}; {seconds:.2f} s"
     noun, other = (
         ("recorded", "THE RECORD") if result.recorded else ("expected", "WHAT IS EXPECTED")
     )
@@ -73,3 +79,118 @@ def _summary(result: Result) -> Iterator[str]:
         yield f"{head}; DIFFERENT FROM {other}:"
         for one in result.differences:
             yield f"  {one.claim}: {noun} {one.recorded}, found {one.found}"
+
+
+def audited(audit: Audit) -> str:
+    """What is wrong, each slip once."""
+    return Told(audit).told()
+
+
+@dataclass
+class Told:
+    """An audit in words; ``evidence`` says whether counterexamples are shown."""
+
+    audit: Audit
+    evidence: bool = False
+
+    @cached_property
+    def phrases(self) -> Phrases:
+        """Phrases in the vocabulary of the source."""
+        return Phrases(self.audit.session.texts.vocabulary, {})
+
+    def told(self, details: Iterable[str] = ()) -> str:
+        """The audit as text; details stand before the summary."""
+        audit = self.audit
+        findings = Findings(self.phrases, tuple(audit.outcomes.values()))
+        source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
+        notes = (f"line {line}: {words}" for line, words in audit.notes)
+        wrong = *self.wrong(), *plain.lines(findings.hypotheses()), *details, *notes
+        return _page(source, findings, wrong, self.summary())
+
+    def wrong(self) -> Iterator[str]:
+        """Formulas to look at, and statements in words that are refuted."""
+        audit = self.audit
+        if audit.wrong:
+            yield from ("", "What is wrong")
+        for ones in self._slips():
+            first, names = ones[0], ", ".join(one.id for one in ones)
+            verb = "are" if len(ones) > 1 else "is"
+            why = "; ".join(audit.said(first))
+            place = ":".join(map(str, filter(None, (audit.source.path, first.line))))
+            place = f"{place}: {names} {verb} {first.verdict}"
+            printed = () if first.formula is None else (first.formula,)
+            yield from self._finding(
+                f"{place}: {why}" if why else place, printed, first.tex,
+                first.correction, first.counterexample,
+            )  # fmt: skip
+        for outcome in audit.false:
+            yield from self._false(outcome)
+
+    def _slips(self) -> Iterable[list[Audited]]:
+        """The formulas to look at; the same change in rows of one display is one slip."""
+        found: dict[object, list[Audited]] = {}
+        for formula in self.audit.formulas:
+            if formula.wrong:
+                found.setdefault(_slip(formula) or id(formula), []).append(formula)
+        return found.values()
+
+    def _false(self, outcome: Outcome) -> Iterator[str]:
+        audit = self.audit
+        line = audit.lines.get(outcome.claim)
+        place = f"{audit.source.path}:{line}: " if line else ""
+        why = ""
+        if causes := audit.session.causes.get(outcome.claim, ()):
+            named = ", ".join(audit.located(cause.place) for cause in causes)
+            why = f"; because of {named}"
+        yield from self._finding(
+            f"{place}{outcome.claim} is refuted: {outcome.words}{why}", outcome.formulas,
+            outcome.source, outcome.correction, outcome.counterexample,
+        )  # fmt: skip
+
+    def _finding(
+        self,
+        head: str,
+        printed: tuple[Formula, ...],
+        source: str,
+        correction: Correction | None,
+        against: Counterexample | None,
+    ) -> Iterator[str]:
+        said = self.phrases.words(head)
+        if correction is not None:
+            said += self.phrases.words(
+                f"{'; ' if correction.edit else '. Correct: '}{correction.words}"
+            )
+            if correction.conditions and not correction.edit:
+                said += (", where ", *self.phrases.where(correction.conditions))
+        yield from plain.wrapped(plain.text((*said, ".")))
+        shown: list[Block] = []
+        if printed or source:
+            shown.append(Display(printed, source, Verdict.REFUTED))
+        if correction is not None:
+            shown.append(Display(correction.formulas, verdict=correction.verdict))
+        if against is not None and self.evidence:
+            shown.append(Paragraph(self.phrases.values(against)))
+        yield from plain.lines(shown, 2)
+
+    def summary(self) -> Iterator[str]:
+        """How many there are of each verdict."""
+        audit = self.audit
+        claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
+        yield f"{_many(len(audit.formulas), 'formula')}: {_counted(audit.counts)}"
+        claimed = _many(len(audit.outcomes), "claim")
+        yield f"{claimed}: {_counted(claims)}; {audit.seconds:.2f} s"
+
+
+def _slip(formula: Audited) -> object:
+    """What makes one slip of several changes: the same words in the same display."""
+    if formula.correction is None or formula.place is None:
+        return None
+    return formula.correction.words, formula.place.display.id
+
+
+def _many(number: int, what: str) -> str:
+    return f"{number} {what}{'s' * (number != 1)}"
+
+
+def _counted(counts: Mapping[str, int]) -> str:
+    return ", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items()))

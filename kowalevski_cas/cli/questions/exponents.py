@@ -11,12 +11,12 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 from flint import fmpq_mpoly
 
 from kowalevski_cas.algebra.flint import terms_of, to_fraction
 from kowalevski_cas.algebra.present import fraction_formula, name_formula, polynomial_formula
+from kowalevski_cas.cli.questions import with_constants
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
@@ -33,9 +33,9 @@ from kowalevski_cas.notation import (
     total,
 )
 from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.branches import Branch
@@ -61,8 +61,8 @@ def search(
     on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
 ) -> Iterator[Finding]:
     """Of each balance that it solves the leading equations, and its exponents."""
-    part, scene, words = leading(on, scene)
-    told = _Told(part, scene, words)
+    part, space = leading(on, scene)
+    scene, told = space.scene, _Told(part, space.scene, space.texts.vocabulary)
     said, tex = told.weights(), told.homogeneous()
     yield Finding(Identity, scene, said, tex, steps=True)
     for balance in part.balances(pool):
@@ -71,14 +71,11 @@ def search(
         yield Finding(Identity, scene, said, tex, steps=True, computed=computed)
 
 
-def leading(on: Elaborations, scene: Scene) -> tuple[LeadingPart, Scene, Vocabulary]:
-    """What leads in the motion, on the scene with a letter for an exponent, and its words."""
+def leading(on: Elaborations, scene: Scene) -> tuple[LeadingPart, Elaboration]:
+    """What leads in the motion, and what the scene means with a letter for an exponent."""
     letter = next(one for one in LETTERS if one not in {*scene.names()})
-    scene = scene.having(constants=(letter,))
-    words = on.texts.vocabulary
-    words = replace(words, scalars=words.scalars | {letter})
-    space = Elaborations(Texts(words, on.texts.sources, on.texts.edits))(scene)
-    return LeadingPart(space.finder, letter), scene, words
+    space = with_constants(on, scene, letter)
+    return LeadingPart(space.finder, letter), space
 
 
 class _Told:
@@ -90,6 +87,7 @@ class _Told:
         known = scene.names()
         letter = next(one for one in FREE if not any(name.startswith(one) for name in known))
         self.names += [Name(f"{letter}_{k}") for k in range(1, part.size + 1)]
+        self.general = " for general constants" if len(scene.constants) > 1 else ""
 
     def weights(self) -> str:
         """The weights, and of what."""
@@ -135,8 +133,7 @@ class _Told:
         """The equations for c, the roots of the determinant, and whether it is principal."""
         numbers = [str(one) for one in balance.exponents]
         numbers += [f"the roots of ${to_latex(self._formula(one))}$" for one in balance.factors]
-        if len(self.scene.constants) > 1:
-            numbers[-1] += " for general constants"
+        numbers[-1] += self.general
         said = "principal" if balance.is_principal() else "not principal"
         where = self._where(balance.equations)
         return f"balance {where}: exponents {', '.join(numbers)}, {said}"
@@ -160,7 +157,7 @@ class _Told:
 
     def degrees(self, balance: Balance) -> str:
         """Which weights of first integrals the exponents leave, by a theorem of Yoshida."""
-        general = " for general constants" if balance.factors else ""
+        general = self.general if balance.factors else ""
         found = [*dict.fromkeys(str(one) for one in balance.exponents if one > 0)]
         if not found:
             return f"all integrals have leading terms that are critical here{general}"

@@ -12,6 +12,7 @@ from dataclasses import replace
 
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.cli.questions import with_constants
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
@@ -29,7 +30,6 @@ from kowalevski_cas.paper.claims import Identity, Implication, Union
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.prune import mentions
 from kowalevski_cas.problem.space import Meaningless
@@ -55,10 +55,8 @@ def search(
             "nothing is to be determined: no constant stands in the motion, and none in the "
             "polynomial; give that coefficients, as in `x+Ay`"
         )
-    scene = scene.having(constants=(*unknown, *letters))
-    words = on.texts.vocabulary
-    words = replace(words, scalars=words.scalars.union(unknown, letters))
-    space = Elaborations(Texts(words, on.texts.sources, on.texts.edits))(scene)
+    space = with_constants(on, scene, *unknown, *letters)
+    scene, words = space.scene, space.texts.vocabulary
     ansatz = Ansatz(space.finder, space.finder.scalar(space.formula(arguments.polynomial)), letters)
 
     def formula(element: Element) -> Formula:
@@ -81,7 +79,8 @@ def search(
         for case in cases
     )
     if all(sets):
-        said = f"F' = KF only where {_either(sets)}"
+        where = f"only where {_either(sets)}" if sets else "for no values of the constants"
+        said = f"F' = KF {where}"
         if not any(map(_is_number, ansatz.trivial())):
             said += ", unless F is constant"
             sets[tuple(tex(one, zero) for one in ansatz.trivial())] = None
@@ -105,7 +104,7 @@ def _at_rest(scene: Scene) -> Scene:
 def _either(sets: Iterable[tuple[str, ...]]) -> str:
     """In words that one of several sets of equations holds."""
     shown = (" and ".join(f"${one}$" for one in given) or "always" for given in sets)
-    return ", or ".join(shown) or "never"
+    return ", or ".join(shown)
 
 
 def _mention(space: Elaboration, sides: Iterable[Element], names: Iterable[str]) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 
@@ -15,7 +15,7 @@ class Language(ABC):
         return f'holds("{words}", {text}, {divisors});'
 
     @abstractmethod
-    def frame(self, generators: Sequence[str], lines: Iterable[str]) -> str:
+    def frame(self, generators: Sequence[str], body: str) -> str:
         """The whole file."""
 
     @abstractmethod

@@ -34,7 +34,7 @@ class Writer:
     def text(self) -> str:
         """The whole file."""
         lines = (line if isinstance(line, str) else line() for line in self._lines)
-        return self.language.frame(self.generators, lines)
+        return self.language.frame(self.generators, "\n".join(lines))
 
     def fresh(self, wish: str) -> str:
         """A name that is not taken, as near to the wish as can be."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from abc import ABC, abstractmethod
+from collections.abc import Callable
 
 from kowalevski_cas.export.format import Inexpressible, identifier
 from kowalevski_cas.problem.trees import Tree
@@ -26,8 +26,13 @@ TIGHT, POWER, MINUS, TIMES, PLUS, LOOSE = 0, 30, 35, 40, 50, 100
 """The levels at which Rocq reads expressions."""
 
 
-class Terms(ABC):
+class Terms:
     """Names with their words, and how trees with these names are printed."""
+
+    root: Callable[[Tree], str]
+    """The name of the root of a tree."""
+    partial: Callable[[str], str]
+    """The word for the partial derivative by a name."""
 
     def __init__(self) -> None:
         self.words: dict[str, str] = {}
@@ -40,14 +45,6 @@ class Terms(ABC):
             word = f"the_{word}"
         self.words[name] = word
         return word
-
-    @abstractmethod
-    def root(self, tree: Tree) -> str:
-        """The name of the root of a tree."""
-
-    @abstractmethod
-    def partial(self, name: str) -> str:
-        """The word for the partial derivative by a name."""
 
     def is_vector(self, tree: Tree) -> bool:
         """Whether a tree has three components."""

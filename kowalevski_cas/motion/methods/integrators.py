@@ -53,7 +53,7 @@ def integrate(method: str, start: Array, times: Array, tolerance: float = TOLERA
             states[chosen] = start
             continue
         solution = solve_ivp(
-            _towards(sign, formulas.equations()),
+            _towards(sign, formulas.offered("equations")),
             (0.0, forward[-1]),
             start,
             method=method,

@@ -30,7 +30,7 @@ def integrate(
     import heyoka
 
     variables = heyoka.make_vars(*(f"x{index}" for index in range(9)))
-    system = list(zip(variables, formulas.equations()(*variables), strict=True))
+    system = list(zip(variables, formulas.offered("equations")(*variables), strict=True))
     integrator = heyoka.taylor_adaptive(system, list(start), tol=tolerance)
     found = np.empty((len(times), 9))
     for sign in (1, -1):

@@ -15,6 +15,7 @@ from flint import arb
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.parameters import Inadmissible, Lengths, Real, ball, usable
+from kowalevski_cas.paper.closed_form import HyperellipticForm
 
 MU, KAPPA, LOW, HIGH = ("-√σ", "√σ"), ("-κ", "κ"), "-τ-r²", "-τ+r²"
 """The roots of μ², of K², of A² and of B²."""
@@ -54,7 +55,8 @@ class ParametersO4(Lengths):
     def integrals(self) -> tuple[float, float, float]:
         """The values of H, K and G."""
         p, r = (float(ball(square).sqrt()) for square in (self.p_square, self.r_square))
-        h, k, g = formulas.hyperelliptic("integrals")(float(self.s), float(self.tau), p, r)
+        integrals = formulas.offered("integrals", HyperellipticForm)
+        h, k, g = integrals(float(self.s), float(self.tau), p, r)
         return h, k, g
 
     @cached_property

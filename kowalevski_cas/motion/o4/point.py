@@ -11,6 +11,7 @@ from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import Regime
 from kowalevski_cas.motion.o4.variable import Number, Pair, Root, Variable
 from kowalevski_cas.motion.parameters import ball
+from kowalevski_cas.paper.closed_form import HyperellipticForm
 
 
 class PhasePoint:
@@ -35,9 +36,10 @@ class PhasePoint:
         self._for_parts = s, tau, p, r
         self._for_point = s, tau, r
         self._signs, self._root = signs, root
-        self._squares = formulas.hyperelliptic("squares")
-        self._parts = formulas.hyperelliptic("parts")
-        self._point = formulas.hyperelliptic("phase_point")
+        self._squares, self._parts, self._point = (
+            formulas.offered(name, HyperellipticForm)
+            for name in ("squares", "parts", "phase_point")
+        )
 
     def __call__(self, first: Pair, second: Pair) -> tuple[Number, ...]:
         """The state."""

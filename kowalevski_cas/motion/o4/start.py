@@ -30,6 +30,7 @@ from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.point import distance
+from kowalevski_cas.paper.closed_form import HyperellipticForm
 
 Array = NDArray[np.float64]
 
@@ -53,7 +54,7 @@ def on_O4(state: Sequence[Real]) -> MotionO4:
             f"the state is not on O⁴: its equations leave {residual:.3g} of its size"
         )
     with precision(BITS):
-        _, _, a_square, b_square, c, *_ = exactly(formulas.integrals(), given)
+        _, _, a_square, b_square, c, *_ = exactly(formulas.offered("integrals"), given)
         turn = turn_of(a_square, b_square, c)
         straight = turned(given, *turn)
         constants, pairs = _separated(straight)
@@ -77,10 +78,10 @@ def _separated(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb
     """The constants at a state in fields at right angles, and both variables as quotients."""
     if not any(state[:2]):
         raise Inadmissible("ω1 = ω2 = 0 at the state: it does not tell the constant s of O⁴")
-    known = formulas.complex_variables()(*(acb(ball(x)) for x in state), acb(0, 1))
-    found = [acb(value).real for value in formulas.hyperelliptic("constants")(*known)]
+    known = formulas.offered("complex_variables")(*(acb(ball(x)) for x in state), acb(0, 1))
+    found = [acb(value).real for value in formulas.offered("constants", HyperellipticForm)(*known)]
     s, tau, X, total = map(as_fraction, found)
-    _, _, a_square, b_square, *_ = exactly(formulas.integrals(), state)
+    _, _, a_square, b_square, *_ = exactly(formulas.offered("integrals"), state)
     constants = ParametersO4(root(a_square), root(b_square), s, tau)
     largest = abs(tau) + constants.r_square
     for name, square in (("σ", constants.sigma), ("k", constants.kappa_square)):
@@ -88,7 +89,7 @@ def _separated(state: list[Fraction]) -> tuple[ParametersO4, list[tuple[arb, arb
             raise Inadmissible(f"{name} = 0 at the state, but for rounding: the tori degenerate")
     xi = total - tau
     given = [X, xi, tau, constants.sigma]
-    variables = formulas.hyperelliptic("variables")
+    variables = formulas.offered("variables", HyperellipticForm)
     square, *_ = exactly(variables, [*given, Fraction(0)])
     q = root(max(square, Fraction(0)))
     _, *ends, v, both = exactly(variables, [*given, q])

@@ -126,7 +126,7 @@ def sphere(axes: Axes, view: View, radius: float, labels: tuple[str, ...], lengt
     triad(axes, view, labels, length, radius)
 
 
-def trace(axes: Axes, view: View, points: Array, colour: str, width: float = 0.9) -> None:
+def trace(axes: Axes, view: View, points: Array, colour: str) -> None:
     """Draw a curve on a sphere: what the sphere hides is thin and pale."""
     flat, near = view(points)
     for hidden in (True, False):
@@ -135,7 +135,7 @@ def trace(axes: Axes, view: View, points: Array, colour: str, width: float = 0.9
         axes.plot(
             *shown.T,
             color=colour,
-            lw=0.45 * width if hidden else width,
+            lw=0.405 if hidden else 0.9,
             alpha=0.35 if hidden else 1.0,
             zorder=0.5 if hidden else 2.0,
         )

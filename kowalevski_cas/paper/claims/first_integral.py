@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Power, Relation
+from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import equations, members, rate, vanishes
+from kowalevski_cas.paper.claims.forms import equations, members, rate, sides, vanishes
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -24,11 +24,12 @@ from kowalevski_cas.problem.space import Equation, Meaningless
 class FirstIntegral(Claim):
     """The printed expression is constant along every motion on the invariant set ``given``.
 
-    All members of a printed chain are the same function, which is not constant by itself (nor is
-    any component of it, if it is a vector): its differential is independent of those of the set at
-    a real point. With a set, the claim includes that the set is invariant, and that the function
-    is not constant off the set. Of logarithms, which stand with constant factors, it is the
-    derivatives that are stated.
+    All members of a printed chain are the same function, save those that say which value it has,
+    in numbers and names of constants. The function is not constant by itself (nor is any component
+    of it, if it is a vector): its differential is independent of those of the set at a real point.
+    With a set, the claim includes that the set is invariant, and that the function is not constant
+    off the set. Of logarithms, which stand with constant factors, it is the derivatives that are
+    stated.
     """
 
     given: tuple[Printed, ...] = ()
@@ -40,7 +41,7 @@ class FirstIntegral(Claim):
         if any(map(has_logarithm, printed)):
             yield from self._of_logarithms(space, printed)
             return
-        chain = [parts(space.plain(member), space) for member in printed]
+        chain = [parts(member, space) for member in sides(printed, space)]
         for same in zip(*chain, strict=True):
             yield from self._goals(on, space, same)
 
@@ -80,15 +81,18 @@ class FirstIntegral(Claim):
 
 
 def _is_level(formula: Formula, space: Elaboration) -> bool:
-    """Whether a member is a name, or its power, for the value of the integral only.
+    """Whether a member only says which value the integral has, as 2h, or 1.
 
-    Then it is a constant of the scene, or has no meaning there.
+    Its names are constants of the scene, or have no meaning there.
     """
-    if isinstance(formula, Power):
-        formula = formula.base
-    if not isinstance(formula, Name):
-        return False
+    return not any(
+        isinstance(node, Derivative) or (isinstance(node, Name) and _has_value(node.name, space))
+        for node in formula.nodes()
+    )
+
+
+def _has_value(name: str, space: Elaboration) -> bool:
     try:
-        return space.step(formula.name) is None and formula.name in space.constants
+        return space.step(name) is not None or name not in space.constants
     except Meaningless:
-        return True
+        return False

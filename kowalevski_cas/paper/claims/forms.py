@@ -14,9 +14,11 @@ from kowalevski_cas.notation import (
     Number,
     Relation,
     Sum,
+    Vector,
     times,
     total,
 )
+from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import Rows, alike, is_matrix, sizes
@@ -57,7 +59,7 @@ def chain(on: Elaborations, space: Elaboration, printed: Printed) -> list[Equati
     relation = on.texts.relation(printed)
     if any(is_matrix(member, space) for member in relation.members):
         return [*_entries(alike(relation.members, space, only_zero=True))]
-    found = [space.plain(member) for member in members(relation)]
+    found = sides(members(relation), space)
     equations = list(pairwise(found))
     if isinstance(relation.members[-1], Constant):
         equations.append(vanishes(rate(found[0])))
@@ -78,15 +80,33 @@ def equation(on: Elaborations, space: Elaboration, printed: Printed) -> Equation
     relation = on.texts.relation(printed)
     if len(relation.members) != 2:
         raise Meaningless(f"an equation with two sides is expected at {printed.place}")
-    left, right = map(space.plain, relation.members)
+    left, right = sides(relation.members, space)
     return left, right
+
+
+def sides(members: Sequence[Formula], space: Elaboration) -> list[Formula]:
+    """The members of a chain; a zero among vectors is one.
+
+    Raises ``Meaningless`` for vectors that differ in the number of their components.
+    """
+    found = [space.plain(member) for member in members]
+    sizes = {len(parts(member, space)) for member in found if member != ZERO} or {1}
+    if len(sizes) > 1:
+        raise Meaningless("vectors with different numbers of components are set equal")
+    zero = ZERO if sizes == {1} else Vector((ZERO,) * sizes.pop())
+    return [zero if member == ZERO else member for member in found]
 
 
 def equations(
     on: Elaborations, space: Elaboration, places: Sequence[Printed]
 ) -> tuple[Equation, ...]:
-    """The sides of printed equations."""
-    return tuple(equation(on, space, printed) for printed in places)
+    """The sides of printed equations, component by component."""
+    found = (equation(on, space, printed) for printed in places)
+    return tuple(
+        pair
+        for left, right in found
+        for pair in zip(parts(left, space), parts(right, space), strict=True)
+    )
 
 
 def expression(on: Elaborations, space: Elaboration, printed: Printed) -> Formula:

@@ -32,7 +32,8 @@ class InvariantRelations(Claim):
     main: tuple[tuple[str, ...], ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        cofactors = matrix("M", len(self.relations), len(self.relations))
+        number = len(self.functions(on))
+        cofactors = matrix("M", number, number)
         moves = self.moves_by(cofactors, on)
         there = replace(moves, given=equations(on, on(self.scene), self.relations))
         yield Exists((moves, there), names_in(cofactors))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.forms import equations
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -30,6 +29,3 @@ class Union(Claim):
             kept = self.sets[:k] + self.sets[k + 1 :]
             words = f"without ${one[0].tex}$"
             yield Neighbour(words, replace(self, sets=kept), texts)
-
-    def formulas(self, texts: Texts) -> tuple[Formula, ...]:
-        return tuple(texts.formula(place) for one in self.sets for place in one)

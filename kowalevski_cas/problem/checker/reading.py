@@ -183,17 +183,28 @@ def factors(tree: Json) -> list[Json]:
     return [tree]
 
 
-def say(tree: Json) -> str:
-    """A formula in plain letters."""
+BINDS = {"+": 1, "-": 1, "*": 2, "/": 2, "^": 3}
+
+
+def say(tree: Json, around: int = 0) -> str:
+    """A formula in plain letters; in brackets, where an operation around it binds as strongly."""
     if type(tree) is int:
-        return str(tree)
+        return f"({tree})" if tree < 0 and around else str(tree)
     if type(tree) is not list:
         return label(tree)
     op, parts = operation(tree)
-    words = [*map(say, parts)]
-    if len(words) > 1 and op in ("+", "*", "/", "^"):
-        return f"({f' {op} '.join(words)})"
-    return f"(-{words[0]})" if op == "-" else f"{op}({', '.join(words)})"
+    binds = BINDS.get(op, 0)
+    words = [say(part, binds) for part in parts]
+    if not binds:
+        return f"{op}({', '.join(words)})"
+    said = f"-{words[0]}" if op == "-" else f" {op} ".join(words)
+    if op == "+":  # "+ (-x)" is "- x"
+        behind = zip(parts[1:], words[1:], strict=True)
+        signed = [
+            f" - {w[2:-1]}" if type(p) is list and p[0] == "-" else f" + {w}" for p, w in behind
+        ]
+        said = words[0] + "".join(signed)
+    return f"({said})" if binds <= around else said
 
 
 def say_all(equations: Json) -> str:

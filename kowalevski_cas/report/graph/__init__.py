@@ -7,5 +7,3 @@ on the order of a set, so that it is the same from run to run.
 
 from kowalevski_cas.report.graph.drawing import Picture, picture
 from kowalevski_cas.report.graph.layout import WIDTH
-
-__all__ = ["WIDTH", "Picture", "picture"]

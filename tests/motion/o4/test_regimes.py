@@ -8,11 +8,12 @@ from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, MotionO4, ParametersO4, load
-from kowalevski_cas.motion.formulas import hyperelliptic
+from kowalevski_cas.motion.formulas import offered
 from kowalevski_cas.motion.o4.regimes import regime_of
 from kowalevski_cas.motion.o4.start import on_O4
 from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import precision
+from kowalevski_cas.paper.closed_form import HyperellipticForm
 from tests.motion.o4.levels import EVERY_REGIME, KNOWN, admissible, motion, point, points
 from tests.sample import sampled
 
@@ -62,10 +63,14 @@ def test_inside_the_arcs_the_squares_are_positive_and_at_the_ends_one_vanishes(k
             variable.pair((np.cos(x / 2) ** 2, np.sin(x / 2) ** 2))
             for variable, x in ((one, first), (two, second))
         )
-        mu1, *_ = hyperelliptic("squares")(n1 / v1, n, v, 0, 0, s, tau, r, sigma, kappa)
+        mu1, *_ = offered("squares", HyperellipticForm)(
+            n1 / v1, n, v, 0, 0, s, tau, r, sigma, kappa
+        )
         hat = (n**2 - sigma * v**2) / tau
         roots = abs(mu1) ** 0.5, -(abs(hat) ** 0.5)
-        return np.array(hyperelliptic("squares")(n1 / v1, n, v, *roots, s, tau, r, sigma, kappa))
+        return np.array(
+            offered("squares", HyperellipticForm)(n1 / v1, n, v, *roots, s, tau, r, sigma, kappa)
+        )
 
     inner = np.linspace(0.01, 3.13, 40)
     assert np.all(squares(*np.meshgrid(inner, inner)) > 0)

@@ -8,7 +8,6 @@ from typing import Any
 
 from kowalevski_cas import __version__
 from kowalevski_cas.audit.audit import Audit
-from kowalevski_cas.cli.audit_formats import explained
 
 RULES = {
     "refuted": "The formula, or the statement, is false at an exact point.",
@@ -23,14 +22,14 @@ RULES = {
 WARNINGS = ("undecided", "timeout", "moved")
 
 
-def render(audit: Audit) -> str:
+def audited(audit: Audit) -> str:
     """One run, a result for each formula or statement that an author has to look at."""
     results = []
-    for index, formula in enumerate(audit.formulas):
+    for formula in audit.formulas:
         rule = formula.verdict if formula.verdict in RULES else "moved" if formula.moved else ""
         if not rule:
             continue
-        message = f"{formula.id}: {explained(audit, index) or RULES[rule]}"
+        message = f"{formula.id}: {audit.explained(formula) or RULES[rule]}"
         results.append(_result(audit, rule, message, formula.line, formula.column))
     for outcome in audit.false:
         message = f"{outcome.claim}: {outcome.words}"

@@ -1,0 +1,137 @@
+r"""Sums over indices: how far they reach, and over which values.
+
+Below the sign stand :math:`j=1`, with the last value above it, or :math:`j`, :math:`j\ne i`,
+:math:`i<j`, :math:`1\le i<j\le 3`, where indices have the ranges that are printed behind the
+statement.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import product
+from operator import ge, gt, le, lt, ne
+
+from kowalevski_cas.notation.tokens import BEGINNING, ENDING, Token
+
+Ranges = Mapping[str, range | tuple[int, ...]]
+Values = Mapping[str, int]
+
+_ORDER: dict[str, Callable[[int, int], bool]] = {
+    "<": lt, ">": gt, r"\le": le, r"\ge": ge, r"\ne": ne,
+}  # fmt: skip
+_SIGNS = {*_ORDER, "="}
+_BEHIND = frozenset("sign plusminus relation comma stop gap cell row block".split())
+
+
+@dataclass(frozen=True)
+class Sum:
+    """The sign of a sum with what stands on it, its one term, and where that ends."""
+
+    head: list[Token]
+    body: list[Token]
+    end: int
+
+    @classmethod
+    def at(cls, tokens: list[Token], first: int) -> Sum:
+        """The sum of which the sign stands at this place."""
+        begin, depth = first + 1, 0
+        while begin < len(tokens):
+            scripted = tokens[begin].kind in "^_" or tokens[begin - 1].kind in "^_"
+            if not depth and not scripted:
+                break
+            depth += _nesting(tokens[begin])
+            begin += 1
+        end = begin
+        while end < len(tokens) and (depth or tokens[end].kind not in _BEHIND):
+            depth += _nesting(tokens[end])
+            if depth < 0:
+                break
+            end += 1
+        return cls(tokens[first:begin], tokens[begin:end], end)
+
+    @property
+    def _below(self) -> list[list[str]]:
+        """What stands below the sign, between commas."""
+        found: list[list[str]] = [[]]
+        depth, below = 0, False
+        for token in self.head[1:]:
+            depth += _nesting(token)
+            if token.kind in "^_" and not depth:
+                below = token.kind == "_"
+            elif token.kind == "comma":
+                found.append([])
+            elif below and token.kind not in "{}":
+                found[-1].append(token.text)
+        return found
+
+    @property
+    def _above(self) -> list[str]:
+        """What stands above the sign."""
+        above = next((k for k, one in enumerate(self.head) if one.kind == "^"), len(self.head))
+        return [one.text for one in self.head[above + 1 :] if one.kind in ("number", "letter")]
+
+    @property
+    def is_plain(self) -> bool:
+        r"""Whether it is as :math:`\sum_{i=1}^3`, and so are those in it."""
+        inner = (Sum.at(self.body, k) for k, one in enumerate(self.body) if one.kind == "sum")
+        own = len(self._below) == 1 and self._below[0][1:2] == ["="]
+        return own and all(one.is_plain for one in inner)
+
+    @property
+    def letters(self) -> list[str]:
+        """The letters below the sign."""
+        below = (one for part in self._below for one in part)
+        return [*dict.fromkeys(one for one in below if not (one.isdecimal() or one in _SIGNS))]
+
+    @property
+    def own(self) -> set[str]:
+        """The letters that can be nothing but its indices."""
+        return {part[0] for part in self._below if part and (len(part) == 1 or part[1] == "=")}
+
+    def terms(self, at: Values, ranges: Ranges) -> list[Values] | None:
+        """The values of its indices, where others have values; ``None`` if they are not known."""
+        names = [name for name in self.letters if name not in at]
+        domains = [self._domain(name, ranges) for name in names]
+        if not names or not all(domains) or not all(map(_is_chain, self._below)):
+            return None
+        every = (dict(zip(names, values, strict=True)) for values in product(*domains))
+        return [values for values in every if self._holds({**at, **values})]
+
+    def _domain(self, name: str, ranges: Ranges) -> range | tuple[int, ...]:
+        """The values of an index; none if they are not known."""
+        for part in (one for one in self._below if name in one):
+            ends = [*part[2:], *self._above] if part[:2] == [name, "="] else [part[0], part[-1]]
+            if len(ends) == 2 and all(map(str.isdecimal, ends)):
+                return range(int(ends[0]), int(ends[1]) + 1)
+        beside = (one for part in self._below if name in part for one in part)
+        return next((ranges[one] for one in (name, *beside) if ranges.get(one)), ())
+
+    def _holds(self, at: Values) -> bool:
+        """Whether what stands below the sign is so for these values."""
+        return all(
+            _ORDER[sign](*(at[one] if one in at else int(one) for one in (left, right)))
+            for part in self._below
+            for left, sign, right in zip(part[::2], part[1::2], part[2::2], strict=False)
+            if sign in _ORDER
+        )
+
+
+def outside_sums(tokens: list[Token]) -> Iterator[Token]:
+    """The tokens that stand in no sum, or for no index of it."""
+    first = next((k for k, token in enumerate(tokens) if token.kind == "sum"), len(tokens))
+    yield from tokens[:first]
+    if first < len(tokens):
+        found = Sum.at(tokens, first)
+        yield from (one for one in outside_sums(found.body) if one.text not in found.letters)
+        yield from outside_sums(tokens[found.end :])
+
+
+def _nesting(token: Token) -> int:
+    return (token.kind in BEGINNING) - (token.kind in ENDING)
+
+
+def _is_chain(part: list[str]) -> bool:
+    """Whether signs of order stand between letters and numbers."""
+    between, beside = part[1::2], part[::2]
+    return len(part) % 2 == 1 and {*between} <= _SIGNS and {*beside}.isdisjoint({*_SIGNS, "+", "-"})

@@ -1,0 +1,101 @@
+"""The components of names in bold type, as equations of motion print or imply them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from kowalevski_cas.notation import (
+    CrossProduct,
+    Formula,
+    Name,
+    NotationError,
+    OpenParser,
+    Relation,
+    Vector,
+    Vocabulary,
+    bold_names,
+    heads,
+    read,
+)
+from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.paper.texts import Display, Printed
+
+Parts = tuple[str, ...]
+Vectors = Mapping[str, Parts]
+
+
+def bold(vectors: Vectors) -> dict[str, Parts]:
+    r"""Components by the names of vectors as the reader makes them, ``\mathbf{r}`` of ``\bf r``."""
+    return {heads(f"{name}=0")[0].names[0]: parts for name, parts in vectors.items()}
+
+
+def vectors_of(display: Display, known: Vectors, words: Vocabulary) -> dict[str, Parts]:
+    r"""The vectors of a display with their components, beside those that are known.
+
+    :math:`\mathbf r=(x,y,z)` names them. Those of other vectors that are defined are the letter
+    with numbers; so are those of :math:`\mathbf M` if :math:`M_1,M_2` are printed, or if there are
+    vector products, which are those of space.
+    """
+    new = {*bold_names(display.tex)} - known.keys() - words.matrices
+    matrices = {name for place in display if place.heads.matrix for name in place.heads.names}
+    for place in display:
+        if not _readable(place, words, new - matrices):
+            matrices |= new.intersection(place.heads.names)
+    new -= matrices
+    words = replace(words, vectors=words.vectors | new, matrices=words.matrices | matrices)
+    formulas = [read(one.tex, words, OpenParser) for one in display if _readable(one, words)]
+    found = {**known, **dict(_named(formulas, new))}
+    nodes = [node for formula in formulas for node in formula.nodes()]
+    names = {node.name for node in nodes if isinstance(node, Name)}
+    spatial = any(isinstance(node, CrossProduct) for node in nodes)
+    for name in sorted(new - found.keys()):
+        rows = (f for f in formulas if isinstance(f, Relation) and Name(name) in f.members)
+        size = next((size for row in rows for size in _sizes(row, found)), 3 * spatial)
+        numbered = [_component(name, k) for k in range(1, 10)]
+        printed = next(k for k, one in enumerate(numbered) if one not in names)
+        if size or printed > 1:
+            found[name] = tuple(numbered[: size or printed])
+    return found
+
+
+def _readable(place: Printed, words: Vocabulary, vectors: Collection[str] = ()) -> bool:
+    """Whether a statement can be read, if these names are vectors."""
+    try:
+        read(place.tex, replace(words, vectors=words.vectors.union(vectors)), OpenParser)
+    except NotationError:
+        return False
+    return True
+
+
+def _named(formulas: Sequence[Formula], new: Collection[str]) -> Iterator[tuple[str, Parts]]:
+    """The vectors of which the components are named."""
+    for formula in formulas:
+        match formula:
+            case Relation((Name(name), Vector(entries)), _) if name in new and names_only(formula):
+                yield name, tuple(one.name for one in entries if isinstance(one, Name))
+
+
+def names_only(formula: Formula) -> bool:
+    r"""Whether a statement only names the components of a vector: :math:`\mathbf r=(x,y,z)`."""
+    match formula:
+        case Relation((Name(), Vector(entries)), ("=",)):
+            names = {one.name for one in entries if isinstance(one, Name)}
+            return len(names) == len(entries)
+    return False
+
+
+def _sizes(formula: Formula, known: Vectors) -> Iterator[int]:
+    """The sizes of the vectors in a formula."""
+    for node in formula.nodes():
+        if isinstance(node, Vector):
+            yield len(node.components)
+        elif isinstance(node, Name) and node.name in known:
+            yield len(known[node.name])
+
+
+def _component(name: str, number: int) -> str:
+    r"""A component of a vector, as ``\omega_1`` of ``\boldsymbol{\omega}``."""
+    letter, index = letter_and_index(name)
+    letter, index = letter[letter.index("{") + 1 : -1], f"{index}{number}"
+    return f"{letter}_{index}" if len(index) == 1 else f"{letter}_{{{index}}}"
