@@ -26,7 +26,7 @@ class Ring:
 
     def __init__(self, budget: Budget) -> None:
         self.budget, self.spend = budget, budget.spend
-        self.names = list[str]()
+        self.names = list[str]()  # of the generators
         self.at: dict[str, int] = {}
         self.unit: dict[str, int] = {}
         self.numbers: dict[int | Fraction, Element] = {}
@@ -62,7 +62,8 @@ class Ring:
         """A number as a polynomial."""
         if value not in self.numbers:
             above, below = value.as_integer_ratio()
-            self.numbers[value] = Element(self, {0: above}, below, above.bit_length())
+            bits = max(above.bit_length(), below.bit_length())
+            self.numbers[value] = Element(self, {0: above}, below, bits)
         return self.numbers[value]
 
     def exponents(self, monomial: int) -> list[tuple[str, int]]:
@@ -79,7 +80,7 @@ class Ring:
 
     def combination(self, parts: Iterable[tuple[int, Element]], below: int = 1) -> Element:
         """The sum of elements times integers, divided by an integer."""
-        found, common, bits, out = [part for part in parts if part[1].terms], 1, 0, Terms()
+        found, common, out = [part for part in parts if part[1].terms], 1, Terms()
         self.spend(1)
         if len(found) == 1 and found[0][0] == below == 1:
             return found[0][1]
@@ -87,6 +88,7 @@ class Ring:
             common = lcm(common, other)
             need(common.bit_length() <= BITS, "a number is too large")
             self.spend(1 + (common.bit_length() ** 2 >> 14))
+        bits = (below * common).bit_length()
         for c, e in found:
             factor = c * (common // e.below)
             bits = max(bits, e.bits + factor.bit_length())
@@ -97,7 +99,7 @@ class Ring:
 
     def product(self, elements: Iterable[Element]) -> Element:
         """The product of elements: of the monomials first, which is one more factor of the rest."""
-        monomial, count, below, bits, steps, sums = 0, 1, 1, 0, 1, list[Element]()
+        monomial, count, below, bits, steps, sums = 0, 1, 1, 1, 5, list[Element]()
         for e in elements:
             if not e.terms:
                 self.spend(steps)
@@ -108,7 +110,9 @@ class Ring:
             ((m, c),) = e.terms.items()
             steps += 1 + (bits * e.bits >> 16)
             monomial, count, below, bits = monomial + m, count * c, below * e.below, bits + e.bits
-            need(monomial & MASK <= DEGREE and bits <= 2 * BITS, "a degree or number is too large")
+            if bits > FEW:
+                bits = max(count.bit_length(), below.bit_length())
+            need(monomial & MASK <= DEGREE and bits <= BITS, "a degree or number is too large")
         self.spend(steps)
         if not sums or monomial or count != 1 or below != 1:
             sums.append(Element(self, {monomial: count}, below, bits).reduced(monomial))
@@ -129,7 +133,7 @@ class Element:
     __slots__ = ("below", "bits", "ring", "terms")
 
     def __init__(self, ring: Ring, terms: Terms, below: int, bits: int) -> None:
-        if bits > FEW or below >> FEW:
+        if bits > FEW:
             bits = max(below.bit_length(), max(map(int.bit_length, terms.values()), default=0))
             need(bits <= BITS, "a number is too large")
         ring.spend(5 + len(terms) * (1 + (bits * below.bit_length() >> 14)))
@@ -156,14 +160,12 @@ class Element:
 
     def times(self, other: Element) -> Element:
         """The product, term by term."""
-        fewer = len(self.terms) <= len(other.terms)
-        few, many = (self, other) if fewer else (other, self)
-        out, size = Terms(), len(few.terms) * len(many.terms)
+        few, many = (self, other) if len(self.terms) <= len(other.terms) else (other, self)
+        size = len(few.terms) * len(many.terms)
         self.ring.spend(size * (1 + (few.bits * many.bits >> 16)))
-        for m, c in few.terms.items():
-            if not out:
-                out = {m + n: c * d for n, d in many.terms.items()}
-                continue
+        (m, c), *rest = few.terms.items()
+        out = {m + n: c * d for n, d in many.terms.items()}
+        for m, c in rest:
             for n, d in many.terms.items():
                 k = m + n
                 out[k] = out.get(k, 0) + c * d
@@ -234,11 +236,10 @@ class Element:
         value, powers = self, self.ring.number(1)
         for name in self.generators():
             if divisor := self.ring.divisors.get(name):
-                parts = value.split(name)
-                value = parts.get(0, self.ring.number(0))
+                zero, parts = self.ring.number(0), value.split(name)
+                value = parts.get(0, zero)
                 for e in range(1, max(parts, default=0) + 1):
-                    value, powers = value * divisor, powers * divisor
-                    value = value + parts[e] if e in parts else value
+                    value, powers = value * divisor + parts.get(e, zero), powers * divisor
         return value, powers
 
     def vanishes(self) -> bool:
@@ -276,7 +277,7 @@ class Element:
         """The quotient by a primitive polynomial, if it is a polynomial; neither has roots."""
         self.ring.spend(1 + (len(self.terms) + len(divisor.terms) >> 4))
         guard, first, last = self.ring.guard, max(divisor.terms), min(divisor.terms)
-        rest, out, bits = dict(self.terms), Terms(), 0
+        rest, out, bits = dict(self.terms), Terms(), self.bits
         while rest:
             top, low = max(rest), min(rest)
             count, left = divmod(rest[top], divisor.terms[first])
