@@ -65,7 +65,9 @@ class Symbols(Cursor):
             return self.exponential(token, on, accents)
         if self.applied(name):
             if on.primes or accents:
-                raise self.error(f"the derivative of the function {name} is ambiguous", token)
+                raise self.error(
+                    f"by what is {name} derived? print \\partial {name}/\\partial x", token
+                )
             return self.application(name, token.start, on.power)
         piece: Piece = (self.declared(token.text, on.index, token), token.start, on.name_end, ())
         if accents:

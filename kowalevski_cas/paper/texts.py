@@ -51,6 +51,9 @@ class Display:
     label: str = ""
     copied: bool = True
 
+    def __hash__(self) -> int:
+        return hash(self.id)  # places are looked up all the time, and most displays differ in it
+
     def __getitem__(self, number: int) -> Printed:
         return Printed(self, number)
 

@@ -143,12 +143,12 @@ def _monomial(formula: Formula, places: Mapping[str, int]) -> tuple[tuple[int, .
     exponents = [0] * len(places)
     for factor in formula.factors if isinstance(formula, Product) else (formula,):
         power = 1
-        if isinstance(factor, Power) and isinstance(factor.exponent, Number):
+        if type(factor) is Power and type(factor.exponent) is Number:
             power, factor = factor.exponent.value, factor.base
-        if isinstance(factor, Number):
-            value *= factor.value**power
-        elif isinstance(factor, Name) and factor.name in places:
+        if type(factor) is Name and factor.name in places:
             exponents[places[factor.name]] += power
+        elif type(factor) is Number:
+            value *= factor.value**power
         else:
             return None
     return tuple(exponents), value
@@ -166,10 +166,9 @@ def _paired(left: Triple, right: Triple) -> Iterator[tuple[Element, Element]]:
 
 def multiply(left: Value, right: Value) -> Value:
     """The product of scalars, of a scalar and a vector, or of a diagonal matrix and a vector."""
-    if isinstance(left, Triple) and isinstance(right, Triple):
-        return Triple(a * b for a, b in _paired(left, right))
     if isinstance(left, Triple):
-        assert isinstance(right, Element)
+        if isinstance(right, Triple):
+            return Triple(a * b for a, b in _paired(left, right))
         return Triple(a * right for a in left)
     if isinstance(right, Triple):
         return Triple(left * b for b in right)

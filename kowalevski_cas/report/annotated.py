@@ -28,8 +28,9 @@ from kowalevski_cas.report.document import (
     Text,
 )
 from kowalevski_cas.report.names import anchor
+from kowalevski_cas.report.paragraphs import FIRST, Placed
 from kowalevski_cas.report.places import Item, names, sections
-from kowalevski_cas.report.prose import FIRST, Placed, read_article
+from kowalevski_cas.report.prose import read_article
 from kowalevski_cas.report.sentences import listed
 from kowalevski_cas.verify.outcome import Run, Verdict
 

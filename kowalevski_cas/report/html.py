@@ -153,7 +153,8 @@ class HtmlWriter(Writer):
         if not block.formulas:
             inner = f'<span class="source">{self.escaped(" ".join(block.source.split()))}</span>'
         else:
-            wide, narrow = (self._math(block.formulas, room) for room in (self.room, _NARROW))
+            both = self.setter.displays(block.formulas, (self.room, _NARROW))
+            wide, narrow = (f'<math display="block">{one}</math>' for one in both)
             inner = f"<div>{wide}</div>"
             if wide != narrow:
                 inner = f'<div class="wide">{wide}</div><div class="narrow">{narrow}</div>'
@@ -166,9 +167,6 @@ class HtmlWriter(Writer):
         return (
             f'<div class="display{kind}"{place}>{sign}<div class="math">{inner}</div>{label}</div>'
         )
-
-    def _math(self, formulas: Sequence[Formula], room: float) -> str:
-        return f'<math display="block">{self.setter.display(formulas, room)}</math>'
 
     def claim(self, block: Claim) -> str:
         sign = self.sign(block.verdict) if block.verdict else ""

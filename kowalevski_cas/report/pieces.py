@@ -68,8 +68,7 @@ def _pieces(formula: Formula, printer: Printer) -> Iterator[Piece]:
         case Product(factors):
             for k, factor in enumerate(factors):
                 first, *others = _within(factor, COMPOUND, printer)
-                if k:
-                    between = printer.beside(factors[k - 1], factor, first.text)
+                if k and (between := printer.beside(factors[k - 1], factor, first.text)):
                     first = replace(first, text=between + first.text)
                 yield first
                 yield from others

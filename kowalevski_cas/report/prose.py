@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, Final
 
 from kowalevski_cas import UserError
@@ -21,17 +20,12 @@ from kowalevski_cas.report.document import (
     Inline,
     Items,
     Link,
-    Paragraph,
     Table,
     Text,
 )
 from kowalevski_cas.report.names import anchor
+from kowalevski_cas.report.paragraphs import Paragraphs, Placed, says
 
-FIRST: Final = 0xF0000
-"""The letter that stands for the first formula; no font and no author has it."""
-
-_FORMULA: Final = re.compile(r"([\U000F0000-\U000FFFFD])")
-_PARAGRAPH: Final = re.compile(r"\n[ \t\r]*\n\s*")
 _LEVELS: Final = {"part": 1, "chapter": 1, "section": 1, "subsection": 2, "subsubsection": 2}
 _FONTS: Final = {
     **dict.fromkeys(("bf", "bfseries", "textbf", "paragraph", "subparagraph"), True),
@@ -52,15 +46,6 @@ _PLAIN: Final = frozenset(
 
 class ProseError(UserError):
     """The text cannot be read; the message says why and what to do."""
-
-
-@dataclass(frozen=True)
-class Placed:
-    """What stands for a formula: within a line a text, and blocks, which follow the paragraph."""
-
-    text: Text
-    blocks: tuple[Block, ...] = ()
-    inline: bool = False
 
 
 def read_article(tex: str, placed: Sequence[Placed], labels: Mapping[str, Link]) -> list[Block]:
@@ -103,57 +88,17 @@ def read_article(tex: str, placed: Sequence[Placed], labels: Mapping[str, Link])
     return article.blocks
 
 
-class _Article:
+class _Article(Paragraphs):
     """Reads nodes one after the other into blocks."""
 
     def __init__(self, tex: str, placed: Sequence[Placed], labels: Mapping[str, Link]) -> None:
-        self.tex, self.placed, self.labels = tex, placed, labels
+        super().__init__(placed)
+        self.tex, self.labels = tex, labels
         keys = re.findall(r"\\bibitem\s*(?:\[[^\]]*\])?\s*\{([^{}]*)\}", tex)
         self.cited = {key: number for number, key in enumerate(keys, 1)}
         self.numbers = numbers(tex)
         self.theorems = 0
-        self.blocks: list[Block] = []
-        self.line: list[Inline] = []
-        self.after: list[Block] = []
         self.headings = 0
-        self.place = ""
-
-    # -- paragraphs -----------------------------------------------------------------
-
-    def end(self) -> None:
-        """The paragraph ends, and what its formulas bring with them follows."""
-        if _says(self.line):
-            self.blocks.append(Paragraph(tuple(self.line), anchor=self.place))
-            self.place = ""
-        self.blocks += self.after
-        self.line, self.after = [], []
-
-    def words(self, text: str) -> None:
-        """Words with formulas, and the breaks between paragraphs."""
-        for k, paragraph in enumerate(_PARAGRAPH.split(text)):
-            if k:
-                self.end()
-            for part in _FORMULA.split(paragraph):
-                if _FORMULA.fullmatch(part):
-                    self._formula(self.placed[ord(part) - FIRST])
-                elif part:
-                    self.line.append(re.sub(r"\s+", " ", part))
-
-    def _formula(self, placed: Placed) -> None:
-        if placed.inline:
-            self.line += placed.text
-            self.after += placed.blocks
-        else:
-            self.end()
-            self.blocks += placed.blocks
-
-    def _source(self, node: Any) -> None:
-        """A piece of TeX as it is typed, with the formulas in it as formulas."""
-        for part in _FORMULA.split(node.latex_verbatim()):
-            if _FORMULA.fullmatch(part):
-                self._formula(self.placed[ord(part) - FIRST])
-            elif part.strip():
-                self.line.append(Code(part.strip()))
 
     def _inner(self, nodes: Iterable[Any]) -> Text:
         """Nodes within the line; what they display follows the paragraph."""
@@ -189,7 +134,7 @@ class _Article:
             case "LatexEnvironmentNode":
                 self._environment(node)
             case "LatexMathNode":
-                self._source(node)
+                self.source(node.latex_verbatim())
 
     def _macro(self, node: Any) -> None:
         name, arguments = node.macroname, _arguments(node)
@@ -199,7 +144,7 @@ class _Article:
             "cite": lambda: self._cite(arguments),
             "footnote": lambda: self._footnote(arguments),
             "par": self.end,
-            "includegraphics": lambda: self._source(node),
+            "includegraphics": lambda: self.source(node.latex_verbatim()),
             "caption": lambda: self._caption(arguments),
             "texttt": lambda: self.line.append(Code(_verbatim(arguments).replace("\\", ""))),
             "\\": lambda: self.line.append(" "),
@@ -220,7 +165,7 @@ class _Article:
         if get_default_latex_context_db().get_macro_spec(node.macroname):
             self.words(LatexNodes2Text().node_to_text(node) or " ")
         else:
-            self._source(node)
+            self.source(node.latex_verbatim())
 
     def _heading(self, level: int, text: Text) -> None:
         self.end()
@@ -276,7 +221,7 @@ class _Article:
             self._apart(node.nodelist)
         else:
             self.end()
-            self._source(node)
+            self.source(node.latex_verbatim())
             self.end()
 
     def _table(self, node: Any) -> None:
@@ -291,7 +236,7 @@ class _Article:
             else:
                 cells[-1][-1].append(inner)
         rows = [tuple(map(self._inner, row)) for row in cells]
-        head, *others = [row for row in rows if any(map(_says, row))] or [((),)]
+        head, *others = [row for row in rows if any(map(says, row))] or [((),)]
         self.blocks.append(Table((1 / len(head),) * len(head), head, tuple(others)))
         self.end()
 
@@ -325,11 +270,6 @@ class _Article:
         self.blocks.append(Items(tuple(items), numbered))
 
 
-def _says(text: Sequence[Inline]) -> bool:
-    """Whether there is more in a text than spaces."""
-    return any(not isinstance(one, str) or one.strip() for one in text)
-
-
 def _arguments(node: Any) -> list[Any]:
     """The arguments of a macro that are there."""
     found = getattr(node, "nodeargd", None)
@@ -339,6 +279,3 @@ def _arguments(node: Any) -> list[Any]:
 def _verbatim(arguments: Sequence[Any]) -> str:
     """The last argument as it is typed, without its braces."""
     return arguments[-1].latex_verbatim().strip("{} \n") if arguments else ""
-
-
-__all__ = ["FIRST", "Placed", "ProseError", "read_article"]

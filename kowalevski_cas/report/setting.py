@@ -44,8 +44,15 @@ class Setter(ABC):
 
     def display(self, formulas: Sequence[Formula], room: float) -> str:
         """The inside of a display: formulas in lines no wider than ``room`` em."""
-        room *= 0.97  # estimates are good to a few per cent
+        return self.displays(formulas, (room,))[0]
+
+    def displays(self, formulas: Sequence[Formula], rooms: Sequence[float]) -> list[str]:
+        """The same display for several widths."""
         rows = [pieces(formula, self.printer) for formula in formulas]
+        # Estimates are good to a few per cent.
+        return [self._display(rows, 0.97 * room) for room in rooms]
+
+    def _display(self, rows: Sequence[tuple[Piece, ...]], room: float) -> str:
         if sum(map(measured, rows)) + _GAP * (len(rows) - 1) <= room:
             return self.printer.finished(self.gap.join(self._joined(row) for row in rows))
         lines = self._aligned(rows, room)

@@ -20,6 +20,7 @@ from kowalevski_cas.notation import (
     Power,
     Relation,
     Root,
+    Sum,
     Summation,
     Vector,
     Vocabulary,
@@ -102,9 +103,11 @@ def _vocabulary(display: Display, vectors: Vectors) -> Vocabulary:
     functions = frozenset(function for function, arguments in map(head, names) if arguments)
     matrices = {one for place in display if place.heads.matrix for one in place.heads.names}
     matrices |= {one for one in names if is_bold(one)}
-    times = independent(display.tex) or ["t"]
+    dots = ["t"] if r"\dot" in display.tex or r"\ddot" in display.tex else []
+    times = [*dict.fromkeys([*dots, *independent(display.tex)])] or ["t"]
     if len(times) > 1:
-        raise ValueError(f"derivatives by {' and by '.join(times)}: print one independent variable")
+        by = " and by ".join(times)
+        raise ValueError(f"derivatives by {by}: print one independent variable, or partial ones")
     return replace(
         words, scalars=functions, functions=words.functions | functions, vectors=frozenset(vectors),
         matrices=frozenset(matrices - vectors.keys()), times=frozenset(times),
@@ -130,8 +133,9 @@ def _check(
                 "print the equations of motion of what stands in it"
             )
     if len(laws) > len(moving):
+        unknowns = f"{len(moving)} unknown{'' if len(moving) == 1 else 's'}"
         raise ValueError(
-            f"{len(laws)} equations for {len(moving)} unknowns ({', '.join(moving)}): "
+            f"{len(laws)} equations for {unknowns} ({', '.join(moving)}): "
             "leave one out, or claim it as an identity"
         )
     for name in (one for formula in formulas.values() for one in _derived(formula)):
@@ -172,14 +176,15 @@ def _with(scene: Scene, place: Printed, formula: Formula) -> Scene:
     if len(place.heads.squares) == 1:
         return scene.adjoining(place)
     what = "is no equation of motion, and defines no name"
-    raise ValueError(f"{place.tex} {what}; what is supposed is printed with \\ne 0")
+    raise ValueError(f"{place.tex} {what}; what is supposed is printed with \\ne")
 
 
 def _supposing(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
     """A scene with what is supposed not to vanish, or with the imaginary unit."""
     match formula:
-        case Relation((left, Number(0)), (r"\ne",)):
-            return scene.having(nonzero=(to_latex(left),))
+        case Relation((left, right), (r"\ne",)):
+            difference = left if right == Number(0) else Sum((left, Negative(right)))
+            return scene.having(nonzero=(to_latex(difference),))
         case Relation((Power(Name("i"), Number(2)), Negative(Number(1))), ("=",)):
             kept = tuple(name for name in scene.constants if name != "i")
             return replace(scene, constants=kept).with_unit(place)

@@ -20,7 +20,6 @@ from collections.abc import Callable, Container, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
 from dataclasses import replace
-from functools import partial
 from importlib import import_module
 from itertools import chain, count
 from typing import Any
@@ -59,6 +58,7 @@ from kowalevski_cas.system.equations import (
     with_parameters,
     with_time,
 )
+from kowalevski_cas.system.solved import solved
 from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
@@ -165,7 +165,7 @@ class System(Claims):
         return Function(display[1], name, formula, self.symbols)
 
     def where(self, *relations: Tex) -> System:
-        r"""The system for special constants: ``b=2\sigma``, ``r^2=x^2+y^2``, ``\sigma\ne0``.
+        r"""The system for special constants: ``a+b=2c``, ``r^2=x^2+y^2``, ``\sigma\ne0``.
 
         Raises:
             NotationError: a relation cannot be read.
@@ -174,7 +174,10 @@ class System(Claims):
         special, said = copy(self), ", ".join(map(self._tex, relations))
         scene = self.scene.described(f"{self.scene.name} where {said}", f"${said}$")
         for relation in relations:
-            place = self._place("where", relation)
+            tex = self._tex(relation)
+            formula = read(tex, vocabulary((scene,)), OpenParser)
+            tex = tex if heads(tex)[0].names else solved(formula, scene.constants) or tex
+            place = self._place("where", tex, supposed=True)
             scene = restricted(scene, place)
             scene = rooted(scene, place.display)
             special.special += (place.display,)
@@ -214,7 +217,11 @@ class System(Claims):
     def _state(self, id: str, finding: Finding, expect: str = "") -> Stated:
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
-        claim = finding.claim(id, partial(self._place, id))
+
+        def placed(formula: Tex) -> Printed:
+            return self._place(id, formula, supposed=finding.tex not in ("", formula))
+
+        claim = finding.claim(id, placed)
         if isinstance(claim, FirstIntegral):
             with suppress(ValueError):
                 claim = replace(claim, scene=with_levels(claim.scene, claim.own))
@@ -322,19 +329,27 @@ class System(Claims):
                     return formula.name
         raise ValueError(f"the symbol {symbol.name!r} cannot be printed as a name: rename it")
 
-    def _place(self, id: str, formula: Tex) -> Printed:
-        """Where a formula stands: where it was defined, or in a display of its own."""
+    def _place(self, id: str, formula: Tex, supposed: bool) -> Printed:
+        """Where a formula stands: where it was defined, or in a display of its own.
+
+        What is only ``supposed`` need not stand in a paper of which this is the derivation.
+        """
         tex = self._tex(formula)
         if isinstance(formula, Function):
             return formula.place
         known = {one.id for one in self.section.displays}
-        display = self.section.display(_new(id, known), tex)
+        if supposed:
+            display = self.section.lemma(_new(id, known), tex, "supposed")
+        else:
+            display = self.section.display(_new(id, known), tex)
         if len([*display]) != 1:
             raise ValueError(f"{display.tex}: one formula is expected; give each by itself")
         return display[1]
 
     def _id(self, kind: str, tex: str) -> str:
-        """A new id, after the letters of a formula."""
+        """A new id, after the label or the letters of a formula."""
+        label = re.search(r"\\label\{([^}]*)\}", tex)
+        tex = label[1] if label else tex
         letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
         id = self.prefix + "-".join(filter(None, (kind, letters)))
         return _new(id, {*(one.id for one in self.section.displays), *self.section.lines})

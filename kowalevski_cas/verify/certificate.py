@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -38,10 +39,24 @@ class Supported(NamedTuple):
 
 @dataclass(frozen=True)
 class Stored:
-    """The certificate of a claim as data, not checked yet."""
+    """The certificate of a claim in a file, or other data in its place; not checked yet."""
 
     path: Path
-    data: Data
+    instead: Data | None = None
+
+    @cached_property
+    def data(self) -> Data:
+        """What it has, read when it is asked for.
+
+        A file that is no JSON of this version has nothing: what it was about is proved anew.
+        """
+        if self.instead is not None:
+            return self.instead
+        try:
+            data = json.loads(self.path.read_text(encoding="utf-8"))
+        except (OSError, ValueError, RecursionError):
+            return {}
+        return data if isinstance(data, dict) and data.get("version") == VERSION else {}
 
     def verdicts(self, statement: Statement) -> Verdicts | None:
         """Its evidence for a statement; ``None`` if it is about another one.
@@ -81,19 +96,10 @@ class Stored:
 
 
 def load_certificates(folder: Path) -> dict[str, Stored]:
-    """The certificates in a derivation's folder by claim; those of corrections with a slash.
-
-    Files that are no JSON of this version are passed over: what they were about is proved anew.
-    """
-    found = {}
-    for path in sorted((folder / FOLDER).glob("**/*.json")):
-        try:
-            data = json.loads(path.read_text(encoding="utf-8"))
-        except (OSError, ValueError, RecursionError):
-            continue
-        if isinstance(data, dict) and data.get("version") == VERSION:
-            found[path.relative_to(folder / FOLDER).with_suffix("").as_posix()] = Stored(path, data)
-    return found
+    """The certificates in a derivation's folder by claim; those of corrections with a slash."""
+    own = folder / FOLDER
+    paths = sorted(own.glob("**/*.json"))
+    return {path.relative_to(own).with_suffix("").as_posix(): Stored(path) for path in paths}
 
 
 def certificate(

@@ -74,6 +74,6 @@ def test_only_files_are_read(tmp_path):
 
 
 def test_unclosed_things_take_no_time():
-    size = module.LARGEST // 8
+    size = module.LARGEST // 32
     for piece in ("\\verb|", "\\iffalse", "\\begin{verbatim}", "\\\\%"):
         visible(piece * (size // len(piece)))

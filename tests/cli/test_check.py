@@ -29,7 +29,8 @@ def copy(tmp_path):
     return folder
 
 
-def test_a_run_with_a_report_checks_them_as_make_verify_does(copy, tmp_path, capsys):
+def test_a_run_with_a_report_checks_them_as_make_verify_does(copy, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("kowalevski_cas.report.pdf.latex_command", lambda: None)  # Typst is faster
     makefile = (PAPER.parents[1] / "Makefile").read_text(encoding="utf-8")
     assert "\t@$(RUN) verify --arithmetic all --report reports\n" in makefile
     arguments = ["verify", str(copy), "--only", "eq14"]

@@ -1,12 +1,18 @@
 """Certificates in the languages of other programs."""
 
 import json
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 from kowalevski_cas.cli import main
 from kowalevski_cas.export import FORMATS, Inexpressible, load
+
+PAPER = "bobenko_reyman_semenov1989"
+"""A paper whose certificates have several roots of numbers."""
 
 HANDWRITTEN = Path(__file__).parents[1] / "problem" / "handwritten"
 
@@ -32,6 +38,18 @@ def test_an_export_is_always_the_same_and_rocq_is_told_how_to_build_all_its_file
     *options, last = (first / "_CoqProject").read_text(encoding="utf-8").partition("Expressions.v")
     assert options == ['-Q . ""\n-arg -w\n-arg none\n', "Expressions.v"]
     assert {"Expressions.v", *last.split()} == {name for name in files if name.endswith(".v")}
+
+
+@pytest.mark.slow
+def test_an_export_is_the_same_whatever_the_order_of_sets(tmp_path):
+    found = []
+    for seed in "12":
+        command = (sys.executable, "-m", "kowalevski_cas", "export", "pari", PAPER, "-o", seed)
+        environment = os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": os.getcwd()}
+        subprocess.run(command, cwd=tmp_path, env=environment, check=True, capture_output=True)
+        files = (tmp_path / seed / PAPER).iterdir()
+        found.append({path.name: path.read_text(encoding="utf-8") for path in files})
+    assert found[0] == found[1]
 
 
 @pytest.mark.parametrize("name", FORMATS)

@@ -30,7 +30,7 @@ A, B = Fraction(1), Fraction(2, 5)
 positive = st.fractions(Fraction(1, 20), 3, max_denominator=40)
 signed = st.fractions(-4, 4, max_denominator=40)
 
-few = settings(max_examples=settings.default.max_examples // 3)
+few = settings(max_examples=settings.default.max_examples // 6)
 """Motions through all tori of their constants are dear."""
 
 
@@ -78,7 +78,7 @@ def test_on_the_arcs_the_radicands_are_positive(m, ell):
 def test_the_mirror_keeps_the_number_of_tori():
     for m, ell in EVERY_REGIME:
         there = regime_of(Parameters.of(A, B, m, ell))
-        back = regime_of(Parameters.of(A, B, m, -ell))
+        back = regime_of(Parameters.of(A, B, m, -Fraction(ell)))
         assert there.tori == back.tori
         assert there.mirror + back.mirror == (there.sign > 0)
 
@@ -130,7 +130,6 @@ def test_each_torus_has_signs_of_its_own_and_keeps_them(m, ell, b):
 
 @few
 @given(st.fractions(-3, Fraction(-1, 10), max_denominator=40), st.sampled_from([B, 0]))
-@example(Fraction(-3, 10), B)
 @example(Fraction(-3, 5), B)
 @example(Fraction(-2), B)
 def test_on_the_curve_where_ell_vanishes_tori_are_the_same_in_pairs_or_not(m, b):

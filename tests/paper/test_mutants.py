@@ -89,7 +89,7 @@ def refuted_mutants(session, claim):
 
 SLOW = {
     "any-c.1", "any-c.2", "M4.k", "M4.g", "s", "M4-independence", "N4-independence", "limit", "ansatz-exponents",
-    "kowalevski-variable",
+    "kowalevski-variable", "M4-dimension", "equilibria",
 }  # fmt: skip
 """Their mutants have roots that are real nowhere, or at few points that are found; or large minors."""
 

@@ -42,7 +42,7 @@ def test_every_edit_of_a_formula_changes_the_digest(derivation, id):
             after = Statement(claim, on.under(on.texts.edited(claim.printed, edit))).digest
         except (Meaningless, NotationError):
             continue
-        member = edit.formula.members[edit.path[0]] if edit.path else None
+        member = edit.statement.formula.members[edit.path[0]] if edit.path else None
         level = isinstance(claim, FirstIntegral) and isinstance(member, Name | Power)
         assert after != before or level, edit.words  # a level is whatever the integral is
         changed += after != before

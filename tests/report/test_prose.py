@@ -19,7 +19,8 @@ from kowalevski_cas.report.document import (
     Link,
     Table,
 )
-from kowalevski_cas.report.prose import FIRST, Placed, ProseError, read_article
+from kowalevski_cas.report.paragraphs import FIRST, Placed
+from kowalevski_cas.report.prose import ProseError, read_article
 from tests.report.test_contents import parts, said
 
 INLINE = [Placed((Name(f"x_{k}"),), inline=True) for k in range(3)]

@@ -197,7 +197,7 @@ VACUOUS = {
 }
 
 
-@pytest.mark.parametrize(("printed", "proposed"), sampled(VACUOUS.values(), 1))
+@pytest.mark.parametrize(("printed", "proposed"), sampled(VACUOUS.values(), 1, seed=4))
 def test_what_is_true_of_itself_is_not_proposed(small, printed, proposed):
     level = small.section.inline("level", "E=0")
     claim = Implication("t", small.scene, small(printed), "", given=(level[1],))

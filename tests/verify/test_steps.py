@@ -4,7 +4,6 @@ import pytest
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.notation import to_plain
-from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.run import verify
 
 CLAIMS = (
@@ -15,9 +14,9 @@ CLAIMS = (
 
 
 @pytest.fixture(scope="module")
-def told(derivation, folder):
+def told(derivation, certificates, record):
     """The outcomes by claim, with their steps."""
-    found = verify(derivation, EXACT[:1], CLAIMS, True, certificates=load_certificates(folder))
+    found = verify(derivation, EXACT[:1], CLAIMS, True, certificates=certificates, record=record)
     return {outcome.claim: outcome for outcome in found.outcomes}
 
 

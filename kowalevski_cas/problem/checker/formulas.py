@@ -26,11 +26,11 @@ class Map:
     def __init__(self, ring: Ring, images: dict[str, Element], space: Formulas) -> None:
         self.ring, self.images, self.space = ring, images, space
         self.monomials: dict[int, Element] = {}
-        for name in ring.roots.keys() & images.keys():
+        for name in (n for n in ring.roots if n in images):
             square = ring.roots[name]
             rest = images[name] * images[name] - self(square)
             need(rest.vanishes(), f"{name} does not keep its square")
-        for name in ring.powers.keys() & images.keys():
+        for name in (n for n in ring.powers if n in images):
             base, power = ring.powers[name]
             same = space.is_power(images[name], self(base), self(power))
             need(same, f"{name} may be no power of its base")

@@ -94,7 +94,7 @@ class Problem:
             names = names_of(one) & values.keys()
             used |= names
             space = self.stage(one, entry, [(n, values[n]) for n in bound if n in names])
-            for name in names & {*goal["numbers"]}:
+            for name in (n for n in goal["numbers"] if n in names):
                 rational(space, values[name])
             KINDS[one["goal"]](space, one).holds(entry)
             found.append(theorem(sentence(one), space, entry))
