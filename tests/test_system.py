@@ -670,6 +670,25 @@ def test_what_is_otherwise_than_expected_is_a_difference(cli):
     assert code == 1 and "invariant-F: expected refuted, found proved" in out
 
 
+@pytest.mark.parametrize("expected", ["", "refuted", "proved"])
+@pytest.mark.parametrize("function", ["F=0", "G=0"])
+def test_a_record_hides_no_contradiction_to_what_is_expected(cli, function, expected):
+    """F vanishes on an invariant set, and G does not."""
+    verdict = "proved" if function == "F=0" else "refuted"
+    file = f"""
+from kowalevski_cas import System
+circle = System(r"\\dot x=y, \\dot y=-x")
+circle.define("F=x^2+y^2-1"), circle.define("G=x-y")
+circle.invariant("{function}", expect="{expected}")
+"""
+    assert cli("record", file)[0] == 0
+    code, out = cli("verify", file)
+    contradicted = expected not in ("", verdict)
+    assert code == contradicted
+    said = f"recorded against the file, which expects {expected}, found {verdict}"
+    assert (said in out) == contradicted and ("as recorded" in out) != contradicted
+
+
 def test_a_claim_that_cannot_be_read_hides_no_other(cli):
     code, out = cli("verify", FILE + 'lorenz.integral("w")\n')
     assert code == 2 and "2 proved" in out
