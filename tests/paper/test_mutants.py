@@ -211,7 +211,7 @@ def test_the_two_values_are_those_that_plain_python_finds(id, enough):
 NAMES = "eq10.1 eq10.5 theta-prime eq12 U1-prime eq14 F2-prime eq13.conjugate".split()
 
 
-@pytest.mark.parametrize("id", sampled(NAMES, 2))
+@pytest.mark.parametrize("id", sampled(NAMES, 1, seed=2))
 def test_no_single_edit_of_an_identity_in_the_complex_variables_is_true(id):
     """But for the correction of what is misprinted."""
     session, claim = SESSIONS["kharlamov2002"], FIRST[id]
