@@ -222,6 +222,7 @@ def test_a_constant_can_be_a_root():
         ),
         (r"\dot x_i=x_i(x_{i+1}-x_{i-1}),\quad i=1,2,3,\quad x_{i+3}=x_i", "x₁, x₂, x₃ move", "x_1x_2x_3=c"),
         (r"2\ddot\alpha=e^{2\beta}, 2\ddot\beta=e^{2\beta}", "α, β move", r"\dot\beta^2-\frac12e^{2\beta}"),
+        (r"\frac{\text{d}x}{\text{d}t}=y, \frac{\text{d}y}{\text{d}t}=-x", "x, y move", "x^2+y^2"),
     ],
 )  # fmt: skip
 def test_equations_as_textbooks_print_them(field, moves, integral):
