@@ -371,6 +371,16 @@ def test_the_modulus_of_what_is_complex_is_real():
         System(r"\dot z=\bar z")
 
 
+@pytest.mark.parametrize("function", ["a^2-b^2", r"|a|^2-|b|^2", r"a\bar a+c\bar c", "a"])
+def test_what_is_real_has_no_imaginary_rate(function):
+    """Of three waves: their amplitudes are complex, and nothing is said of real ones."""
+    waves = System(r"i\dot a=\bar bc, i\dot b=\bar ac, i\dot c=ab, i^2=-1")
+    outcome = waves.integral(function).outcome
+    assert outcome.verdict is Verdict.ERROR and "rates of what is real" in outcome.message
+    with pytest.raises(ValueError, match="rates of what is real are imaginary"):
+        waves.find_integrals(2)
+
+
 @pytest.mark.parametrize("number", [2, 3, 5, 6, 7])
 def test_roots_of_numbers_are_refuted_too(number):
     """Modulo half of all primes there is no root of the number, and no point to try."""
@@ -668,6 +678,25 @@ def test_what_is_otherwise_than_expected_is_a_difference(cli):
     assert "invariant-F.2: expected that it is true, found refuted" in out
     code, out = cli("verify", FILE.replace('"F=0")', '"F=0", expect="refuted")'))
     assert code == 1 and "invariant-F: expected refuted, found proved" in out
+
+
+@pytest.mark.parametrize("expected", ["", "refuted", "proved"])
+@pytest.mark.parametrize("function", ["F=0", "G=0"])
+def test_a_record_hides_no_contradiction_to_what_is_expected(cli, function, expected):
+    """F vanishes on an invariant set, and G does not."""
+    verdict = "proved" if function == "F=0" else "refuted"
+    file = f"""
+from kowalevski_cas import System
+circle = System(r"\\dot x=y, \\dot y=-x")
+circle.define("F=x^2+y^2-1"), circle.define("G=x-y")
+circle.invariant("{function}", expect="{expected}")
+"""
+    assert cli("record", file)[0] == 0
+    code, out = cli("verify", file)
+    contradicted = expected not in ("", verdict)
+    assert code == contradicted
+    said = f"recorded against the file, which expects {expected}, found {verdict}"
+    assert (said in out) == contradicted and ("as recorded" in out) != contradicted
 
 
 def test_a_claim_that_cannot_be_read_hides_no_other(cli):

@@ -32,6 +32,18 @@ def polynomial_of(context: fmpq_mpoly_ctx, terms: Coefficients) -> fmpq_mpoly:
     return context.from_dict({exponents: to_flint(value) for exponents, value in terms.items()})
 
 
+def coefficients(
+    polynomial: fmpq_mpoly, places: Sequence[int]
+) -> dict[tuple[int, ...], fmpq_mpoly]:
+    """Those of a polynomial in the variables at some places; they have the others in them."""
+    groups: dict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = {}
+    for exponents, value in polynomial.to_dict().items():
+        key = tuple(int(exponents[k]) for k in places)
+        others = tuple(0 if k in places else e for k, e in enumerate(exponents))
+        groups.setdefault(key, {})[others] = value
+    return {key: polynomial.context().from_dict(terms) for key, terms in groups.items()}
+
+
 class Arithmetic(Polynomials):
     """``fmpq_mpoly`` in lexicographic order."""
 

@@ -9,7 +9,7 @@ from math import isqrt, prod
 from kowalevski_cas.algebra.polynomials import Polynomial, Polynomials, Terms
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element, Ring
-from kowalevski_cas.notation import Formula, Vocabulary, to_latex
+from kowalevski_cas.notation import Vocabulary, to_latex
 
 TRIED = 10_000
 """The divisors that are tried to find the square factors of a number."""
@@ -29,11 +29,6 @@ def gaussian(numbers: Ring, re: Fraction, im: Fraction) -> Element:
     """The number re + im·i of a :func:`number_ring`."""
     constant = numbers.polynomials.constant
     return Element(numbers, {mask: constant(v) for mask, v in ((0, re), (1, im)) if v}, {})
-
-
-def show_number(number: Element) -> Formula:
-    """A number as it is printed."""
-    return formula_of(number, NUMBERS)
 
 
 def square_root(value: Fraction) -> Fraction | None:
@@ -127,7 +122,7 @@ class Substitution:
 
     def _adjoined(self, radicand: Element) -> Element:
         numbers = self.numbers
-        name = rf"\sqrt{{{to_latex(show_number(radicand))}}}"
+        name = rf"\sqrt{{{to_latex(formula_of(radicand, NUMBERS))}}}"
         return numbers.generator(name) if name in numbers.roots else numbers.adjoin(name, radicand)
 
     def __call__(self, element: Element) -> Element:

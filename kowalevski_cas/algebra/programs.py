@@ -106,11 +106,6 @@ class Program(Element):
     def __truediv__(self, other: Element) -> Program:
         return self * _program(other).inverse()
 
-    def conjugate_root(self, bit: int) -> Program:
-        """The program with the sign of one root changed."""
-        name = self.ring.roots[bit]
-        return self.ring.replaced(self, {name: -self.ring.generator(name)})
-
 
 def _program(element: Element) -> Program:
     assert isinstance(element, Program)
@@ -156,25 +151,6 @@ class Programs:
         self.radicands.append(radicand)
         self._named[name] = self.step(Op.ROOT, (radicand,), name)
         return self._named[name]
-
-    def replaced(self, program: Program, images: Mapping[str, Program]) -> Program:
-        """The program with other programs in place of some generators and roots."""
-        done: dict[Program, Program] = {}
-
-        def image(old: Program) -> Program:
-            if old not in done:
-                done[old] = new(old)
-            return done[old]
-
-        def new(old: Program) -> Program:
-            if old.op in (Op.GENERATOR, Op.ROOT):
-                return images.get(str(old.data), old)
-            data = old.data
-            if isinstance(data, Mapping):
-                data = {name: image(_program(value)) for name, value in data.items()}
-            return self.step(old.op, tuple(image(arg) for arg in old.args), data)
-
-        return image(program)
 
 
 @along.register

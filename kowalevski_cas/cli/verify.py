@@ -121,13 +121,16 @@ def _result(
 
 def compared(folder: Path, derivation: Derivation, found: Run, whole: bool) -> Result:
     """A run beside the record in a folder, of all claims if it is whole."""
-    record = load_record(folder)
+    record, said = load_record(folder), derivation.expected
     if record is None:
-        differing = unexpected(found, derivation.expected)
+        differing = unexpected(found, said)
     elif found.arithmetics[0] in POINTS:
         differing = contradictions(found, record)
     else:
         differing = differences(found, record, whole)
+        against = (one for one in unexpected(found, said) if one.claim in said)
+        words = "against the file, which expects {}"
+        differing += [replace(one, recorded=words.format(one.recorded)) for one in against]
     paper = sections(found, derivation, derivation.texts())
     return Result(folder, found, paper, differing, record is not None, derivation.lines)
 

@@ -13,13 +13,11 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.arrays import Array, Complex
 from kowalevski_cas.paper.closed_form import CriticalSets
 
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 Number = Any
 """A fraction or an array."""
 

@@ -14,17 +14,13 @@ from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.arrays import Array, Integers, Mask
 from kowalevski_cas.motion.o4.parameters import ParametersO4
 from kowalevski_cas.motion.o4.regimes import Regime, regime_of
 from kowalevski_cas.motion.parameters import Inadmissible
 from kowalevski_cas.paper.closed_form import CriticalSets, HyperellipticForm, LevelsOnM4
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Mask = NDArray[np.bool_]
 
 NEAR = 1e-7
 """How far beside a separating curve motions are looked for."""

@@ -12,8 +12,8 @@ from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.methods.ball import enclosures
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Inadmissible, Parameters
@@ -27,7 +27,7 @@ SMALL = Fraction(1, 2**80)
 BITS = 192
 
 
-def nearest(motion: Motion, state: Sequence[Fraction], weights: NDArray[np.float64]) -> Motion:
+def nearest(motion: Motion, state: Sequence[Fraction], weights: Array) -> Motion:
     """The motion through the point of N⁴ nearest to a state, near which another motion begins.
 
     The fields stay as they are; differences from the state are multiplied by the weights. On a

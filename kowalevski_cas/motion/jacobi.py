@@ -14,12 +14,11 @@ from collections.abc import Callable
 
 import numpy as np
 from flint import arb, arb_poly
-from numpy.typing import NDArray
 
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.phases import Phase, as_fraction, expansion, parts_needed
 
-Array = NDArray[np.float64]
 Quadruple = tuple[Array, Array, Array, Array]
 
 TERMS = 4

@@ -12,9 +12,8 @@ from typing import TypeVar
 
 import numpy as np
 from flint import arb
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from kowalevski_cas.motion.arrays import Array
 
 Split = TypeVar("Split", float, Array)
 

@@ -15,9 +15,9 @@ from math import sqrt
 
 import numpy as np
 from flint import arb
-from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.critical import LEAST_THETA, TOLERANCE, bounds
 from kowalevski_cas.motion.fit import nearest
 from kowalevski_cas.motion.formulas import exactly
@@ -97,7 +97,7 @@ def _returning(motion: Motion, given: list[Fraction]) -> Motion:
     return replace(motion, off=distance(states(motion, np.zeros(1))[0], given))
 
 
-def distance(state: NDArray[np.float64], given: list[Fraction]) -> float:
+def distance(state: Array, given: list[Fraction]) -> float:
     """How far a state is from a given one, relative to its size: ω and fields each of their own."""
     there = [Fraction(x) for x in state.tolist()]
     fields, whole = _sizes(given)

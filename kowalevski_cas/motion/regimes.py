@@ -48,22 +48,26 @@ NOISE = Fraction(1, 2**256)
 class Arc:
     """The arc of one variable: from the root ``roots[0]`` upwards to ``roots[1]``.
 
-    ``roots`` are the four roots of the variable's quartic in their cyclic order upwards along
-    the projective line. ``infinite`` says whether the arc passes through infinity.
+    The next root above these is ``roots[2]``, the next one below ``roots[3]``, in the cyclic order
+    upwards along the projective line. ``infinite`` says whether the arc passes through infinity.
     """
 
     roots: tuple[str, str, str, str]
     infinite: bool
 
     @property
+    def ends(self) -> tuple[str, str]:
+        """The roots between which it is."""
+        return self.roots[:2]
+
+    @property
     def components(self) -> int:
-        """The number of closed curves above the arc: signs that never change."""
-        ends = set(self.roots[:2])
-        return 2 if any(ends == set(pair) for pair in (FIELD_1, FIELD_2, PHI)) else 1
+        """The number of closed curves above an arc on N⁴: signs that never change."""
+        return 2 if any({*self.ends} == {*pair} for pair in (FIELD_1, FIELD_2, PHI)) else 1
 
     def __str__(self) -> str:
         """The arc in the letters of the paper."""
-        first, last = self.roots[:2]
+        first, last = self.ends
         return f"[{first}, ∞] ∪ [-∞, {last}]" if self.infinite else f"[{first}, {last}]"
 
 
@@ -129,7 +133,7 @@ def tori(parameters: Parameters) -> int:
     pairs of tori the same where s1 runs from a through ∞ to −a.
     """
     regime = regime_of(parameters)
-    meeting = parameters.ell_sign == 0 and set(regime.s1.roots[:2]) == set(FIELD_1)
+    meeting = parameters.ell_sign == 0 and {*regime.s1.ends} == {*FIELD_1}
     return regime.tori // 2 if meeting else regime.tori
 
 
@@ -175,13 +179,18 @@ def without_rounding(rounded: Parameters) -> Parameters:
 
 def signs_of(parameters: Parameters, torus: int) -> tuple[int, int]:
     """The signs of S1 and S2 at the first roots on a torus, one of :func:`tori`, from 1."""
-    regime, count = regime_of(parameters), tori(parameters)
+    regime = regime_of(parameters)
+    check_torus(torus, tori(parameters))
+    first, second = divmod(torus - 1, regime.s2.components)
+    return 1 - 2 * first, 1 - 2 * second
+
+
+def check_torus(torus: int, count: int) -> None:
+    """Refuse the number of a torus that there is not."""
     if not 1 <= torus <= count:
         raise Inadmissible(
             f"there is no torus {torus}: the tori of these constants are 1 to {count}"
         )
-    first, second = divmod(torus - 1, regime.s2.components)
-    return 1 - 2 * first, 1 - 2 * second
 
 
 def coordinates(parameters: Parameters, root: str) -> tuple[Fraction, Fraction]:

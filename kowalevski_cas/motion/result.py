@@ -7,9 +7,9 @@ from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.critical import SETS, on, residuals
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.general import AnyMotion, General
@@ -31,9 +31,9 @@ class Result:
     """
 
     motion: AnyMotion
-    times: NDArray[np.float64]
-    states: NDArray[np.float64]
-    radii: NDArray[np.float64] | None = None
+    times: Array
+    states: Array
+    radii: Array | None = None
 
     @property
     def rows(self) -> list[list[float]]:

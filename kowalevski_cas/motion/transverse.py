@@ -23,15 +23,12 @@ from collections.abc import Iterator
 
 import numpy as np
 from flint import acb, arb
-from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.arrays import Array, Complex
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import Parameters, Real, ball, precision
 from kowalevski_cas.motion.regimes import Regime, all_regimes, ells, regime_of
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 
 def transverse(states: Array) -> tuple[Complex, Complex]:

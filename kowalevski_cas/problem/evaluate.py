@@ -172,7 +172,7 @@ class Evaluation(Fold):
         found = dict(self._carried()) if setting.change is not None else {}
         for row in setting.field:
             found.update(self._row(row.names, row.factor, row.force))
-        variables = {*setting.variables, *self._moving_roots(found)}
+        variables = {*setting.variables, *setting.roots}
         still = [name for name in setting.variables if name not in found]
         if still:
             raise Meaningless(f"no equation of motion for {still[0]}", still[0])
@@ -223,9 +223,6 @@ class Evaluation(Fold):
         twice = root * self.ring.number(2)
         if not (along(self.scalar(step.square), rates) - twice * along(root, rates)).is_zero:
             raise Meaningless(f"{name} does not move as its square does", name)
-
-    def _moving_roots(self, rates: Mapping[str, Element]) -> Iterator[str]:
-        return (name for name in rates if name in self.setting.roots)
 
     def _row(
         self, names: tuple[str, ...], factor: Formula, force: Formula

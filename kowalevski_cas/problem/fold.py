@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import Any
 
 from kowalevski_cas.algebra.tower import Element, Ring
@@ -190,17 +190,11 @@ def _each(value: Value, function: Callable[[Element], Element]) -> Value:
 def _sum(formula: Sum, at: Fold, bar: bool) -> Value:
     if not bar and (polynomial := at.polynomial(formula)) is not None:
         return polynomial
-    first, *rest = (at(term, bar) for term in formula.terms)
-    for value in rest:
-        first = _add(first, value)
-    return first
+    return reduce(_add, (at(term, bar) for term in formula.terms))
 
 
 def _product(formula: Product, at: Fold, bar: bool) -> Value:
-    first, *rest = (at(factor, bar) for factor in formula.factors)
-    for value in rest:
-        first = multiply(first, value)
-    return first
+    return reduce(multiply, (at(factor, bar) for factor in formula.factors))
 
 
 def _inverse(element: Element, formula: Formula) -> Element:

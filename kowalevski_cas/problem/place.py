@@ -123,16 +123,14 @@ class Place:
 @cache
 def _numbers(arithmetic: type[Polynomials], squares: tuple[int, ...]) -> Evaluation:
     """The numbers in which points have their values: rationals, i, and roots of whole numbers."""
-    if any(gcd(*pair) > 1 for pair in combinations(squares, 2)) or any(map(_is_square, squares)):
+    if any(gcd(*pair) > 1 for pair in combinations(squares, 2)) or any(
+        isqrt(n) ** 2 == n for n in squares
+    ):
         raise Misplaced("roots at a point may depend on each other")
     steps = [Adjoined("i", MINUS_ONE)]
     steps += [Adjoined(rf"\sqrt{{{number}}}", Number(number)) for number in squares]
     space = Space(variables=(), constants=("",), steps=tuple(steps))
     return Evaluation(space, arithmetic).adjoin_roots()
-
-
-def _is_square(number: int) -> bool:
-    return isqrt(number) ** 2 == number
 
 
 def _squares(formula: Formula) -> set[int]:

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations_with_replacement
 
-from flint import fmpq_mpoly
+from flint import fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.kernels import kernel
@@ -46,42 +46,55 @@ def multiple(
     The degree of u is the least for which one is found, and at most ``degree``. No u is itself
     a combination of the generators: it would vanish wherever these do.
     """
-    polynomials = [terms for one in (target, *generators) if (terms := terms_of(one))]
-    weights = gradings(polynomials)
-    context = target.context()
-    places = [k for k in range(context.nvars()) if any(m[k] for p in polynomials for m in p)]
+    context, polynomials = target.context(), (target, *generators)
+    degrees = [one.degrees() for one in polynomials]
+    places = [k for k in range(context.nvars()) if any(own[k] for own in degrees)]
+    goal, *terms = (
+        {tuple(m[k] for k in places): value for m, value in terms_of(one).items()}
+        for one in polynomials
+    )
+    weights = gradings([one for one in (goal, *terms) if one])
     blocks: dict[tuple[int, ...], list[Monomial]] = {}
     for size in range(degree + 1):
-        for chosen in combinations_with_replacement(places, size):
-            monomial = tuple(map(chosen.count, range(context.nvars())))
+        for chosen in combinations_with_replacement(range(len(places)), size):
+            monomial = tuple(map(chosen.count, range(len(places))))
             grade = tuple(sum(w * e for w, e in zip(one, monomial, strict=True)) for one in weights)
             blocks.setdefault(grade, []).append(monomial)
         for block in blocks.values():
             if sum(block[-1]) < size:
                 continue
-            for unit, cofactors in _combinations(target, generators, block):
+            for found in _combinations(goal, terms, block):
+                unit, *cofactors = (_spread(context, places, one) for one in found)
                 if not size or combination(unit, generators) is None:
                     return unit, cofactors
     return None
 
 
+def _spread(context: fmpq_mpoly_ctx, places: Sequence[int], terms: Terms) -> fmpq_mpoly:
+    """A polynomial by its terms in the variables at some places."""
+    where = {k: n for n, k in enumerate(places)}
+    own = {
+        tuple(m[where[k]] if k in where else 0 for k in range(context.nvars())): value
+        for m, value in terms.items()
+    }
+    return polynomial_of(context, own)
+
+
 def _combinations(
-    target: fmpq_mpoly, generators: Sequence[fmpq_mpoly], block: Sequence[Monomial]
-) -> Iterator[Combination]:
-    """Those in which the target is multiplied by terms with monomials of a block."""
-    goal, terms = terms_of(target), [terms_of(generator) for generator in generators]
+    goal: Terms, terms: Sequence[Terms], block: Sequence[Monomial]
+) -> Iterator[list[Terms]]:
+    """Units with monomials of a block, each with the cofactors of the multiple of the target."""
     multiples = [_multiple(goal, monomial) for monomial in block]
     start = list(dict.fromkeys(monomial for one in multiples for monomial in one))
     columns = _columns(start, terms) or _columns(start, terms, max(map(sum, start)))
     if columns is None:
         return
-    context, size = target.context(), len(columns)
+    size = len(columns)
     for solution in _relations([_multiple(terms[k], m) for k, m in columns], multiples):
-        unit = polynomial_of(context, dict(zip(block, solution[size:], strict=True)))
-        parts: list[Terms] = [{} for _ in generators]
+        parts: list[Terms] = [{} for _ in terms]
         for (k, monomial), value in zip(columns, solution[:size], strict=True):
             parts[k][monomial] = -value
-        yield unit, [polynomial_of(context, part) for part in parts]
+        yield [dict(zip(block, solution[size:], strict=True)), *parts]
 
 
 def _columns(

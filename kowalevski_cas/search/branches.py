@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from flint import fmpq_mpoly
 
-from kowalevski_cas.algebra.flint import terms_of
+from kowalevski_cas.algebra.flint import coefficients, terms_of
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.search.squares import sum_of_squares
 
@@ -242,12 +242,8 @@ def _reduced(solved: Solved) -> Solved:
 
 def coefficient(polynomial: fmpq_mpoly, place: int, power: int) -> fmpq_mpoly:
     """The coefficient of a power of the unknown at a place."""
-    terms = {
-        (*exponents[:place], 0, *exponents[place + 1 :]): value
-        for exponents, value in polynomial.to_dict().items()
-        if exponents[place] == power
-    }
-    return polynomial.context().from_dict(terms)
+    found = coefficients(polynomial, (place,))
+    return found.get((power,), polynomial.context().constant(0))
 
 
 def without(polynomial: fmpq_mpoly, place: int, equation: fmpq_mpoly) -> fmpq_mpoly:

@@ -50,7 +50,8 @@ def exponential_factors(
     That is a linear question: G′ − KG = LP, where P′ = KP. A G/P that is a combination of those
     before, but for something constant, is left out.
     """
-    at, motion = field.at, _degree_of_motion(field)
+    at = field.at
+    motion = max((sum(e[: field.size]) for rate in field.rates for e in rate), default=0)
     powers = [*_monomials(field, max(degree, motion))]
     light = [*_monomials(field, motion - 1)]
     sizes = [max(sum(e[: field.size]) for e in field.polynomial(one.polynomial)) for one in known]
@@ -86,10 +87,6 @@ def relations(
         if multiplier or not all(one.is_zero for one in exponents):  # no sum of G/P alone
             exponential = _combined(vector[len(known) :], [e.exponent for e in exponentials])
             yield Relation(tuple(exponents), exponential, multiplier)
-
-
-def _degree_of_motion(field: PolynomialField) -> int:
-    return max((sum(e[: field.size]) for rate in field.rates for e in rate), default=0)
 
 
 def _monomials(field: PolynomialField, degree: int) -> Iterator[Element]:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.flat import Flat
+from kowalevski_cas.algebra.flint import coefficients
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.search.ansatz import Combination, combination, multiple
 
@@ -14,8 +15,6 @@ LARGEST_DEGREE = 2
 """The largest degree of what is divided by where no division finds anything."""
 
 Monomial = tuple[int, ...]
-Split = dict[Monomial, fmpq_mpoly]
-"""A polynomial in the main variables with coefficients in the others."""
 
 
 def cofactors(
@@ -177,11 +176,11 @@ def pseudo_divide(
     divisor without main variables is passed over.
     """
     context = dividend.context()
-    split = [_split(g, main) for g in divisors]
+    split = [coefficients(g, main) for g in divisors]
     leads = [max(s, default=(0,) * len(main)) for s in split]
     unit = context.constant(1)
     quotients = [context.constant(0)] * len(divisors)
-    rest, remainder = _split(dividend, main), context.constant(0)
+    rest, remainder = coefficients(dividend, main), context.constant(0)
     while rest:
         top = max(rest)
         usable = [
@@ -211,16 +210,6 @@ def pseudo_divide(
             else:
                 rest[key] = value
     return unit, quotients, remainder
-
-
-def _split(polynomial: fmpq_mpoly, main: tuple[int, ...]) -> Split:
-    context = polynomial.context()
-    groups: dict[Monomial, dict[Monomial, fmpq]] = {}
-    for exponents, value in polynomial.to_dict().items():
-        key = tuple(exponents[k] for k in main)
-        others = tuple(0 if k in main else e for k, e in enumerate(exponents))
-        groups.setdefault(key, {})[others] = value
-    return {key: context.from_dict(terms) for key, terms in groups.items()}
 
 
 def _power(context: fmpq_mpoly_ctx, main: tuple[int, ...], exponents: Monomial) -> fmpq_mpoly:

@@ -18,6 +18,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations, combinations_with_replacement, permutations
+from operator import mul
 
 from kowalevski_cas.algebra.derivation import gradient
 from kowalevski_cas.algebra.numbers import rational
@@ -172,7 +173,8 @@ class Critical:
     def _targets(self, homogeneous: Element) -> Row:
         """The critical equations and consequences of them."""
         critical = self._derivatives(homogeneous)
-        targets = [*critical, *(self._dot(field, critical) for field in self._fields())]
+        along = (sum(map(mul, field, critical), self.at.ring.zero) for field in self._fields())
+        targets = [*critical, *along]
         return [*targets, homogeneous] if self.zero_level else targets
 
     def _rows(self, excess: Row) -> list[Row]:
@@ -190,12 +192,6 @@ class Critical:
             fields.append(row)
         count = size - self.zero_level
         return [*rates[:count], *fields, *rates[count:]]
-
-    def _dot(self, field: Sequence[Element], rates: Sequence[Element]) -> Element:
-        total = self.at.ring.zero
-        for component, rate in zip(field, rates[: len(field)], strict=True):
-            total = total + component * rate
-        return total
 
     # -- points ------------------------------------------------------------------------
 

@@ -99,8 +99,10 @@ class _Search:
     def _kernel(self, degree: int) -> Iterator[Terms]:
         """A basis of the integrals with coefficients of some degree in the constants."""
         groups: dict[Exponents, list[Exponents]] = {}
+        ones = (1,) * self.others
+        constants = [e for size in range(degree + 1) for e in monomials(ones, size)]
         for own in self.monomials:
-            for powers in _up_to(self.others, degree):
+            for powers in constants:
                 exponents = (*own[: self.field.size], *powers)
                 groups.setdefault(self.field.grade(exponents), []).append(exponents)
         work = partial(_solutions, self.field.rates, self.field.factor)
@@ -130,12 +132,6 @@ def _solutions(rates: Sequence[Terms], factor: Terms, group: Sequence[Exponents]
 
 def _size(terms: Terms) -> tuple[int, int]:
     return max(map(sum, terms)), len(terms)
-
-
-def _up_to(width: int, degree: int) -> Iterator[Exponents]:
-    """The exponents of so many names up to a degree."""
-    for own in range(degree + 1):
-        yield from monomials((1,) * width, own)
 
 
 class Span:

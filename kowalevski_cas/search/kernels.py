@@ -3,27 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 
-from kowalevski_cas.algebra.kernels import kernel
+from kowalevski_cas.algebra.kernels import TooLarge
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Further
 from kowalevski_cas.problem.goals import Kernel
-from kowalevski_cas.problem.kernel import LARGEST, check_complete, check_further
+from kowalevski_cas.problem.kernel import check_complete, check_further
 from kowalevski_cas.problem.place import Misplaced, Place
-from kowalevski_cas.problem.polynomial_fields import (
-    PolynomialField,
-    monomials,
-    number_of_monomials,
-)
+from kowalevski_cas.search.integrals import first_integrals
 from kowalevski_cas.search.place import Candidate, PointFinder
 
 POINTS = 3
 """At how many points of the constants it is tried that nothing is missing."""
-
-CONSTANTS = 2
-"""The largest degree in the constants of a missing polynomial that is looked for."""
 
 
 def complete(goal: Kernel, finder: PointFinder) -> At | None:
@@ -57,12 +51,14 @@ def further(goal: Kernel, finder: PointFinder) -> At | Further | None:
     point = finder.point(at, [], divided, most=0)
     if point is None:
         return None
-    for element in _solutions(goal, at):
-        try:
-            check_further(goal, formula_in(element), at, Place(at, point))
-        except Misplaced:
-            continue
-        return Further(formula_in(element), point)
+    factor, integrals = at.scalar(goal.factor), [*map(at.scalar, goal.integrals)]
+    with suppress(TooLarge):
+        for element in first_integrals(
+            at, goal.degree, goal.weights, cofactor=factor, integrals=integrals
+        ):
+            with suppress(Misplaced):
+                check_further(goal, formula_in(element), at, Place(at, point))
+                return Further(formula_in(element), point)
     return None
 
 
@@ -77,17 +73,3 @@ def _rests(goal: Kernel, at: Evaluation) -> Iterator[Element]:
     for formula in goal.solutions:
         element = at.scalar(formula)
         yield at.derivative(element) - at.scalar(goal.factor) * element
-
-
-def _solutions(goal: Kernel, at: Evaluation) -> Iterator[Element]:
-    """The solutions with coefficients that are polynomials in the constants."""
-    field = PolynomialField(at, at.scalar(goal.factor))
-    others = (1,) * (len(field.names) - field.size)
-    own = [e for w in range(goal.degree + 1) for e in monomials(goal.weights, w)]
-    for degree in range(CONSTANTS + 1 if others else 1):
-        if number_of_monomials(goal.weights, goal.degree) > LARGEST:
-            return
-        factors = [e for w in range(degree + 1) for e in monomials(others, w)]
-        group = [(*a, *b) for a in own for b in factors]
-        for vector in kernel([field.derivative(exponents) for exponents in group]):
-            yield field.element({e: v for e, v in zip(group, vector, strict=True) if v})

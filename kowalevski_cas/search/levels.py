@@ -12,8 +12,9 @@ from fractions import Fraction
 from itertools import product
 from math import prod
 
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq_mpoly
 
+from kowalevski_cas.algebra.flint import coefficients
 from kowalevski_cas.algebra.numbers import square_root
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import fraction_formula
@@ -61,18 +62,14 @@ def system_of(goal: Count, at: Evaluation) -> System | None:
     gone = {place for place, _ in solved}
     unknowns = [name for name, place in places.items() if place not in gone]
     levels, values = [], []
-    own = {places[name] for name in unknowns}
+    own = [places[name] for name in unknowns]
     for polynomial in rest:
-        inner: dict[tuple[int, ...], fmpq] = {}
-        outer: dict[tuple[int, ...], fmpq] = {}
-        for exponents, coefficient in polynomial.to_dict().items():
-            inside = any(exponents[k] for k in own)
-            if inside and any(e for k, e in enumerate(exponents) if k not in own):
-                return None
-            (inner if inside else outer)[exponents] = coefficient
-        context = polynomial.context()
-        levels.append(context.from_dict(inner))
-        values.append(at.ring.element({0: -context.from_dict(outer)}, {}))
+        parts = coefficients(polynomial, own)
+        outer = parts.pop((0,) * len(own), polynomial.context().constant(0))
+        if not all(part.is_constant() for part in parts.values()):
+            return None
+        levels.append(polynomial - outer)
+        values.append(at.ring.element({0: -outer}, {}))
     back = [(at.names[place], expression) for place, expression in solved]
     return System(at, unknowns, levels, values, _through(back, at))
 

@@ -15,9 +15,9 @@ from itertools import combinations
 from math import prod
 from operator import mul
 
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.flint import to_flint
+from kowalevski_cas.algebra.flint import coefficients, to_flint
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.branches import Branch, branches, without
 from kowalevski_cas.search.exponents import Balance, LeadingPart, determinant
@@ -158,7 +158,9 @@ class _Series:
         next_one, conditions = self._applied([q / value for q in quotient], known), Vector()
         if times:
             projection = [one / value for one in _with_roots(others)]
-            columns = [self._applied(projection, self._unit_vector(k)) for k in range(self.size)]
+            places = range(self.size)
+            units = ([self.zero + (j == k) for j in places] for k in places)
+            columns = [self._applied(projection, unit) for unit in units]
             moved = (self._times(column) for column in columns)
             kept = zip(moved, columns, strict=True)
             if any(
@@ -178,13 +180,8 @@ class _Series:
     def cases(self, conditions: Iterable[fmpq_mpoly]) -> Iterator[Branch]:
         """Where the constants of the motion make conditions hold for all others."""
         places = range(self.size + 1, len(self.context.gens()) - self.size)
-        parts: dict[tuple[int, ...], dict[tuple[int, ...], fmpq]] = {}
-        for number, one in enumerate(conditions):
-            for e, value in one.to_dict().items():
-                own = tuple(k * (place in places) for place, k in enumerate(e))
-                others = (number, *(a - b for a, b in zip(e, own, strict=True)))
-                parts.setdefault(others, {})[own] = value
-        equations = map(self.context.from_dict, parts.values())
+        others = [k for k in range(len(self.context.gens())) if k not in places]
+        equations = (c for one in conditions for c in coefficients(one, others).values())
         return branches(equations, places, [self.below])
 
     def _independent(self, columns: Sequence[Vector], times: int) -> tuple[int, ...]:
@@ -203,9 +200,6 @@ class _Series:
                 if len(self.rest) < 2 or self._nowhere(value):
                     return chosen
         raise Meaningless("it has several parts, with other free constants each")
-
-    def _unit_vector(self, place: int) -> Vector:
-        return [self.zero + (k == place) for k in range(self.size)]
 
     def _times(self, vector: Vector) -> Vector:
         """A times a vector."""

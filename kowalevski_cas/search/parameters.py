@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
-from flint import fmpq, fmpq_mpoly
+from flint import fmpq_mpoly
 
+from kowalevski_cas.algebra.flint import coefficients
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -131,10 +131,5 @@ def _coefficients(at: Evaluation, element: Element) -> dict[Monomial, fmpq_mpoly
     below = (at.ring.divisors[k].degrees() for k in element.denominator)
     if element.parts.keys() - {0} or any(degrees[k] for degrees in below for k in moving):
         raise Meaningless("roots or quotients stand in the motion or in the function")
-    groups: dict[Monomial, dict[Monomial, fmpq]] = {}
-    part: Any = element.parts.get(0, at.ring.polynomials.zero)
-    for exponents, value in part.to_dict().items():
-        own = tuple(int(exponents[k]) for k in moving)
-        others = tuple(0 if k in moving else e for k, e in enumerate(exponents))
-        groups.setdefault(own, {})[others] = value
-    return {m: part.context().from_dict(groups[m]) for m in sorted(groups, reverse=True)}
+    found = coefficients(element.parts.get(0) or at.ring.polynomials.zero, moving)
+    return {monomial: found[monomial] for monomial in sorted(found, reverse=True)}

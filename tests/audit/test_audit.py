@@ -20,6 +20,7 @@ def by_id(found):
     return {formula.id: formula for formula in found.formulas}
 
 
+@pytest.mark.slow
 def test_an_audit_says_what_verify_says():
     run = verify(
         base().derivation, ["flint"], certificates=base().stored, record=base().record,

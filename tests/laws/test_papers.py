@@ -41,6 +41,7 @@ def test_a_claim_alone_has_the_verdict_that_it_has_among_all(name):
         assert verdicts(derivation, stored, (claim,)) == {claim: known[claim]}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PAPERS)
 def test_the_order_of_claims_does_not_matter_nor_that_some_are_missing(name):
     derivation, choose = load(name), Random(2)

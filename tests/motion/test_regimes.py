@@ -69,7 +69,7 @@ def test_on_the_arcs_the_radicands_are_positive(m, ell):
     parameters = Parameters.of(A, B, m, ell)
     ends = []
     for arc in (regime.s1, regime.s2):
-        low, high = (x * ell + y for x, y in (coordinates(parameters, r) for r in arc.roots[:2]))
+        low, high = (x * ell + y for x, y in (coordinates(parameters, r) for r in arc.ends))
         ends.append([low + 1, high - 1] if arc.infinite else [(low + high) / 2])
     for s1 in ends[0]:
         assert min(radicands(m, ell, s1, ends[1][0])) >= 0
@@ -187,7 +187,7 @@ def test_every_real_point_lies_in_a_regime_and_every_regime_has_points():
             }
         for arc, sign in ((regime.s1, 1), (regime.s2, -1)):
             s = (values["x_1x_2+z_1z_2"][k] + sign * r_square) / (2 * root[k])
-            low, high = (ends[name] for name in arc.roots[:2])
+            low, high = (ends[name] for name in arc.ends)
             inside = (s - low + 1e-9, high - s + 1e-9)
             assert max(inside) > 0 if arc.infinite else min(inside) > 0
     assert seen == {regime for regime in all_regimes() if not regime.mirror}

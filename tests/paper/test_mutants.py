@@ -137,7 +137,8 @@ def test_a_mutant_is_refuted_at_an_exact_point_and_certified(key):
 def test_every_kind_of_claim_has_mutants():
     """Those of unions are in ``test_section4.py``: no search finds points off them."""
     mutable = {type(claim).__name__ for claim in CLAIMS.values()} - {"Union"}
-    assert mutable == {*kinds.__all__} - {"Claim", "Neighbour", "Union"}
+    offered = {n for n, kind in vars(kinds).items() if isinstance(kind, type(kinds.Claim))}
+    assert mutable == offered - {"Claim", "Union"}
 
 
 def on_by_hand(claim):
@@ -210,7 +211,7 @@ def test_the_two_values_are_those_that_plain_python_finds(id, enough):
 NAMES = "eq10.1 eq10.5 theta-prime eq12 U1-prime eq14 F2-prime eq13.conjugate".split()
 
 
-@pytest.mark.parametrize("id", sampled(NAMES, 2))
+@pytest.mark.parametrize("id", sampled(NAMES, 1, seed=2))
 def test_no_single_edit_of_an_identity_in_the_complex_variables_is_true(id):
     """But for the correction of what is misprinted."""
     session, claim = SESSIONS["kharlamov2002"], FIRST[id]

@@ -4,7 +4,7 @@ from flint import Ordering, fmpq_mpoly_ctx
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from kowalevski_cas.search.ansatz import combination
+from kowalevski_cas.search.ansatz import combination, multiple
 
 CONTEXT = fmpq_mpoly_ctx.get(("x", "y", "z"), Ordering.lex)
 X, Y, Z = CONTEXT.gens()
@@ -45,3 +45,20 @@ def test_what_is_none_is_not():
 
 def test_without_weights_it_ends_without_an_answer():
     assert combination(X, [X * X + 1, Y]) is None
+
+
+WIDER = fmpq_mpoly_ctx.get(("a", "x", "b", "y", "z", "c"), Ordering.lex)
+
+
+@given(forms(QUADRICS), st.lists(forms(QUADRICS), min_size=1, max_size=3), st.integers(0, 1))
+def test_variables_that_do_not_occur_change_nothing(target, generators, degree):
+    assume(all(not g.is_zero() for g in (target, *generators)))
+
+    def wider(one):
+        return one.compose(*(WIDER.gens()[k] for k in (1, 3, 4)), ctx=WIDER)
+
+    found = multiple(target, generators, degree)
+    again = multiple(wider(target), [*map(wider, generators)], degree)
+    assert (found is None) == (again is None)
+    if found is not None:
+        assert again == (wider(found[0]), [*map(wider, found[1])])

@@ -287,7 +287,7 @@ class TestStatements:
         rejected(data, "may be equal")
 
     @pytest.mark.parametrize(
-        "claim", sampled(["eq16.invariance", "equilibria", "corrected/critical-set"], 2)
+        "claim", sampled(["eq16.invariance", "equilibria", "corrected/critical-set"], 2, seed=1)
     )
     def test_a_failure_where_no_condition_is_violated(self, claim):
         data = certificate(claim)

@@ -13,9 +13,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
+    from kowalevski_cas.motion.arrays import Array
     from kowalevski_cas.motion.general import AnyMotion
 
 METHODS = {
@@ -34,10 +32,10 @@ class MethodError(RuntimeError):
     """A method that gave up; the message says why."""
 
 
-def load(name: str) -> Callable[[AnyMotion, NDArray[np.float64]], NDArray[np.float64]]:
+def load(name: str) -> Callable[[AnyMotion, Array], Array]:
     """The function ``states`` of the method with this name."""
     if name not in METHODS:
         raise ValueError(f"unknown method “{name}”; there are {', '.join(METHODS)}")
-    states: Callable[..., NDArray[np.float64]]
+    states: Callable[..., Array]
     states = import_module(f"{__name__}.{'integrators' if name in _SCIPY else name}").states
     return partial(states, method=_SCIPY[name]) if name in _SCIPY else states

@@ -7,8 +7,8 @@ from fractions import Fraction
 
 import numpy as np
 from flint import acb, arb
-from numpy.typing import NDArray
 
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.frame import turned
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.ball import SolutionO4
@@ -25,14 +25,12 @@ class Unresolved(ArithmeticError):
     """An enclosure that is still wide at the largest working precision."""
 
 
-def states(motion: Motion | MotionO4, times: NDArray[np.float64]) -> NDArray[np.float64]:
+def states(motion: Motion | MotionO4, times: Array) -> Array:
     """The states at these times, an array of shape (N, 9), to within rounding."""
     return enclosed(motion, times)[0]
 
 
-def enclosed(
-    motion: Motion | MotionO4, times: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def enclosed(motion: Motion | MotionO4, times: Array) -> tuple[Array, Array]:
     """The states at these times (N, 9), and how far (N) a number in each can be from the exact one.
 
     They are the middles of enclosures, or zero if that is in them, with radii below 2⁻⁶⁴ of the

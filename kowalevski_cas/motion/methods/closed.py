@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.frame import turned
 from kowalevski_cas.motion.jacobi import jacobi
 from kowalevski_cas.motion.motion import Motion
@@ -13,8 +13,6 @@ from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.parameters import ball, precision
 from kowalevski_cas.motion.phases import LARGEST
 from kowalevski_cas.motion.solution import PhasePoint, Solved, Variable
-
-Array = NDArray[np.float64]
 
 BLOCK = 4096
 """Times that are worked on at once, so that all arrays stay in the cache."""

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.compile import Function
 from kowalevski_cas.motion.general import AnyMotion, General
 from kowalevski_cas.motion.methods import MethodError
 from kowalevski_cas.motion.methods.closed import states as closed
-
-Array = NDArray[np.float64]
 
 TOLERANCE = 1e-12
 """The relative and absolute tolerance unless another is asked for."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods import MethodError
 from kowalevski_cas.motion.methods.integrators import initial_state
@@ -13,9 +13,7 @@ from kowalevski_cas.motion.methods.integrators import initial_state
 TOLERANCE = 1e-16
 
 
-def states(
-    motion: AnyMotion, times: NDArray[np.float64], tolerance: float = TOLERANCE
-) -> NDArray[np.float64]:
+def states(motion: AnyMotion, times: Array, tolerance: float = TOLERANCE) -> Array:
     """The states at these times, an array of shape (N, 9).
 
     Raises :class:`~kowalevski_cas.motion.methods.MethodError` if heyoka stops.
@@ -23,9 +21,7 @@ def states(
     return integrate(initial_state(motion), times, tolerance)
 
 
-def integrate(
-    start: NDArray[np.float64], times: NDArray[np.float64], tolerance: float = TOLERANCE
-) -> NDArray[np.float64]:
+def integrate(start: Array, times: Array, tolerance: float = TOLERANCE) -> Array:
     """The states at these times, in any order, of the motion with this state at t = 0."""
     import heyoka
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from flint import arb, arb_mat
-from numpy.typing import NDArray
 
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.frame import turned
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.point import PhasePoint
@@ -14,8 +14,6 @@ from kowalevski_cas.motion.o4.series import Series, matrix
 from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.phases import Phase, parts_needed
-
-Array = NDArray[np.float64]
 
 BLOCK = 1024
 """Times that are worked on at once, so that all arrays stay in the cache."""

@@ -9,8 +9,9 @@ from functools import cached_property
 
 from kowalevski_cas.motion.frame import fields, straightened
 from kowalevski_cas.motion.o4.parameters import ParametersO4
-from kowalevski_cas.motion.o4.regimes import Arc, Regime, regime_of
+from kowalevski_cas.motion.o4.regimes import Regime, regime_of
 from kowalevski_cas.motion.parameters import Inadmissible, Real, usable
+from kowalevski_cas.motion.regimes import Arc
 
 
 @dataclass(frozen=True)

@@ -15,14 +15,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.series import Series, matrix
 from kowalevski_cas.motion.o4.variable import Variable, cosines
 from kowalevski_cas.motion.parameters import Inadmissible
-
-Array = NDArray[np.float64]
 
 BITS = 54
 """How small the terms are that are left out."""

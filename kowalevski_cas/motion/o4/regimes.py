@@ -22,6 +22,7 @@ from itertools import pairwise, product
 
 from kowalevski_cas.motion.o4.parameters import HIGH, KAPPA, LOW, MU, ParametersO4
 from kowalevski_cas.motion.parameters import Inadmissible
+from kowalevski_cas.motion.regimes import Arc, check_torus
 
 PRODUCTS = (
     ("mu1", "mu2"),
@@ -43,23 +44,6 @@ RADICAL = {**dict.fromkeys(MU, "mu"), **dict.fromkeys(KAPPA, "K"), LOW: "A", HIG
 
 
 @dataclass(frozen=True)
-class Arc:
-    """The arc of one variable: from a root upwards to the next one, perhaps through infinity.
-
-    ``roots`` are its ends, and ``neighbours`` the next root below and the next above it.
-    """
-
-    roots: tuple[str, str]
-    neighbours: tuple[str, str]
-    infinite: bool
-
-    def __str__(self) -> str:
-        """The arc in the letters of the paper."""
-        first, last = self.roots
-        return f"[{first}, ∞] ∪ [-∞, {last}]" if self.infinite else f"[{first}, {last}]"
-
-
-@dataclass(frozen=True)
 class Regime:
     """The arcs of both variables, for certain signs of s, τ and σ."""
 
@@ -74,10 +58,7 @@ class Regime:
 
     def signs_of(self, torus: int) -> tuple[int, ...]:
         """Signs of K1, μ2, A2, B2, K2 on a torus, one of :attr:`tori`, from 1; μ1, A1, B1 > 0."""
-        if not 1 <= torus <= self.tori:
-            raise Inadmissible(
-                f"there is no torus {torus}: the tori of these constants are 1 to {self.tori}"
-            )
+        check_torus(torus, self.tori)
         first: dict[int, tuple[int, ...]] = {}
         for signs in product((1, -1), repeat=len(CHOSEN)):
             if self.signs[2] or signs[1] < 0:  # σ < 0: μ1 and μ2 have opposite signs
@@ -99,7 +80,7 @@ class Regime:
         return _independent(
             self._vector({f"{RADICAL[end]}{number}"})
             for number, arc in ((1, self.u1), (2, self.u2))
-            for end in arc.roots
+            for end in arc.ends
         )
 
     def _vector(self, negative: set[str]) -> int:
@@ -151,8 +132,8 @@ def _arcs(constants: ParametersO4, number: int) -> Iterator[tuple[Arc, Fraction]
         after = (place + 1) % len(roots)
         point = outside if after == 0 else (keys[roots[place]] + keys[roots[after]]) / 2
         if all(_radicands(constants, number, point)):
-            ends = roots[place], roots[after]
-            yield Arc(ends, (roots[place - 1], roots[(place + 2) % len(roots)]), after == 0), point
+            above = roots[(place + 2) % len(roots)]
+            yield Arc((roots[place], roots[after], above, roots[place - 1]), after == 0), point
 
 
 def _radicands(constants: ParametersO4, number: int, key: Fraction) -> tuple[bool, ...]:

@@ -15,9 +15,9 @@ from itertools import product
 
 import numpy as np
 from flint import acb, arb
-from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.critical import TOLERANCE, residuals
 from kowalevski_cas.motion.formulas import exactly
 from kowalevski_cas.motion.frame import BITS, given_state, turn_of, turned
@@ -31,8 +31,6 @@ from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.point import distance
 from kowalevski_cas.paper.closed_form import HyperellipticForm
-
-Array = NDArray[np.float64]
 
 SIGNS = np.array(list(product((1.0, -1.0), repeat=5))).T
 """All signs that a phase point can have, a column each."""

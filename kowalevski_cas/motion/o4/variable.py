@@ -25,8 +25,8 @@ from typing import Any
 from flint import arb
 
 from kowalevski_cas.motion.o4.parameters import HIGH, KAPPA, LOW, MU, ParametersO4
-from kowalevski_cas.motion.o4.regimes import Arc
 from kowalevski_cas.motion.parameters import ball
+from kowalevski_cas.motion.regimes import Arc
 
 Number = Any
 """A float, an array of floats, or a ball."""
@@ -45,8 +45,7 @@ class Variable:
     """
 
     def __init__(self, known: ParametersO4, arc: Arc, number: Callable[[arb], Number]) -> None:
-        first, last = arc.roots
-        below, above = arc.neighbours
+        first, last, above, below = arc.roots
         gap = known.gap
         quotient = gap(below, first) * gap(above, first) / (gap(below, last) * gap(above, last))
         factor = abs(quotient).sqrt() * (-1 if arc.infinite else 1)
@@ -59,7 +58,7 @@ class Variable:
             pair = gap(first, name), factor * gap(last, name)
             sign = 1 if sum(pair) > 0 else -1
             self._factors[name] = number(sign * pair[0]), number(sign * pair[1])
-        self._arc = arc.roots
+        self._arc = arc.ends
         self.scale = number((ball(abs(2 * known.s * known.tau)) * abs(factor)).sqrt())
         self.sigma = number(ball(-known.sigma)) if known.sigma < 0 else None
         squares = (

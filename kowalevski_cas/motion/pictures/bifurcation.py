@@ -11,8 +11,8 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from kowalevski_cas.motion.arrays import Array, Integers
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Parameters
 from kowalevski_cas.motion.pictures.regions import GRID, mesh, shade
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 Map = Callable[[Array, Array], Array]
 
 CAPTION = (
@@ -96,7 +95,7 @@ def ell_at(parameters: Parameters, m: Array, h: Array) -> Array:
         return np.asarray(np.sqrt(2 * float(parameters.p_square) * m**2 + 2 * h * m + 1))
 
 
-def regime_at(parameters: Parameters, m: Array, ell: Array) -> NDArray[np.int64]:
+def regime_at(parameters: Parameters, m: Array, ell: Array) -> Integers:
     """The place among all regimes of each (m, ℓ) in the fields of a motion; −1 if there is none."""
     roots = {}
     for root in (*FIELD_1, *FIELD_2, *PHI):

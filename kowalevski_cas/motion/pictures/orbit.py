@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.methods.closed import Closed, states
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.closed import ClosedO4
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.oscillation import Oscillation
-
-Array = NDArray[np.float64]
 
 ARRIVED = 12.0
 """The argument nt at which a motion that tends to rest is as good as there."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.methods.closed import Closed
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.oscillation import Oscillation
@@ -16,7 +16,6 @@ from kowalevski_cas.pictures import INK, mark, new_figure
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
 
 CAPTION = (
     "The separated variables $s_1$ and $s_2$ move between roots, independently of each other. "
@@ -68,7 +67,7 @@ def draw(motion: Motion) -> Figure:
 
 def _ends(oscillation: Oscillation) -> tuple[list[float], list[str]]:
     """The ends of an arc, or their inverses where it passes infinity, and their names."""
-    roots = oscillation.arc.roots[:2]
+    roots = oscillation.arc.ends
     values = [float(oscillation.root(root)) for root in roots]
     if not oscillation.arc.infinite:
         return values, [f"${root}$" for root in roots]

@@ -6,14 +6,12 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+
+from kowalevski_cas.motion.arrays import Array, Integers, Mask
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Mask = NDArray[np.bool_]
 
 GREYS = {1: "#efefef", 2: "#d6d6d6", 4: "#b0b0b0"}
 """The shade of a region, by its number of tori."""

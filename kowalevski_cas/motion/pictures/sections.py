@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kowalevski_cas.motion import formulas
+from kowalevski_cas.motion.arrays import Array, Integers
 from kowalevski_cas.motion.critical import TOLERANCE, residuals
 from kowalevski_cas.motion.diagram import Fields
 from kowalevski_cas.motion.motion import Motion
@@ -24,15 +24,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
-
 
 class Curve(NamedTuple):
     """Values of G and √K, and on how many tori of the critical set they are taken."""
 
     g: Array
     root: Array
-    tori: NDArray[np.int64]
+    tori: Integers
 
 
 ABOUT = CriticalSets

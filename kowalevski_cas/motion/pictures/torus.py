@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.motion import Motion
-from kowalevski_cas.motion.pictures.orbit import Array, net, orbit, periods, times
+from kowalevski_cas.motion.pictures.orbit import net, orbit, periods, times
 from kowalevski_cas.motion.pictures.space import View, blank, curve, reach, triad
 from kowalevski_cas.pictures import FAINT, mark, new_figure
 
