@@ -222,6 +222,7 @@ def test_a_constant_can_be_a_root():
         ),
         (r"\dot x_i=x_i(x_{i+1}-x_{i-1}),\quad i=1,2,3,\quad x_{i+3}=x_i", "x₁, x₂, x₃ move", "x_1x_2x_3=c"),
         (r"2\ddot\alpha=e^{2\beta}, 2\ddot\beta=e^{2\beta}", "α, β move", r"\dot\beta^2-\frac12e^{2\beta}"),
+        (r"\frac{\text{d}x}{\text{d}t}=y, \frac{\text{d}y}{\text{d}t}=-x", "x, y move", "x^2+y^2"),
     ],
 )  # fmt: skip
 def test_equations_as_textbooks_print_them(field, moves, integral):
@@ -369,6 +370,16 @@ def test_the_modulus_of_what_is_complex_is_real():
     assert "i = i" not in repr(top.integral(w))
     with pytest.raises(ValueError, match="is a conjugate, and all is real"):
         System(r"\dot z=\bar z")
+
+
+@pytest.mark.parametrize("function", ["a^2-b^2", r"|a|^2-|b|^2", r"a\bar a+c\bar c", "a"])
+def test_what_is_real_has_no_imaginary_rate(function):
+    """Of three waves: their amplitudes are complex, and nothing is said of real ones."""
+    waves = System(r"i\dot a=\bar bc, i\dot b=\bar ac, i\dot c=ab, i^2=-1")
+    outcome = waves.integral(function).outcome
+    assert outcome.verdict is Verdict.ERROR and "rates of what is real" in outcome.message
+    with pytest.raises(ValueError, match="rates of what is real are imaginary"):
+        waves.find_integrals(2)
 
 
 @pytest.mark.parametrize("number", [2, 3, 5, 6, 7])

@@ -254,7 +254,7 @@ class _Scanner:
             self.add(WORDS[words], words, start)
         elif words.isalnum() and (self.owed or (self.groups and self.groups[-1][0])):
             self.argument()
-            self.add("letter", rf"\mathrm{{{words}}}", start)
+            self.add("letter", words if len(words) == 1 else rf"\mathrm{{{words}}}", start)
         elif words in JOINING or (text and not words and text != "."):
             self.add("comma", words, start)
         elif words:

@@ -18,7 +18,7 @@ from kowalevski_cas.search.squares import sum_of_squares
 
 def validate(setting: Meaning) -> None:
     """Raise :class:`Meaningless` for a setting in which anything or nothing could be shown."""
-    for examine in (_pairs, _clock, _roots, _assumptions):
+    for examine in (_pairs, _clock, _roots, _assumptions, _time):
         examine(setting)
 
 
@@ -64,6 +64,16 @@ def check_time(setting: Meaning, printed: Printed) -> None:
     if scale.is_zero or moving:
         what = f"{printed.place} gives a time that {'stands still' if scale.is_zero else 'varies'}"
         raise _refuse(setting, what, "print it as a constant other than zero, times t")
+
+
+def _time(setting: Meaning) -> None:
+    """The time t is real: conjugates have conjugate rates, and what is real has real ones."""
+    scene = setting.scene
+    if scene.time != "t" or not scene.field or not (scene.unit or scene.conjugates):
+        return
+    if setting.finder.time_sign < 0:
+        what = "the rates of what is real are imaginary"
+        raise _refuse(setting, what, "print the motion of real and imaginary parts")
 
 
 def _roots(setting: Meaning) -> None:

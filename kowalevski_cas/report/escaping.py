@@ -23,6 +23,10 @@ _SIGNS: Final = {
     "∇": r"\nabla ", "ℝ": r"\mathbf{R}", "ℂ": r"\mathbf{C}", "ℚ": r"\mathbf{Q}",
     "ℤ": r"\mathbf{Z}", "✓": r"\checkmark ", "✗": r"\times ",
 }  # fmt: skip
+_MATH: Final = "\0"
+"""Where mathematics begins and ends, until all is put together; no text has this letter."""
+_SCRIPTS: Final = re.compile(r"((?>_\S\^\S|[_^]\S|'))(?=[_^'])")
+"""What a letter has below and above it, before one more: TeX takes one of each."""
 _RAISED: Final = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺ⁿ", "0123456789-+n")
 _LOWERED: Final = str.maketrans("₀₁₂₃₄₅₆₇₈₉₋₊ₙᵢⱼₖ", "0123456789-+nijk")
 
@@ -34,18 +38,20 @@ def escaped(text: str) -> str:
     '50\\% \\& the\\_rest, $\\omega _1$ $\\ne $ 0'
     """
     text = re.sub(r'"([^"\n]*)"', "“\\1”", text)
-    return "".join(map(_letter, text)).replace("$$", "")
+    parts = "".join(map(_letter, text)).replace(_MATH + _MATH, "").split(_MATH)
+    parts[1::2] = ["$" + _SCRIPTS.sub(r"\1{}", part) + "$" for part in parts[1::2]]
+    return "".join(parts)
 
 
 def _letter(letter: str) -> str:
     if letter in _SPECIAL:
         return _SPECIAL[letter]
     if letter in _SIGNS:
-        return f"${_SIGNS[letter]}$"
+        return f"{_MATH}{_SIGNS[letter]}{_MATH}"
     if (digit := letter.translate(_RAISED)) != letter:
-        return f"$^{digit}$"
+        return f"{_MATH}^{digit}{_MATH}"
     if (digit := letter.translate(_LOWERED)) != letter:
-        return f"$_{digit}$"
+        return f"{_MATH}_{digit}{_MATH}"
     if letter.isascii() or "À" <= letter <= "ſ":
         return letter if letter.isprintable() or letter in "\n\t" else ""
     return f"[U+{ord(letter):04X}]"

@@ -263,7 +263,10 @@ class _Ansatz:
 
 
 def _lighter(field: PolynomialField) -> Iterator[Exponents]:
-    """The monomials that are in no weight heavier than the motion of some variable over it."""
+    """The monomials that are in no weight heavier than the motion of some variable over it.
+
+    Where the motion is homogeneous they are as heavy.
+    """
     size = field.size
     motion = {
         tuple(e - (j == k) for j, e in enumerate(exponents[:size]))
@@ -271,7 +274,8 @@ def _lighter(field: PolynomialField) -> Iterator[Exponents]:
         for exponents in rate
     }
     reach = 2 if size <= 4 else 1 if size <= 7 else 0
-    weights = [*product(range(-reach, reach + 1), repeat=size), (1,) * size]
+    both = [tuple(sign * w for w in one) for one in field.weights for sign in (1, -1)]
+    weights = [*product(range(-reach, reach + 1), repeat=size), *both, (1,) * size]
     heaviest = [max((_weight(w, e) for e in motion), default=0) for w in weights]
     for degree in reversed(range(heaviest[-1] + 1)):
         for one in monomials((1,) * size, degree):

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.algebra.points import NoPoint
-from kowalevski_cas.notation import Formula, NotationError
+from kowalevski_cas.notation import Formula, Negative, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Fails, Follows
@@ -48,12 +48,16 @@ def corrections(claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
             yield found
 
 
-def _unlikeliness(neighbour: Neighbour) -> tuple[bool, bool]:
-    """Names that are not alike are seldom taken for each other; what is defined is seldom wrong."""
+def _unlikeliness(neighbour: Neighbour) -> tuple[bool, bool, bool]:
+    """Names that are not alike are seldom taken for each other; what is defined is seldom wrong.
+
+    A formula seldom begins with a minus: of two signs, the second is changed.
+    """
     edit = neighbour.edit
     if edit is None:
-        return False, False
-    return unlike(edit), edit.path[:1] == (0,)
+        return False, False, False
+    begins = isinstance(edit.replacement, Negative) and not any(edit.path[-1:])
+    return unlike(edit), edit.path[:1] == (0,), begins
 
 
 def true_ones(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Neighbour]:

@@ -41,7 +41,7 @@ MOST = 12
 
 _VANISHES: Final = Step("The derivative along the vector field vanishes identically.")
 
-_IDENTICAL: Final = Step("Both sides are equal identically, by the definitions alone.")
+_IDENTICAL: Final = Step("Both sides are equal identically.")
 
 
 def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:

@@ -110,19 +110,25 @@ def test_conjugate_roots_have_conjugate_squares(paper):
 
 
 def test_a_motion_keeps_the_conjugation_in_real_or_imaginary_time(paper):
-    for second, verdict in (
-        (r"\dot y=-iy", "proved"),
-        (r"\dot y=iy", "proved"),
-        (r"\dot y=y", "error"),
+    """The time t is real, and another one may be imaginary."""
+    for time, second, verdict in (
+        ("t", "-iy", "proved"),
+        ("t", "iy", "error"),
+        (r"\tau", "-iy", "proved"),
+        (r"\tau", "iy", "proved"),
+        (r"\tau", "y", "error"),
     ):
         paper = Paper()
-        field = paper(rf"\dot x=ix, \quad {second}")
+        rate = "{}'" if time == r"\tau" else r"\dot {}"
+        field = paper(rf"{rate.format('x')}=ix, \quad {rate.format('y')}={second}")
         scene = Scene(
             "s", "", variables=("x", "y"), field=(*field,), conjugates=(("x", "y"),),
-            unit=paper("i^2=-1")[1],
+            unit=paper("i^2=-1")[1], time=time,
         )  # fmt: skip
-        assert paper.outcome(scene, r"\dot x=ix").verdict == verdict
-        assert paper.outcome(scene, r"\overline{x}=y").verdict == "proved"
+        assert paper.outcome(scene, rf"{rate.format('x')}=ix").verdict == verdict
+        assert paper.outcome(scene, r"\overline{x}=y").verdict == (
+            "error" if (time, verdict) == ("t", "error") else "proved"
+        )
 
 
 # -- motion and time -----------------------------------------------------------------

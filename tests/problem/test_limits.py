@@ -113,7 +113,7 @@ COSTLY = {
         *[[["+", "v", "v", "v"], ["-", "v"]]] * 30, steps=[["let", "v", ["vector", *[0] * 5000]]]
     ),
     "a polynomial at a point": lambda: text(
-        [follows([[["f", 0]]], [["x_0", 0]])] * 9,
+        [follows([[["x_0", 0]]], [["f", 0]])] * 9,
         [{"point": {"roots": [], "values": [[n, 0 if n == "x_0" else ["/", 1, 10**90 + k]] for k, n in enumerate(MANY)]}}] * 9,
         {"variables": MANY, "steps": [["let", "f", CUBE]]},
     ),

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace
 from html.parser import HTMLParser
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,7 @@ from kowalevski_cas.report import contents
 from kowalevski_cas.report.document import Code, Document, Emphasis, Sign, Text
 from kowalevski_cas.report.html import HtmlWriter, render_html
 from kowalevski_cas.report.latex import LatexWriter, render_latex
+from kowalevski_cas.report.pdf import latex_command, latex_pdf
 from kowalevski_cas.report.typst import TypstWriter, render_typst
 from kowalevski_cas.verify.outcome import Verdict
 from tests.report.fixtures import claim, document, in_order, outcomes, read, run
@@ -101,6 +103,14 @@ def test_no_gap_of_the_page_is_left_open(render: Renders) -> None:
 )  # fmt: skip
 def test_words_are_escaped_for_latex(plain: str, tex: str) -> None:
     assert LatexWriter().text((plain,)) == tex
+
+
+@pytest.mark.skipif(not latex_command(), reason="no pdflatex here")
+def test_latex_takes_any_scripts_behind_one_another() -> None:
+    scripts = ("₁", "₂", "ₙ", "²", "⁻", "′")
+    texts = ["ω" + "".join(some) for many in (2, 3) for some in product(scripts, repeat=many)]
+    body = r"\par ".join(LatexWriter().text((text, " costs $", text)) for text in texts)
+    latex_pdf(rf"\documentclass{{article}}\begin{{document}}{body}\end{{document}}")
 
 
 def test_words_are_escaped_for_the_others() -> None:

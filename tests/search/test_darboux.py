@@ -1,12 +1,17 @@
 """Darboux polynomials of which neither the polynomial nor the cofactor is given."""
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.notation import to_plain
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.darboux import darboux_polynomials
+from kowalevski_cas.system import System
 from tests.laws.systems import (
     EULER,
     HENON_HEILES,
@@ -92,3 +97,25 @@ def test_the_six_classes_of_the_system_of_lorenz_up_to_degree_4():
 def test_a_field_with_roots_or_quotients_is_refused():
     with pytest.raises(Meaningless, match="a root stands"):
         [*found(KEPLER, 1)]
+
+
+numbers = st.integers(-3, 3)
+
+
+@settings(max_examples=20)
+@given(numbers, numbers, numbers, numbers, numbers)
+def test_cofactors_are_as_heavy_as_a_motion_that_is_homogeneous_by_other_weights(a, b, c, d, e):
+    """x counts 1 and y counts 2; y + ex² obeys the linear equation with the cofactor cx² + dy."""
+    field = (
+        rf"\dot x=x(({a})x^2+({b})y), "
+        rf"\quad \dot y=(y+({e})x^2)(({c})x^2+({d})y)-2({e})x^2(({a})x^2+({b})y)"
+    )
+    scene = System(field).scene
+    at = Elaborations(Texts(vocabulary((scene,))))(scene).finder
+    x, y = map(at.ring.generator, "xy")
+    a, b, c, d, e = map(at.ring.number, (a, b, c, d, e))
+    cofactors = [one.cofactor for one in darboux_polynomials(at, 2)]
+    known = [(x, a * x * x + b * y), (y + e * x * x, c * x * x + d * y)]
+    for polynomial, cofactor in known:
+        assert (at.derivative(polynomial) - cofactor * polynomial).is_zero
+        assert any((cofactor - own).is_zero for own in cofactors)

@@ -118,12 +118,21 @@ class Traced(checker.Ring):
         text = self.writer.language.number(Fraction(value))
         return Element(super().number(value), text)
 
-    def total(self, elements: Iterable[checker.Element]) -> checker.Element:
+    def combination(
+        self, parts: Iterable[tuple[int, checker.Element]], below: int = 1
+    ) -> checker.Element:
+        found = [*parts]
+        value = super().combination(found, below)
+        texts = [f"(-{e.text})" if c < 0 else e.text for c, e in found if isinstance(e, Element)]
+        if not found:
+            return self.number(0)
+        known = len(texts) == len(found) and below == 1 and all(abs(c) == 1 for c, _ in found)
+        return Element(value, f"({'+'.join(texts)})") if known else plain(value)
+
+    def product(self, elements: Iterable[checker.Element]) -> checker.Element:
         found = [*elements]
-        value, texts = super().total(found), [e.text for e in found if isinstance(e, Element)]
-        if not texts:
-            return self.number(0) if not found else value
-        return Element(value, f"({'+'.join(texts)})") if len(texts) == len(found) else plain(value)
+        value, texts = super().product(found), [e.text for e in found if isinstance(e, Element)]
+        return Element(value, f"({'*'.join(texts)})") if len(texts) == len(found) else plain(value)
 
     def written(self, element: checker.Element) -> Element:
         """An element with its text: as it was computed, or as a polynomial."""
@@ -131,10 +140,8 @@ class Traced(checker.Ring):
             return element
         summands = []
         for m, c in sorted(element.terms.items(), reverse=True):
-            powers = [
-                (text, m >> self.at[name] & checker.MASK) for name, text in self.texts.items()
-            ]
-            factors = [f"{text}^{e}" if e > 1 else text for text, e in powers if e]
+            powers = [(self.texts[name], e) for name, e in self.exponents(m)]
+            factors = [f"{text}^{e}" if e > 1 else text for text, e in powers]
             number = self.writer.language.number(Fraction(c, element.below))
             summands.append("*".join([number, *factors]))
         text = "+".join(summands) or self.writer.language.number(Fraction(0))
@@ -152,7 +159,7 @@ class Traced(checker.Ring):
 
 def plain(element: checker.Element) -> checker.Element:
     """The element without a text."""
-    return checker.Element(element.ring, element.terms, element.below)
+    return checker.Element(element.ring, element.terms, element.below, element.bits)
 
 
 class Element(checker.Element):
@@ -165,17 +172,11 @@ class Element(checker.Element):
     ring: Traced
 
     def __init__(self, element: checker.Element, text: str) -> None:
-        super().__init__(element.ring, element.terms, element.below)
+        super().__init__(element.ring, element.terms, element.below, element.bits)
         self.text = text if len(text) < LENGTH else self.ring.writer.define(text)
 
     def __neg__(self) -> checker.Element:
         return Element(super().__neg__(), f"(-{self.text})")
-
-    def __mul__(self, other: checker.Element) -> checker.Element:
-        value = super().__mul__(other)
-        return (
-            Element(value, f"({self.text}*{other.text})") if isinstance(other, Element) else value
-        )
 
     def __pow__(self, exponent: int) -> checker.Element:
         return Element(super().__pow__(exponent), f"({self.text}^{exponent})")

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from kowalevski_cas.problem.checker import MASK, Element, Ring
+from kowalevski_cas.problem.checker import Element, Ring
 from kowalevski_cas.problem.trees import Tree
 
 
@@ -50,7 +50,7 @@ class Elements:
             if len(rest.terms) > 1:
                 self._add(k, written(self.terms(rest)), rest)
             else:
-                for name in self._powers(max(rest.terms)):
+                for name, _ in self.ring.exponents(max(rest.terms)):
                     self._add(k, name, ring.generator(name))
 
     def _add(self, k: int, tree: Tree, element: Element) -> None:
@@ -61,7 +61,7 @@ class Elements:
     def terms(self, element: Element) -> list[Term]:
         """The terms of an element."""
         return [
-            self._term(Fraction(value, element.below), self._powers(monomial))
+            self._term(Fraction(value, element.below), dict(self.ring.exponents(monomial)))
             for monomial, value in sorted(element.terms.items(), reverse=True)
         ]
 
@@ -90,10 +90,6 @@ class Elements:
                     under += [tree] * (n * e)
         under += [name for name, e in exponents.items() for _ in range(-e)]
         return Term(value, {n: e for n, e in exponents.items() if e > 0}, tuple(under))
-
-    def _powers(self, monomial: int) -> dict[str, int]:
-        powers = ((name, monomial >> shift & MASK) for name, shift in self.ring.at.items())
-        return {name: e for name, e in powers if e}
 
 
 def written(terms: Iterable[Term]) -> Tree:

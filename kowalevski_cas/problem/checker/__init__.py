@@ -21,7 +21,7 @@ The folder is a program: ``python -I -S FOLDER FILE...`` runs it, wherever it ha
 from .certificate import Certificate, check
 from .evidence import locate
 from .formulas import Map, Rates, Value
-from .polynomials import MASK, Element, Ring
+from .polynomials import Element, Ring
 from .problem import KINDS, Problem, sentence
 from .reading import (
     BITS,
@@ -40,7 +40,7 @@ from .reading import (
 from .spaces import Space
 
 __all__ = [
-    "BITS", "DEGREE", "FORMAT", "KINDS", "MASK", "NAMES", "SIZE", "VERSION", "WORK",
+    "BITS", "DEGREE", "FORMAT", "KINDS", "NAMES", "SIZE", "VERSION", "WORK",
     "Budget", "Certificate", "Element", "Json", "Map", "Problem", "Rates", "Rejected", "Ring",
     "Space", "Value", "check", "locate", "need", "printable", "sentence",
 ]  # fmt: skip

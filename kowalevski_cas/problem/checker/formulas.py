@@ -11,10 +11,9 @@ import copy
 from collections.abc import Iterator
 from contextlib import contextmanager
 from fractions import Fraction
-from functools import partial, reduce
 from typing import Self
 
-from .polynomials import MASK, Element, Ring
+from .polynomials import Element, Ring
 from .reading import Json, Rejected, exponent, label, need, operation, pairs
 
 Value = tuple[Element, ...]  # a number, or the components of a vector
@@ -26,6 +25,7 @@ class Map:
 
     def __init__(self, ring: Ring, images: dict[str, Element], space: Formulas) -> None:
         self.ring, self.images, self.space = ring, images, space
+        self.monomials: dict[int, Element] = {}
         for name in (n for n in ring.roots if n in images):
             square = ring.roots[name]
             rest = images[name] * images[name] - self(square)
@@ -36,22 +36,23 @@ class Map:
             need(same, f"{name} may be no power of its base")
 
     def __call__(self, element: Element) -> Element:
-        at = [(name, self.ring.at[name]) for name in element.generators()]
-        for name, _ in at:
-            if name not in self.images:
-                need(name in self.ring.divisors, f"{name} has no value")
-                self.images[name] = self.space.inverse(self(self.ring.divisors[name]))
-        ring, found = self.space.ring, list[Element]()
-        powers: dict[tuple[str, int], Element] = {}
-        for m, c in element.terms.items():
-            term = Element(ring, {0: c}, element.below)
-            for name, shift in at:
-                if e := m >> shift & MASK:
-                    if (name, e) not in powers:
-                        powers[name, e] = self.images[name] ** e
-                    term = term * powers[name, e]
-            found.append(term)
-        return ring.total(found)
+        parts = [(c, self.monomial(m)) for m, c in element.terms.items()]
+        return self.space.ring.combination(parts, element.below)
+
+    def monomial(self, monomial: int) -> Element:
+        """What a product of generators becomes."""
+        if monomial not in self.monomials:
+            powers = self.ring.exponents(monomial)
+            self.monomials[monomial] = self.space.ring.product(
+                self.image(name) if e == 1 else self.image(name) ** e for name, e in powers
+            )
+        return self.monomials[monomial]
+
+    def image(self, name: str) -> Element:
+        if name not in self.images:
+            need(name in self.ring.divisors, f"{name} has no value")
+            self.images[name] = self.space.inverse(self(self.ring.divisors[name]))
+        return self.images[name]
 
 
 class Formulas:
@@ -128,7 +129,7 @@ class Formulas:
         if op == "+":
             need(len({*map(len, values)}) == 1, "a number is added to a vector")
             return tuple(map(self.ring.total, zip(*values, strict=True)))
-        return reduce(partial(self.binary, op), values)
+        return self.multiplied(op, values)
 
     def unary(self, op: str, element: Element) -> Element:
         """An operation on a component."""
@@ -142,17 +143,22 @@ class Formulas:
         need(found, "a root is taken that is not declared")
         return self.ring.generator(found[0])
 
-    def binary(self, op: str, a: Value, b: Value) -> Value:
+    def multiplied(self, op: str, values: list[Value]) -> Value:
         """A product or a quotient, by components, or a product of vectors."""
+        size = max(map(len, values))
+        rows = [v if len(v) == size else v * size for v in values]
+        need(all(len(row) == size for row in rows), "vectors have different lengths")
         if op == "cross":
-            need(len(a) == len(b) == 3, "a vector product is one of vectors in space")
+            need({*map(len, values)} == {3}, "a vector product is one of vectors in space")
+            a, b = values
             return tuple(a[j] * b[k] - a[k] * b[j] for j, k in ((1, 2), (2, 0), (0, 1)))
-        need(op != "dot" or len(a) == len(b) > 1, "a scalar product is one of two vectors")
-        b = tuple(map(self.inverse, b)) if op == "/" else b
-        a, b = (a * len(b) if len(a) == 1 else a), (b * len(a) if len(b) == 1 else b)
-        need(len(a) == len(b), "vectors have different lengths")
-        products = tuple(x * y for x, y in zip(a, b, strict=True))
-        return (self.ring.total(products),) if op == "dot" else products
+        if op == "/":
+            rows[1:] = [tuple(map(self.inverse, row)) for row in rows[1:]]
+        products = tuple(map(self.ring.product, zip(*rows, strict=True)))
+        if op == "dot":
+            need({*map(len, values)} == {size} != {1}, "a scalar product is one of two vectors")
+            return (self.ring.total(products),)
+        return products
 
     def differences(self, equations: Json) -> list[Element]:
         """Left minus right sides, by components."""
@@ -167,18 +173,22 @@ class Formulas:
 
         The words are for the case that a new divisor has to be entered.
         """
+        if (number := element.value()) is not None:
+            need(number, "it divides by zero")
+            return self.ring.number(1 / number)
         above, norm = element.normed()
         words = words if above.value() == 1 else ""
         norm, powers = norm.cleared()
         need(norm.terms, "it divides by zero")
-        above = above * powers
+        content, norm = norm.primitive()
+        parts = [above, powers, self.ring.number(1 / content)]
         for name in self.known:
             while (quotient := norm.over(self.ring.divisors[name])) is not None:
-                norm, above = quotient, above * self.ring.generator(name)
+                norm = quotient
+                parts.append(self.ring.generator(name))
         if norm.value() is None:
-            content, norm = norm.primitive()
-            return above * self._part(norm, words) * self.ring.number(1 / content)
-        return above * self.ring.number(1 / Fraction(norm.value() or 0))
+            parts.append(self._part(norm, words))
+        return self.ring.product(parts)
 
     def _part(self, norm: Element, words: str) -> Element:
         """One over a polynomial that divides a known divisor, or becomes one."""
@@ -223,6 +233,8 @@ class Formulas:
             base, power = ring.powers[name]
             return power * own * self.along(base, rates) * self.inverse(base)
         change = self.along(ring.roots[name], rates) if name in ring.roots else ring.number(0)
+        if not change.terms:
+            return change
         half = change.partial(name) * ring.number(Fraction(1, 2))
         if (change - own * (half + half)).vanishes():
             return half

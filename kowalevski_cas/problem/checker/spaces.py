@@ -128,7 +128,7 @@ class Space(Formulas):
             }
             need(not moved & new.keys() and len(new) == len(names), "a name moves twice")
             self._movable(new)
-            others += [(self.scalar(name), rate) for name, rate in new.items()]
+            others += [(self.scalar(n), rate) for n, rate in new.items() if n not in self.variables]
             rates |= {name: rate for name, rate in new.items() if name in self.ring.at}
             moved |= new.keys()
             self.waiting -= moved

@@ -1,0 +1,75 @@
+"""The polynomials of the checker, compared with their values at a point modulo a prime."""
+
+from fractions import Fraction
+from math import prod
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kowalevski_cas.problem.checker import Budget, Ring
+
+PRIME = 2**61 - 1
+R, S = 987_654_321, 123_123_123
+POINT = {"x": 5 * S * S * pow(R, -1, PRIME), "y": R * R * pow(3, -1, PRIME), "r": R, "s": S}
+"""Where the roots r² = 3 y and s² = x r / 5 have values."""
+
+numbers = st.fractions(max_denominator=60) | st.integers(-(10**200), 10**200).map(Fraction)
+sums = st.lists(st.tuples(numbers, st.lists(st.sampled_from("xyrs"), max_size=5)), max_size=6)
+
+
+def ring():
+    """Polynomials in x and y and these roots."""
+    found = Ring(Budget(10**9))
+    x, y, r, _ = (found.adjoin(name) for name in "xyrs")
+    found.relate("r", y * found.number(3))
+    found.relate("s", x * r * found.number(Fraction(1, 5)))
+    return found
+
+
+def element(here, terms):
+    parts = (here.product([here.number(c), *map(here.generator, names)]) for c, names in terms)
+    return here.total(parts)
+
+
+def residue(number):
+    return number.numerator * pow(number.denominator, -1, PRIME) % PRIME
+
+
+def value(found):
+    """The value at the point; on the way, what an element says of itself has to be true."""
+    powers = {m: found.ring.exponents(m) for m in found.terms}
+    assert all(found.terms.values())
+    assert all(e == 1 for both in powers.values() for name, e in both if name in "rs")
+    assert found.below > 0
+    assert all(n.bit_length() <= found.bits for n in (found.below, *found.terms.values()))
+    terms = (c * prod(POINT[n] ** e for n, e in powers[m]) for m, c in found.terms.items())
+    return sum(terms) * pow(found.below, -1, PRIME) % PRIME
+
+
+@given(sums)
+def test_a_sum_of_products(terms):
+    expected = sum(residue(c) * prod(POINT[name] for name in names) for c, names in terms)
+    assert value(element(ring(), terms)) == expected % PRIME
+
+
+@given(st.lists(sums, max_size=4), st.lists(st.integers(-9, 9), min_size=4, max_size=4))
+def test_products_and_combinations(lists, counts):
+    here = ring()
+    found = [element(here, terms) for terms in lists]
+    values = [*map(value, found)]
+    assert value(here.product(found)) == prod(values) % PRIME
+    combined = here.combination(zip(counts, found, strict=False), below=7)
+    expected = sum(c * v for c, v in zip(counts, values, strict=False)) * pow(7, -1, PRIME)
+    assert value(combined) == expected % PRIME
+
+
+@given(sums, sums)
+def test_differences_powers_and_norms(left, right):
+    here = ring()
+    a, b = element(here, left), element(here, right)
+    assert value(a - b) == (value(a) - value(b)) % PRIME
+    assert value(-a) == -value(a) % PRIME
+    assert value(a**3) == value(a) ** 3 % PRIME
+    above, norm = b.normed()
+    assert value(above) * value(b) % PRIME == value(norm)
+    assert not {"r", "s"} & {*norm.generators()}
