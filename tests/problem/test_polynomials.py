@@ -73,3 +73,16 @@ def test_differences_powers_and_norms(left, right):
     above, norm = b.normed()
     assert value(above) * value(b) % PRIME == value(norm)
     assert not {"r", "s"} & {*norm.generators()}
+
+
+@given(
+    st.sampled_from([0, 1, Fraction(4, 9)]), st.lists(st.integers(-2, 2), min_size=2, max_size=5)
+)
+def test_products_with_divisors_of_zero(square, shifts):
+    here = Ring(Budget(10**9))
+    x, s = here.adjoin("x"), here.adjoin("s")
+    here.relate("s", here.number(square))
+    root = here.number(Fraction(2, 3) if square == Fraction(4, 9) else square)
+    factors = [s - root, *(x + here.number(n) for n in shifts), s + root, x]
+    assert not here.product(factors).terms
+    assert not here.product(reversed(factors)).terms

@@ -163,6 +163,8 @@ class Element:
         few, many = (self, other) if len(self.terms) <= len(other.terms) else (other, self)
         size = len(few.terms) * len(many.terms)
         self.ring.spend(size * (1 + (few.bits * many.bits >> 16)))
+        if not few.terms:  # roots of squares have divisors of zero
+            return few
         (m, c), *rest = few.terms.items()
         out = {m + n: c * d for n, d in many.terms.items()}
         for m, c in rest:
