@@ -304,6 +304,26 @@ def test_linear_equations_are_solved_for_the_rates():
     assert [to_latex(one) for one in solved.conditions] == ["ad - bc"]
 
 
+def test_a_sum_is_differentiated_term_by_term():
+    system = System(r"\frac{d}{dt}(x+y)=x,\quad \frac{d}{dt}(x-y)=y")
+    assert repr(system) == "x, y move"
+    assert system.integral("x^2-2xy-y^2").verdict is Verdict.PROVED
+    assert system.integral("x^2+y^2").verdict is Verdict.REFUTED
+
+
+@given(st.text(alphabet=" ,&%$\t\n").map(str) | st.sampled_from([r"\quad", "{}", "\\\\"]))
+def test_what_prints_nothing_is_refused(blank):
+    with pytest.raises(ValueError):
+        System(blank)
+    system = System(r"\dot x=y, \dot y=-x")
+    for ask in (system.define, system.where, system.find_closure, system.conditions):
+        with pytest.raises(ValueError):
+            ask(blank)
+    for claim in (system.integral, system.identity, system.invariant):
+        with suppress(ValueError):
+            assert claim(blank).verdict is Verdict.ERROR
+
+
 def test_a_condition_is_printed_without_a_minus_before_most_terms():
     two = System(
         r"\ddot{\mathbf r}=\frac{\mathbf p-\mathbf r}{|\mathbf p-\mathbf r|^3},\quad \ddot{\mathbf p}=-\ddot{\mathbf r}",
