@@ -105,10 +105,8 @@ def test_tori_of_M4_are_told_apart_by_signs(fields, h, j, tori):
     assert len({*map(tuple, signs.tolist())}) == tori
 
 
-@pytest.mark.parametrize(
-    ("fields", "h", "j", "tori"),
-    [LEVELS_OF_M4[0], *(pytest.param(*x, marks=pytest.mark.slow) for x in LEVELS_OF_M4[1:])],
-)
+@pytest.mark.slow
+@pytest.mark.parametrize(("fields", "h", "j", "tori"), LEVELS_OF_M4)
 def test_motions_on_M4_fill_as_many_tori_as_are_counted(fields, h, j, tori):
     size = float(fields.a + fields.b)
     assert pieces(fields, h * size, j * size**1.5) == tori
