@@ -28,7 +28,11 @@ for profile, examples in (("quick", 6), ("slow", 100)):
 
 
 def pytest_configure(config):
-    """Without slow tests, Hypothesis looks less hard, too; Ctrl-C interrupts in the background."""
+    """Without slow tests, Hypothesis looks less hard, too; Ctrl-C interrupts in the background.
+
+    Garbage in circles is rarely looked for: processes end before it matters.
+    """
+    gc.set_threshold(100_000)
     signal.signal(signal.SIGINT, signal.default_int_handler)
     settings.load_profile("quick" if config.option.markexpr == "not slow" else "slow")
 

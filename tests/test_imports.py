@@ -11,7 +11,6 @@ import pytest
 
 from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.library import available
-from tests.sample import sampled
 
 ROOT = Path(__file__).parents[1]
 LIBRARY = "kowalevski_cas"
@@ -67,7 +66,8 @@ def test_importing_loads_no_library():
     assert "kowalevski_cas" in loaded and not loaded & LIBRARIES
 
 
-@pytest.mark.parametrize("name", sampled([*EXACT, *POINTS], 1))
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [*EXACT, *POINTS])
 def test_proving_loads_what_its_arithmetic_needs_and_nothing_else(name):
     assert modules(PROVE, name, *ONLY) & LIBRARIES == NEEDED[name]
 

@@ -63,9 +63,9 @@ circle = System(r"\\dot x=y, \\dot y=-x")
 circle.states(Hangs, "hangs", "it hangs", printed="x=x")
 circle.integral("x^2+y^2")
 """
-    code, out = run({"derivation_circle.py": hangs}, "--claim-timeout=1")
+    code, out = run({"derivation_circle.py": hangs}, "--claim-timeout=0.5")
     assert code == 1 and "1 failed, 1 passed" in out
-    assert "Not decided within 1 s" in out
+    assert "Not decided within 0.5 s" in out
 
 
 def test_a_broken_file_hides_no_other(run):

@@ -17,13 +17,7 @@ from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED
 from kowalevski_cas.library import available, find, source
 from kowalevski_cas.problem.checker import printable
 from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
-from kowalevski_cas.verify.committed import (
-    Checked,
-    Expected,
-    check_committed,
-    check_files,
-    expected,
-)
+from kowalevski_cas.verify.committed import Checked, Expected, check_committed, check_files
 from kowalevski_cas.verify.record import load_record
 
 
@@ -85,4 +79,4 @@ def _about(folder: Path) -> Expected | None:
     folder = folder.parent if folder.name == CORRECTED else folder
     if folder.name != FOLDER or not source(folder.parent).is_file():
         return None
-    return expected(folder.parent, load_record(folder.parent) or {})
+    return Expected(folder.parent, load_record(folder.parent) or {})

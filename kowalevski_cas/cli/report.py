@@ -14,7 +14,7 @@ from kowalevski_cas.cli.exits import AS_RECORDED
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.report import Section, sections
 from kowalevski_cas.report.pdf import write_report
-from kowalevski_cas.verify.committed import Checked, check_committed
+from kowalevski_cas.verify.committed import Checked, check_committed, statements
 from kowalevski_cas.verify.outcome import Run
 
 
@@ -58,6 +58,6 @@ def write(
 
 def certified(run: Run, folder: Path) -> tuple[Checked, dict[str, str]]:
     """What the checker says of certificates, and the digests of those about this run's claims."""
-    checked = check_committed(folder, session.recorded(folder))
+    checked = check_committed(folder, session.recorded(folder), statements(run))
     own = {outcome.claim: outcome.digest for outcome in run.outcomes}
     return checked, dict(own.items() & checked.digests.items())

@@ -26,7 +26,7 @@ class Cursor:
     """The tokens, the place, the vocabulary; names, indices and errors."""
 
     def __init__(self, tex: str, tokens: list[Token], vocabulary: Vocabulary) -> None:
-        last = tokens[-1].end
+        last = tokens[-1].end if tokens else 0
         self.tex = tex
         self.tokens = [*tokens, Token(END, "", last, last)]
         self.at = 0

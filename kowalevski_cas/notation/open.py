@@ -53,11 +53,11 @@ def independent(tex: str) -> list[str]:
     ['\\tau']
     """
     tokens = scan(tex)
-    cursor = Cursor(tex, tokens, Vocabulary()) if tokens else None
+    cursor = Cursor(tex, tokens, Vocabulary())
     found: dict[str, None] = {}
     for k, token in enumerate(tokens):
         below = k + 1
-        if token.kind == "frac" and cursor is not None:
+        if token.kind == "frac":
             if tokens[k + 1 + (tokens[k + 1].kind == "{")].text != "d":
                 continue
             below = cursor.behind_group(k + 1) + 1

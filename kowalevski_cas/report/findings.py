@@ -163,7 +163,8 @@ class Findings:
             shown.append(Paragraph(self.phrases.values(outcome.counterexample)))
         correction = outcome.correction
         if correction is None:
-            return Claim(outcome.verdict, "", (*head, " No true statement was found near it."))
+            head = (*head, " No true statement was found near it.")
+            return Claim(outcome.verdict, "", head, blocks=tuple(shown))
         head = (*head, " ", Emphasis(("Correct:",)), " ", *self.phrases.words(correction.words))
         if correction.conditions:
             head = (*head, ", where ", *self.phrases.where(correction.conditions))

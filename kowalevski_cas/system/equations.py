@@ -210,7 +210,7 @@ def _is_law(formula: Formula) -> bool:
 
 def _moving(formula: Formula) -> list[str]:
     """The names that stand under a derivative, or by whose rates something is derived."""
-    if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector):
+    if isinstance(formula, Derivative) and isinstance(formula.argument, Name | Vector | Sum):
         return [one.name for one in formula.argument.nodes() if isinstance(one, Name)]
     found = [name for child in formula.children() for name in _moving(child)]
     by = formula.by if isinstance(formula, Partial) else ""

@@ -160,6 +160,8 @@ class System(Claims):
         """
         tex = self._tex(formula)
         display = self.section.display(self._id("", tex), tex)
+        if not [*display]:
+            raise ValueError(f"“{tex}” defines no name")
         self._stand_on(rooted(with_parameters(self.scene, display).defining(display), display))
         name, formula = display[1].heads.names[0], self._formulas(display)[0]
         return Function(display[1], name, formula, self.symbols)

@@ -1,7 +1,7 @@
 """The certificates that are committed with a derivation: checked, and compared with what it prints.
 
 Nothing in a certificate or in the record is believed to say what the paper prints: the problem of
-each claim is written anew from the printed formulas.
+each claim is written anew from the printed formulas, unless a run has just done so.
 """
 
 from __future__ import annotations
@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
+from types import MappingProxyType
 
 from kowalevski_cas.library import load
 from kowalevski_cas.notation import NotationError
@@ -20,6 +22,7 @@ from kowalevski_cas.verify.bench import Bench
 from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
 from kowalevski_cas.verify.corrections import recorded_correction
 from kowalevski_cas.verify.loci import failing
+from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.statement import Statement
 
 Record = Mapping[str, Mapping[str, object]]
@@ -55,20 +58,31 @@ def certificate_files(folder: Path) -> list[Path]:
     )
 
 
-def check_committed(folder: Path, record: Record) -> Checked:
+def check_committed(
+    folder: Path, record: Record, decided: Mapping[str, str] = MappingProxyType({})
+) -> Checked:
     """Check the certificates in a derivation's folder.
+
+    ``decided`` are the :func:`statements` that a run has just written from the print.
 
     A certificate is rejected if it is about something else than the derivation prints, or the
     record has another statement of the claim, or another sign; so is one that the record asks for
     and that is missing. Raises :class:`~kowalevski_cas.library.LibraryError` if the derivation
     cannot be loaded.
     """
-    found = check_files(certificate_files(folder), expected(folder, record))
+    found = check_files(certificate_files(folder), Expected(folder, record, decided))
     for name in wanted(record):
         if not (folder / FOLDER / f"{name}.json").is_file():
             found.rejected[f"{name}.json"] = "it is in the record, and missing"
     without = tuple(claim for claim in record if claim not in wanted(record))
     return replace(found, without=without)
+
+
+def statements(run: Run) -> dict[str, str]:
+    """The digests of what a run has decided, by the name of the certificate."""
+    own = {outcome.claim: outcome.digest for outcome in run.outcomes}
+    mended = ((outcome.claim, outcome.correction) for outcome in run.outcomes)
+    return own | {f"{CORRECTED}/{claim}": one.digest for claim, one in mended if one is not None}
 
 
 def wanted(record: Record) -> list[str]:
@@ -101,10 +115,20 @@ def check_files(paths: Sequence[Path], about: Expected | None = None) -> Checked
 
 @dataclass(frozen=True)
 class Expected:
-    """What certificates have to be about: the record, and the statements that are printed."""
+    """What certificates have to be about: the record, and the statements that are printed.
 
+    ``decided`` are the :func:`statements` that a run has just written from the print; the others
+    are written anew.
+    """
+
+    folder: Path
     record: Record
-    printed: Mapping[str, Statement]
+    decided: Mapping[str, str] = field(default_factory=dict)
+
+    @cached_property
+    def bench(self) -> Bench:
+        """What is printed."""
+        return Bench(load(str(self.folder)), [])
 
     def compare(self, name: str, certificate: checker.Certificate, corrected: bool) -> None:
         """Reject a certificate that is about something else."""
@@ -120,7 +144,9 @@ class Expected:
             checker.need(same, f"the record has another statement of it; {stale}")
             sign = "denied" if entry.get("verdict") == "refuted" else "holds"
             checker.need(certificate.sign == sign, f"the record has another verdict on it; {stale}")
-        statement = self.printed.get(name)
+        if self.decided.get(name) == certificate.digest and not certificate.failures:
+            return
+        statement = self.printed(certificate.claim, corrected)
         same = statement is not None and statement.digest == certificate.digest
         checker.need(same, f"the derivation prints another statement of it; {stale}")
         assert statement is not None
@@ -131,18 +157,16 @@ class Expected:
             f"what fails for a condition is something else; {stale}",
         )
 
-
-def expected(folder: Path, record: Record) -> Expected:
-    """What a derivation prints of the claims of its record, written anew as problems."""
-    derivation = load(str(folder))
-    bench, found = Bench(derivation, []), dict[str, Statement]()
-    for claim in (one for one in derivation.claims if one.id in record):
-        recorded = record[claim.id].get("correction")
+    def printed(self, id: str, corrected: bool) -> Statement | None:
+        """What is printed of a claim, or its recorded correction; ``None`` if it says nothing."""
+        claim = next((one for one in self.bench.derivation.claims if one.id == id), None)
+        if claim is None:
+            return None
         with suppress(NotationError, Meaningless):  # what says nothing has no certificate
-            on = bench.on(claim)
-            found[claim.id] = Statement(claim, on)
-            near = recorded_correction(claim, on, recorded) if isinstance(recorded, str) else None
+            on = self.bench.on(claim)
+            if not corrected:
+                return Statement(claim, on)
+            near = recorded_correction(claim, on, str(self.record[id].get("correction")))
             if near is not None:
-                mended = Statement(near.claim, on.under(near.texts))
-                found[f"{CORRECTED}/{claim.id}"] = mended
-    return Expected(record, found)
+                return Statement(near.claim, on.under(near.texts))
+        return None

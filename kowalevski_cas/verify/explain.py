@@ -248,7 +248,10 @@ def _regardless(goal: Exists, evidence: Regardless, place: Place) -> Counterexam
         value = place(place.at.scalar(free))
         if not value.is_zero:
             left = number_formula(value)
-            words = f"the derivative is ${to_latex(left)}$, and all combinations are $0$"
+            words = (
+                f"the derivative is ${to_latex(left)}$, "
+                "and every combination of the functions is $0$"
+            )
             return Counterexample(_at(place), left, Number(0), words)
     return None
 

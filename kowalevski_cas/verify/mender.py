@@ -88,8 +88,8 @@ class Mender(Teller):
 
     def mended(
         self, claim: Claim, on: Elaborations
-    ) -> tuple[Verdict, tuple[Condition, ...]] | None:
-        """The verdict on a corrected claim, and its conditions; ``None`` if it is not proved."""
+    ) -> tuple[Verdict, tuple[Condition, ...], str] | None:
+        """The verdict on a corrected claim, its conditions and its digest, if it is proved."""
         try:
             statement = Statement(claim, on)
         except (NotationError, Meaningless):
@@ -104,7 +104,8 @@ class Mender(Teller):
         if any(one.verdict is not Verdict.PROVED for one in decided):
             return None
         needed = conditions(statement, decided[0].accepted, self.stored.get(name))
-        return (Verdict.CONDITIONAL if needed else Verdict.PROVED), needed
+        verdict = Verdict.CONDITIONAL if needed else Verdict.PROVED
+        return verdict, needed, statement.digest
 
     # -- acceptance ----------------------------------------------------------------
 

@@ -101,7 +101,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Correction:
-    """The nearest true statement: its formulas, what was changed, its verdict.
+    """The nearest true statement: its formulas, what was changed, its verdict, its digest.
 
     ``printed`` and ``edit`` say where, if one printed formula was changed, and ``accepted``
     that the derivation reads it in place of what is printed.
@@ -111,6 +111,7 @@ class Correction:
     words: str
     verdict: Verdict
     conditions: tuple[Condition, ...] = ()
+    digest: str = ""
     printed: Printed | None = None
     edit: Edit | None = None
     accepted: bool = False

@@ -13,7 +13,6 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.verify.run import verify
 from tests.audit.material import audited, base, changed, source, watched
-from tests.sample import sampled
 
 
 def by_id(found):
@@ -88,7 +87,8 @@ CHANGED = [
 """What is changed, the formula that is the cause, and claims that are false by it."""
 
 
-@pytest.mark.parametrize(("old", "new", "cause", "false"), sampled(CHANGED, 1))
+@pytest.mark.slow
+@pytest.mark.parametrize(("old", "new", "cause", "false"), CHANGED)
 @watched
 def test_a_changed_definition_is_the_cause(old, new, cause, false):
     text = source().text

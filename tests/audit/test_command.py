@@ -93,6 +93,7 @@ def test_patch(paper, capfdbinary):
     assert "+variables, introduce" in out or "i^2=-1" in out
 
 
+@pytest.mark.slow
 def test_nothing_but_words_is_wrong_after_the_patch(tmp_path, capsys):
     path = tmp_path / "mended.tex"
     path.write_text(patched(), encoding="utf-8")

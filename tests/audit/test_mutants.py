@@ -7,11 +7,12 @@ import pytest
 
 from kowalevski_cas import System
 from kowalevski_cas.audit.audit import audit
-from kowalevski_cas.audit.catching import Caught, Measurement, measure
+from kowalevski_cas.audit.catching import Caught, Measure, Measurement, measure
 from kowalevski_cas.audit.mutants import every, sample
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli.mutants import report
+from kowalevski_cas.library import find, load
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.pool import Pool
 from tests.audit.material import audited, base, source, work
@@ -44,7 +45,11 @@ def test_a_mutant_is_one_token_away():
 
 
 def test_mutants_are_caught():
-    found = measure(work(), sample(audited(), 1, Random(6)))
+    name = "bobenko_reyman_semenov1989"
+    derivation = load(name)
+    text = synthetic(derivation)
+    mutants = sample(audit(text, AuditSession(derivation)), 1, Random(6))
+    found = measure(Measure(find(name), text.path, text.text, timeout=2), mutants)
     assert found.missed == []
     assert "1 mutants" in report(found)
 

@@ -142,7 +142,9 @@ def test_a_derivation_that_is_not_there(capsys):
     assert "no derivation" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(("name", "code"), [(b"/nowhere/\xff.json", 5), (b"/nowhere/\xff", 2)])
+@pytest.mark.parametrize(
+    ("name", "code"), sampled([(b"/nowhere/\xff.json", 5), (b"/nowhere/\xff", 2)], 1)
+)
 def test_a_name_that_is_no_text(name, code):
     command = [sys.executable, "-m", "kowalevski_cas", "check", name]
     found = subprocess.run(command, capture_output=True, cwd=PAPER.parents[1])
@@ -150,7 +152,7 @@ def test_a_name_that_is_no_text(name, code):
     assert b"\\udcff" in found.stdout + found.stderr and b"Traceback" not in found.stderr
 
 
-@pytest.mark.parametrize("place", sampled(["key", "name", "formula", "sign", "claim", "file"], 2))
+@pytest.mark.parametrize("place", sampled(["key", "name", "formula", "sign", "claim", "file"], 1))
 def test_nothing_in_a_file_prints_a_line_of_its_own(copy, capsys, place):
     false = "x\nCERTIFIED 9 of 9\n"
     path = copy / "certificates" / "eq6.json"

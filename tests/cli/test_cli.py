@@ -16,6 +16,7 @@ from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import Session
+from tests.sample import sampled
 
 ROOT = Path(__file__).parents[2]
 
@@ -100,7 +101,9 @@ def test_0_when_everything_is_proved_and_there_is_no_record(cli, write):
     assert "there is no record to compare with (`kowalevski-cas record`)" in out
 
 
-@pytest.mark.parametrize(("before", "after"), [(TRUE, TRUE + WRONG), (TRUE + WRONG, TRUE)])
+@pytest.mark.parametrize(
+    ("before", "after"), sampled([(TRUE, TRUE + WRONG), (TRUE + WRONG, TRUE)], 1)
+)
 def test_1_claims_that_come_and_go_differ_from_the_record(cli, write, before, after):
     cli("record", write(before))
     code, out, _ = cli("verify", write(after))
@@ -502,12 +505,6 @@ def test_proving_with_flint_imports_no_other_library():
     )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, cwd=ROOT)
     assert done.stderr == "0 []\n"
-
-
-def test_python_m_is_the_command():
-    done = process("verify", "kharlamov2002", "--only", "eq6")
-    assert (done.returncode, done.stderr) == (0, "")
-    assert "1 claim: 1 proved; flint" in done.stdout
 
 
 def test_a_screening_refutes_and_proves_nothing(cli, write):

@@ -6,20 +6,17 @@ import os
 import pytest
 
 from kowalevski_cas.cli import main
+from tests.sample import sampled
 
 CLOSURE = ["find", "closure", "kharlamov2002", "--scene"]
 CASE = ["find", "integrals", "kharlamov2002", "--scene", "Kowalevski case"]
 
 
 def test_the_integrals_of_the_kowalevski_case_of_which_a_long_one_is_cut(capsys):
-    printed = []
-    for more in ([], ["-v"]):
-        assert main([*CASE, "--degree", "4", *more]) == 0
-        printed.append(capsys.readouterr().out.splitlines())
-    lines, full = printed
-    (cut,) = [k for k, line in enumerate(lines) if line.endswith(" letters: -v shows all)")]
-    assert full[cut].startswith(lines[cut].partition(" … (")[0]) and len(full[cut]) > 400
-    assert lines[:cut] == full[:cut] and lines[cut + 1 :] == full[cut + 1 :]
+    assert main([*CASE, "--degree", "4"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    (cut,) = [line for line in lines if line.endswith(" letters: -v shows all)")]
+    assert len(cut.partition(":  ")[2]) < 450
     assert lines[0].endswith(":  α₁² + α₂² + α₃²")
     assert lines[3].endswith(":  2ω₁² + 2ω₂² + ω₃² − 2α₁ − 2β₂")
     assert "each polynomial first integral up to degree 4 is a polynomial in these" in lines[6]
@@ -37,9 +34,10 @@ def test_coefficients_in_the_constants(capsys):
 
 
 def test_a_degree_by_the_weights_of_the_motion(capsys):
-    assert main([*CASE, "--degree", "6", "--weighted"]) == 0
-    lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == 8 and "ω₁ counts 1, ω₂ counts 1, ω₃ counts 1, α₁ counts 2" in lines[6]
+    assert main([*CASE, "--degree", "2", "--weighted"]) == 0
+    energy, every, number = capsys.readouterr().out.splitlines()
+    assert energy.endswith(":  2ω₁² + 2ω₂² + ω₃² − 2α₁ − 2β₂") and number == "2 found"
+    assert "ω₁ counts 1, ω₂ counts 1, ω₃ counts 1, α₁ counts 2" in every
 
 
 def test_a_field_without_an_integral_is_answered_none(tmp_path, capsys):
@@ -62,7 +60,6 @@ def test_a_field_without_an_integral_is_answered_none(tmp_path, capsys):
         (["find", "integrals", "nobody1900"], 2, "there is no derivation"),
         ([*CLOSURE, "Kowalevski case", "q_7"], 2, "q_7 is not declared here"),
         ([*CLOSURE, "Kowalevski case", "J_1-J_1"], 2, "the function vanishes identically"),
-        ([*CASE, "--degree", "9", "--timeout", "0.5"], 3, "give it more time"),
         (
             ["find", "integrals", "kharlamov2002", "--scene", "complex variables with the root"],
             2,
@@ -120,13 +117,15 @@ def test_a_large_question_is_said_to_be_large_beforehand_and_what_was_found_in_t
     file = tmp_path / "nahm.py"
     field = r"\dot x=yz,\quad \dot y=zx,\quad \dot z=xy"
     file.write_text(f"from kowalevski_cas import System\nnahm = System(r'{field}')\n")
-    assert main(["find", "darboux", str(file), "--degree", "50", "--timeout", "1"]) == 3
+    assert main(["find", "darboux", str(file), "--degree", "50", "--timeout", "0.5"]) == 3
     said = capsys.readouterr()
     assert "3 variables have 23426 monomials up to degree 50: the search ends before" in said.err
     *found, number = said.out.splitlines()
     assert number == f"{len(found)} found" != "0 found"
-    main(["find", "integrals", str(file), "--degree", "25", "--timeout", "0.1"])
-    assert "3 variables have 3276 monomials up to degree 25: it may take" in capsys.readouterr().err
+    assert main(["find", "integrals", str(file), "--degree", "25", "--timeout", "0.1"]) == 3
+    said = capsys.readouterr().err
+    assert "3 variables have 3276 monomials up to degree 25: it may take" in said
+    assert "give it more time" in said
 
 
 @pytest.mark.slow
@@ -228,7 +227,7 @@ def test_an_integral_with_an_exponential_factor(tmp_path, capsys):
     assert "y exp(1/x) is constant along every motion" in lines[3]
 
 
-@pytest.mark.parametrize("question", ["integrals", "darboux"])
+@pytest.mark.parametrize("question", sampled(["integrals", "darboux"], 1))
 def test_several_processes_print_what_one_does(tmp_path, capsys, question):
     file = tmp_path / "volterra.py"
     field = r"\dot x=x(y-cz),\quad \dot y=y(z-x),\quad \dot z=z(cx-y)"

@@ -7,6 +7,7 @@ import sys
 from argparse import Namespace
 from pathlib import Path
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -44,6 +45,7 @@ def test_however_many_processes_decide_the_outcomes_are_the_same(monkeypatch, ca
     assert found[0] == found[1]
 
 
+@pytest.mark.slow
 def test_outcomes_do_not_depend_on_the_order_of_sets():
     """Strings are hashed differently in each process; two of these seeds once gave two orders."""
     command = [sys.executable, "-m", "kowalevski_cas", "verify", "bobenko_reyman_semenov1989"]

@@ -6,12 +6,12 @@ import pytest
 from kowalevski_cas.library import find
 from kowalevski_cas.verify.committed import certificate_files
 
-KEPT = ("eq6", "eq7", "eq21", "N4-dimension")
+KEPT = ("eq6", "eq7", "eq21")
 
 
 @pytest.fixture
 def small(tmp_path):
-    """The derivation with a few certificates: an identity, a combination, a misprint, a rank."""
+    """The derivation with a few certificates: an identity, a combination, a misprint."""
     folder = tmp_path / "small"
     shutil.copytree(find("kharlamov2002"), folder)
     record = json.loads((folder / "record.json").read_text(encoding="utf-8"))

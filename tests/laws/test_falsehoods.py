@@ -12,7 +12,7 @@ from tests.laws.systems import Stated, System
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
 
-FEW, MANY = 3, 200
+FEW, MANY = 2, 200
 
 
 def value(formula: Formula, point: dict[str, int]) -> Fraction:

@@ -143,7 +143,7 @@ def test_a_point_at_which_no_combination_gives_the_derivatives_denies_invariance
     )
     (outcome,) = decide(section, claim)
     assert outcome.verdict == "refuted"
-    assert outcome.counterexample.words.endswith(", and all combinations are $0$")
+    assert outcome.counterexample.words.endswith(", and every combination of the functions is $0$")
 
 
 def test_dimension_and_independence(top):

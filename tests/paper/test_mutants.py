@@ -39,6 +39,7 @@ def free_body():
     H, K = body.define(r"H=\frac{1}{2}(x^2-z^2)"), body.define("K=x^2+y^2+z^2")
     body.jacobi(), body.casimir(K), body.involution(K, H), body.integrable(H, casimirs=[K])
     body.darboux("x-z", "-y")
+    body.states(kinds.Dimension, "global", "", levels=(), equations=("x=0",), dimension=2)
     body.states(kinds.LocalDimension, "dimension", "", equations=("x=0",), dimension=2)
     body.states(kinds.AllIntegrals, "all", "", integrals=("x^2-z^2", "x^2+y^2+z^2"), degree=2)
     darboux = {"cofactor": "-y", "solutions": ("x-z",), "integrals": (), "degree": 1}
@@ -89,7 +90,7 @@ def refuted_mutants(session, claim):
 
 SLOW = {
     "any-c.1", "any-c.2", "M4.k", "M4.g", "s", "M4-independence", "N4-independence", "limit", "ansatz-exponents",
-    "kowalevski-variable", "M4-dimension", "equilibria",
+    "kowalevski-variable", "M4-dimension", "N4-dimension", "equilibria",
 }  # fmt: skip
 """Their mutants have roots that are real nowhere, or at few points that are found; or large minors."""
 

@@ -13,6 +13,7 @@ from kowalevski_cas.paper.derivation import Scene, Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.transcendental import CIRCULAR, EXPONENTIAL
 from tests.paper.small import decide, derivation
+from tests.sample import sampled
 
 MOTION = r"\dot x=\cos y+e^u,\quad\dot y=\sin x,\quad\dot u=v,\quad\dot v=e^u-x_0"
 
@@ -119,7 +120,7 @@ def test_what_is_not_known_is_an_error_that_says_so(tex, message):
 
 
 @pytest.mark.parametrize(
-    "given_tex", [r"\sin x=2", r"\cos x=\frac32", "e^u=-1", "e^u=0", r"\cosh u=0"]
+    "given_tex", sampled([r"\sin x=2", r"\cos x=\frac32", "e^u=-1", "e^u=0", r"\cosh u=0"], 2)
 )
 def test_nothing_follows_from_a_value_that_is_not_taken(given_tex):
     section = Section("1", "")
@@ -130,6 +131,7 @@ def test_nothing_follows_from_a_value_that_is_not_taken(given_tex):
     assert str(outcome.verdict) == "undecided"
 
 
+@pytest.mark.usefixtures("uncorrected")
 def test_a_value_that_is_taken_refutes():
     section = Section("1", "")
     scene = scene_of(section)

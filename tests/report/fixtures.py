@@ -75,7 +75,7 @@ def correction(
         return Correction(read(tex), words, verdict, conditions)
     printed = Printed(Display(place, tex, "1"), 1)
     edit = Edit("sign", (1,), read(tex)[0], words, read_display(tex, WORDS)[0], WORDS)
-    return Correction(read(tex), words, verdict, conditions, printed, edit)
+    return Correction(read(tex), words, verdict, conditions, printed=printed, edit=edit)
 
 
 AWAY_FROM_THETA = condition(

@@ -14,6 +14,7 @@ from kowalevski_cas.report.document import Claim, Display, Document, Heading, Li
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.verify.outcome import Verdict
 from tests.audit.material import base
+from tests.audit.test_audit import misprinted
 from tests.report.test_contents import parts, said
 from tests.report.test_writers import Page
 
@@ -88,9 +89,10 @@ def test_the_command_writes_the_page(
 
 
 def test_a_definition_that_spoils_what_rests_on_it_is_named() -> None:
-    document = page(r"J_1  = \omega _1^2  - \omega _2^2", r"J_1  = \omega _1^2  + \omega _2^2")
+    run = misprinted(r"E=\frac{1}{2}(x^2-y^2)")
+    document = annotated(audit(synthetic(run.derivation), run))
     told = [b for b in document.blocks if isinstance(b, Claim) and b.verdict is Verdict.ERROR]
-    assert [said(b.label) for b in told] == ["J.1"]
+    assert [said(b.label) for b in told] == ["energy"]
     assert said(told[0].head).startswith("Suspect. ")
     blamed = [part.target for part in parts(told[0].head) if isinstance(part, Link)]
-    assert "claim.eq6" in blamed and "claim.eq7" in blamed
+    assert "claim.rate" in blamed and "claim.value" in blamed

@@ -129,6 +129,7 @@ def lotka_volterra(matrix):
     return ",\\; ".join(rows)
 
 
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.lists(st.tuples(*3 * [coefficients]), min_size=3, max_size=3), st.tuples(*3 * [scales]))
 def test_scaling_variables_changes_no_exponent_and_minus_one_is_always_one(matrix, scaling):
     matrix = [[a or Fraction(j == k) for j, a in enumerate(row)] for k, row in enumerate(matrix)]
@@ -148,7 +149,7 @@ PAIRS = [*combinations_with_replacement(range(3), 2)]
 digits = st.integers(-9, 9).filter(bool)
 
 
-@settings(max_examples=15)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.lists(st.tuples(*6 * [digits]), min_size=3, max_size=3), st.tuples(*3 * [digits]))
 def test_a_balance_of_a_field_with_all_quadratic_terms_is_found(rows, c):
     """The first coefficients are chosen so that c + f(c) = 0."""

@@ -91,7 +91,7 @@ def test_all_rational_points_of_equations_in_one_unknown_after_another_are_found
     assert found == {(root, root + shift) for root in roots for shift in shifts}
 
 
-@settings(max_examples=6)
+@settings(max_examples=settings.default.max_examples // 2)
 @given(st.fractions(0, 5, max_denominator=6).filter(bool), st.booleans())
 def test_a_constant_that_is_given_by_its_square_may_be_negative(value, rational):
     system = System(r"\dot x=bx")

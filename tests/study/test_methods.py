@@ -20,7 +20,7 @@ def statements():
 
 
 @pytest.mark.parametrize(
-    "name", sampled([name for name in FOUND if name not in ("rocq", "floating")], 3)
+    "name", sampled([name for name in FOUND if name not in ("rocq", "floating")], 1)
 )
 def test_a_method_accepts_what_is_true_and_rejects_what_is_not(statements, name):
     one = FOUND[name]
@@ -30,7 +30,9 @@ def test_a_method_accepts_what_is_true_and_rejects_what_is_not(statements, name)
     assert false["seconds"] > 0
 
 
-@pytest.mark.parametrize("name", ["flint", "symengine", "sympy", "checker", "pari", "modular"])
+@pytest.mark.parametrize(
+    "name", sampled(["flint", "symengine", "sympy", "checker", "pari", "modular"], 3)
+)
 def test_points_at_which_a_near_miss_vanishes_deceive_no_method(statements, name):
     if name not in FOUND:
         pytest.skip("it is not installed")
@@ -58,7 +60,7 @@ def test_a_limit_of_time_or_memory_is_no_answer(statements, monkeypatch):
     def large(_):
         return bytearray(2**34)
 
-    for call, seconds, reason in ((slow, 1.0, "1 s"), (large, 20.0, "4096 MiB")):
+    for call, seconds, reason in ((slow, 0.2, "0.2 s"), (large, 20.0, "4096 MiB")):
         by_hand = typed.ByHand("expand")
         monkeypatch.setattr(method, "SECONDS", seconds)
         monkeypatch.setattr(by_hand, "prepare", lambda one: one.statement.problem)

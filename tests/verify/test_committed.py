@@ -13,10 +13,11 @@ import pytest
 from kowalevski_cas.library import available, find
 from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.committed import (
+    Expected,
     certificate_files,
     check_committed,
     check_files,
-    expected,
+    statements,
     wanted,
 )
 from kowalevski_cas.verify.record import load_record
@@ -166,7 +167,7 @@ class TestPrint:
         (paper / where / f"{data['claim']}.json").write_text(text, encoding="utf-8")
         recorded = load_record(paper)[data["claim"]]
         record = {data["claim"]: {**recorded, "statement": json.loads(text)["digest"], **entry}}
-        return check_files(certificate_files(paper), expected(paper, record))
+        return check_files(certificate_files(paper), Expected(paper, record))
 
     @pytest.mark.parametrize(
         "claim", sampled(["eq14", "eq6", "M4-dimension", "limit", "critical-set"], 1)
@@ -185,14 +186,27 @@ class TestPrint:
     @pytest.mark.parametrize("name", available())
     def test_each_certificate_is_about_what_is_printed(self, name):
         folder = find(name)
-        printed = expected(folder, load_record(folder)).printed
-        paths = {
-            path: path.relative_to(folder / "certificates") for path in certificate_files(folder)
-        }
-        assert {name: statement.digest for name, statement in printed.items()} == {
-            place.with_suffix("").as_posix(): json.loads(path.read_text(encoding="utf-8"))["digest"]
-            for path, place in paths.items()
-        }
+        about = Expected(folder, load_record(folder))
+        for path in certificate_files(folder):
+            data = json.loads(path.read_text(encoding="utf-8"))
+            printed = about.printed(data["claim"], path.parent.name == "corrected")
+            assert printed.digest == data["digest"], path
+
+    def test_what_a_run_has_decided_is_not_written_anew(self, run, folder, record):
+        decided = statements(run)
+        about = Expected(folder, record, decided)
+        found = check_files(sorted((folder / "certificates").rglob("eq1[04]*.json")), about)
+        assert found.digests.items() <= decided.items() and not found.rejected
+        assert len(found.digests) > 2 and "bench" not in vars(about)
+
+    def test_another_statement_than_a_run_has_decided(self, paper):
+        wrong = certificate("eq7")["digest"]
+        (paper / "certificates").mkdir()
+        shutil.copy(FIRST / "eq6.json", paper / "certificates")
+        record = {"eq6": load_record(paper)["eq6"]}
+        assert check_committed(paper, record, {"eq6": wrong}).accepted
+        record["eq6"] = {**record["eq6"], "statement": wrong}
+        assert not check_committed(paper, record, {"eq6": wrong}).accepted
 
     def test_another_goal_that_fails_where_a_condition_is_violated(self, paper):
         data, other = certificate("limit"), certificate("eq16.invariance")["failures"]
