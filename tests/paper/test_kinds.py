@@ -349,10 +349,8 @@ def test_a_first_integral_may_be_printed_as_a_name(oscillator):
     ],
 )
 def test_the_values_of_a_first_integral_are_equal(oscillator, chain, verdict):
-    scene = oscillator.scene.having(constants=("k",))
-    assert verdicts(oscillator.section, FirstIntegral("t", scene, oscillator(chain), "")) == [
-        verdict
-    ]
+    claim = FirstIntegral("t", oscillator.scene, oscillator(chain), "")
+    assert verdicts(oscillator.section, claim) == [verdict]
 
 
 def test_not_equal_is_not_equal(oscillator):

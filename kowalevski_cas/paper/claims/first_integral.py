@@ -28,9 +28,9 @@ class FirstIntegral(Claim):
     All members of a printed chain are the same function, save those that say which value it has,
     in numbers and names of constants; these are equal too, but for a name that is given to it. The
     function is not constant by itself (nor is any component of it, if it is a vector): its
-    differential is independent of those of the set at a real point. With a set, the claim includes that the set is invariant, and that the function is not constant
-    off the set. Of logarithms, which stand with constant factors, it is the derivatives that are
-    stated.
+    differential is independent of those of the set at a real point. With a set, the claim includes
+    that the set is invariant, and that the function is not constant off the set. Of logarithms,
+    which stand with constant factors, it is the derivatives that are stated.
     """
 
     given: tuple[Printed, ...] = ()
