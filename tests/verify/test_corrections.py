@@ -151,7 +151,7 @@ def test_what_rests_on_a_correction_for_which_there_was_no_time_is_undecided():
     section, printed, (own, use) = scene_with("D = x^3")
     section.accept(printed[1], "D = x^2")
     own = Slow(own.id, own.scene, own.printed, own.words, own.equation)
-    own, use = decide(section, own, use, timeout=0.3)
+    own, use = decide(section, own, use, timeout=0.5)
     assert (own.verdict, own.message) == ("timeout", "no correction was found within the time")
     assert (use.verdict, use.message) == ("undecided", "rests on own")
     assert use.counterexample is None and use.correction is None
