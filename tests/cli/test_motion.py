@@ -77,6 +77,7 @@ def test_taylor_follows_it_too_or_says_what_to_install(cli):
             ("matplotlib", ["animation"], "motion"),
         ],
         1,
+        seed=1,
     ),
 )
 def test_a_library_that_is_not_installed_is_named_with_its_extra(missing, command, extra, tmp_path):

@@ -10,22 +10,29 @@ from kowalevski_cas.motion.pictures import PICTURES
 from kowalevski_cas.report.plates import plates
 
 
-def test_it_writes_the_picture_and_the_list_for_the_report(tmp_path: Path) -> None:
-    assert main(["pictures", "rectangle", "--output", str(tmp_path / "motion")]) == 0
-    written = {path.name for path in (tmp_path / "motion").iterdir()}
+@pytest.fixture(scope="module")
+def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of reports with the picture of the motion that is usual."""
+    folder = tmp_path_factory.mktemp("reports")
+    assert main(["pictures", "rectangle", "--output", str(folder / "motion")]) == 0
+    return folder
+
+
+def test_it_writes_the_picture_and_the_list_for_the_report(reports: Path) -> None:
+    written = {path.name for path in (reports / "motion").iterdir()}
     assert written == {"rectangle.png", "plates.json"}
-    listed = json.loads((tmp_path / "motion/plates.json").read_text(encoding="utf-8"))
+    listed = json.loads((reports / "motion/plates.json").read_text(encoding="utf-8"))
     named = [plate["name"] for plates in listed.values() for plate in plates]
     assert named == list(PICTURES)
-    shown = [plate.place for derivation in listed for plate in plates(tmp_path, derivation)]
+    shown = [plate.place for derivation in listed for plate in plates(reports, derivation)]
     assert shown == ["motion/rectangle"]
 
 
-def test_a_motion_may_be_given_and_looks_different(tmp_path: Path) -> None:
-    for name, given in (("example", []), ("other", "--a 1 --b 0.4 --m 0.8 --l 0.9".split())):
-        assert main(["pictures", "rectangle", *given, "--output", str(tmp_path / name)]) == 0
-    pictures = [(tmp_path / name / "rectangle.png").read_bytes() for name in ("example", "other")]
-    assert pictures[0] != pictures[1]
+def test_a_motion_may_be_given_and_looks_different(reports: Path, tmp_path: Path) -> None:
+    given = "--a 1 --b 0.4 --m 0.8 --l 0.9".split()
+    assert main(["pictures", "rectangle", *given, "--output", str(tmp_path)]) == 0
+    usual, other = (folder / "rectangle.png" for folder in (reports / "motion", tmp_path))
+    assert usual.read_bytes() != other.read_bytes()
 
 
 @pytest.mark.parametrize(

@@ -144,6 +144,7 @@ def test_the_exponent_is_finite_however_close_a_separating_curve(words, digits):
         assert (kind(parameters) == "elliptic") == (m > 0)
 
 
+@pytest.mark.slow
 def test_inside_two_regimes_the_exponent_vanishes_on_a_curve_and_in_no_others():
     found = defaultdict(set)
     for m, ell in product(range(-60, 0, 2), range(1, 40, 2)):

@@ -31,7 +31,7 @@ def stated(derivation, id, sources=None, claim=None):
     return Statement(claim, session.on(claim))
 
 
-@pytest.mark.parametrize("id", ESTABLISHED)
+@pytest.mark.parametrize("id", sampled(ESTABLISHED, 3))
 def test_every_edit_of_a_formula_changes_the_digest(derivation, id):
     claim = next(c for c in derivation.claims if c.id == id)
     session = Session(derivation, ["flint"])
@@ -90,7 +90,7 @@ def test_different_claims_have_different_digests(run):
 PAPERS = {name: load(name) for name in ("kharlamov2002", "kharlamov_savushkin2004")}
 
 
-@pytest.fixture(scope="module", params=sampled(PAPERS, 1))
+@pytest.fixture(scope="module", params=sampled(PAPERS, 1, seed=1))
 def statements(request):
     session = Session(PAPERS[request.param], ["flint"])
     return request.param, [Statement(c, session.on(c)) for c in PAPERS[request.param].claims]

@@ -61,6 +61,7 @@ def html() -> str:
     return render_html(document())
 
 
+@pytest.mark.slow
 def test_same_bytes_from_run_to_run() -> None:
     code = (
         "import sys; from tests.report.fixtures import document; "

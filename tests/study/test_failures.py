@@ -17,6 +17,7 @@ def test_a_small_difference_is_seen_by_exact_methods_alone(method, refuted):
     assert differences.refuted(method, [5, 40, 200])["refuted"] == refuted
 
 
+@pytest.mark.slow
 def test_a_small_prime_accepts_what_is_false_and_a_large_one_hardly():
     row = primes.accepted([13, 4129])
     shares = [n / of for n, of in zip(row["accepted"], row["points"], strict=True)]

@@ -89,6 +89,7 @@ def test_every_method_has_a_line_and_no_words_cover_others():
         assert figure.bbox.x0 <= one.x0 and one.x1 <= figure.bbox.x1
 
 
+@pytest.mark.slow
 def test_the_same_rows_give_the_same_files(tmp_path):
     one, other = (save(draw(ROWS), tmp_path, name).read_bytes() for name in "ab")
     assert one == other
