@@ -23,7 +23,7 @@ ROOMS = (
 """The rooms from the bottom to the top: each imports those before it."""
 
 
-LIBRARIES = {"flint", "symengine", "sympy", "numpy", "scipy", "matplotlib"}
+LIBRARIES = {"flint", "symengine", "sympy", "numpy", "scipy", "matplotlib", "typst"}
 
 NEEDED = {
     "flint": {"flint"},
@@ -61,7 +61,7 @@ def modules(script, *arguments):
 def test_importing_loads_no_library():
     loaded = modules(
         "import sys, kowalevski_cas.cli, kowalevski_cas.paper.claims,"
-        "study, kowalevski_cas.pictures; print(*sys.modules)"
+        "kowalevski_cas.report, study, kowalevski_cas.pictures; print(*sys.modules)"
     )
     assert "kowalevski_cas" in loaded and not loaded & LIBRARIES
 

@@ -92,18 +92,22 @@ class Sum:
     def terms(self, at: Values, ranges: Ranges) -> list[Values] | None:
         """The values of its indices, where others have values; ``None`` if they are not known."""
         names = [name for name in self.letters if name not in at]
-        domains = [self._domain(name, ranges) for name in names]
+        domains = [self._domain(name, at, ranges) for name in names]
         if not names or not all(domains) or not all(map(_is_chain, self._below)):
             return None
         every = (dict(zip(names, values, strict=True)) for values in product(*domains))
         return [values for values in every if self._holds({**at, **values})]
 
-    def _domain(self, name: str, ranges: Ranges) -> range | tuple[int, ...]:
+    def _domain(self, name: str, at: Values, ranges: Ranges) -> range | tuple[int, ...]:
         """The values of an index; none if they are not known."""
         for part in (one for one in self._below if name in one):
-            ends = [*part[2:], *self._above] if part[:2] == [name, "="] else [part[0], part[-1]]
-            if len(ends) == 2 and all(map(str.isdecimal, ends)):
+            ends, between = [part[0], part[-1]], {*part[1::2]} <= {"<", r"\le"}
+            if part[:2] == [name, "="]:
+                ends, between = [str(at.get(one, one)) for one in (*part[2:], *self._above)], True
+            if between and len(ends) == 2 and all(map(str.isdecimal, ends)):
                 return range(int(ends[0]), int(ends[1]) + 1)
+            if "=" in part or self._above:
+                return ()
         beside = (one for part in self._below if name in part for one in part)
         return next((ranges[one] for one in (name, *beside) if ranges.get(one)), ())
 

@@ -66,6 +66,16 @@ def test_a_sum_has_the_terms_that_are_printed_below_it(n, sign, free):
     assert statements(rf"{left}=\sum_{{j{sign} i}}a_{{ji}}y_j,\quad i,j={values}") == expected
 
 
+@given(st.sampled_from(["1", "i"]), st.sampled_from(["i", "4"]))
+def test_the_limits_of_a_sum_hold_whatever_the_range_of_its_index_is(first, last):
+    def total(i):
+        low, high = (i if end == "i" else int(end) for end in (first, last))
+        return "+".join(f"y_{j}z_{i}" for j in range(low, high + 1))
+
+    tex = rf"x_i=\sum_{{j={first}}}^{{{last}}}y_jz_i,\quad i,j=1,2,3,4"
+    assert statements(tex) == [f"x_{i}={total(i)}" for i in range(1, 5)]
+
+
 def test_what_is_defined_has_the_values_as_indices():
     assert [one.names for one in heads(r"L_i=2q_{i+1},\ i=1,2")] == [("L_1",), ("L_2",)]
 
@@ -84,6 +94,9 @@ def test_what_is_defined_has_the_values_as_indices():
         (r"x=\sum_{i<j}y_{ij}", "print where the sum begins and ends"),
         (r"x=\sum_{i<2j}y_{ij}, i,j=1,2", "print where the sum begins and ends"),
         (r"x=\sum_{j=1}^{n}y_{kj}, x_i=\sum_{j\ne k}y_{ij}, i=1,2", "print where the sum begins"),
+        (r"x=\sum_{j=1,3}y_jz_1, j=1,2,3", "not expected"),
+        (r"x_i=\sum_{j\ne i}^{2}y_j, i,j=1,2,3", "print where the sum begins"),
+        (r"x_i=\sum_{j=i}y_jz_i, i,j=1,2", "print where the sum begins"),
         (r"x_i=y, i=1,2, z_i=y, i=3,4", "a second range of i"),
     ],
 )

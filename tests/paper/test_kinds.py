@@ -338,6 +338,22 @@ def test_a_first_integral_may_be_printed_as_a_name(oscillator):
     assert verdicts(oscillator.section, claim) == ["proved"]
 
 
+@pytest.mark.parametrize(
+    ("chain", "verdict"),
+    [
+        ("E=1=2", "refuted"),
+        ("E=2k=k", "refuted"),
+        ("E=k=-k^2-1", "refuted"),
+        ("E=k=1", "proved"),
+        ("E=2=1+1", "proved"),
+        (r"E=(k+1)^2-1=k^2+2k", "proved"),
+    ],
+)
+def test_the_values_of_a_first_integral_are_equal(oscillator, chain, verdict):
+    claim = FirstIntegral("t", oscillator.scene, oscillator(chain), "")
+    assert verdicts(oscillator.section, claim) == [verdict]
+
+
 def test_not_equal_is_not_equal(oscillator):
     assert verdicts(
         oscillator.section, Identity("t", oscillator.scene, oscillator(r"x \ne x"), "")

@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import ClassVar
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import load
 from kowalevski_cas.problem import checker
@@ -296,6 +298,17 @@ class TestMotion:
         new = {"variables": ["u"], "steps": steps, "change": change}
         goal = follows([["D", "u"], "u"], space=1)
         rejected([old, new], [goal], [{"point": at(u=0)}], "moves otherwise")
+
+    @given(st.permutations(["c", ["/", 1, "c"], ["+", "a", ["-", "b"]], "a"]))
+    def test_a_divisor_that_a_change_makes_vanish(self, factors):
+        """A product is not defined where a factor is not, whatever else is zero in it."""
+        constants = ["a", "b", "c"]
+        old = {"variables": ["x"], "constants": constants, "field": [[["x"], 1, ["*", *factors]]]}
+        steps = [["let", "x", "u"], ["let", "c", 0], ["let", "b", "a"]]
+        change = {"old": 0, "formulas": [["u", "x"]], "time": 1}
+        new = {"variables": ["u"], "constants": ["a"], "steps": steps, "change": change}
+        goal = follows([["D", "u"], 0], space=1)
+        rejected([old, new], [goal], [{"point": at(u=0, a=1)}], "by zero")
 
     def change(self, time=1, **more):
         old = {**XY, "steps": [I], "field": [[["x", "y"], ["vector", 1, 1], ["vector", "y", "x"]]]}

@@ -87,6 +87,18 @@ COSTLY = {
     "derivatives of what is constant": lambda: identity(
         *[[["D", "f"], 0]] * 4000, variables=["x"], constants=MANY, steps=[["let", "f", CUBE]], field=[[["x"], 1, 1]]
     ),
+    "derivatives by a name in few terms": lambda: identity(
+        *[[["D", "f"], 0]] * 30, variables=MANY, constants=["a", "b", "c"], field=[[MANY, ["vector", *[1] * 60], ["vector", *MANY]]],
+        steps=[["let", "f", ["+", ["^", ["+", "a", "b", "c"], 30], *MANY]]],
+    ),
+    "conjugates of long products": lambda: identity(
+        [["conj", "v"], "v"], variables=MANY, steps=[["let", "m", ["*", *MANY]], ["let", "v", ["vector", *["m"] * 9000]]]
+    ),
+    "what vanishes at a point, term by term": lambda: text(
+        [follows([[["x_0", "x_0"]]], [["f", 0]] * 900)],
+        [{"point": at(dict.fromkeys(MANY, 0))}],
+        {"variables": MANY, "steps": [["let", "f", ["^", ["+", *MANY[:12]], 3]]]},
+    ),
     "signs": lambda: identity(*[[nested(200), 0]] * 9, variables=MANY, steps=[["let", "f", CUBE]]),
     "inverses of sums of roots": lambda: identity([["/", 1, ["+", *[f"r{k}" for k in range(14)]]], 0], steps=roots(14)),
     "roots that are looked for": lambda: identity(

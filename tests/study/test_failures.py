@@ -60,6 +60,7 @@ def test_a_phase_that_is_rounded_once_is_lost_like_t_and_the_closed_form_keeps_i
     assert max(phase.errors(phase.load("closed"), [0, 12, 30])["errors"]) < 1e-13
 
 
+@pytest.mark.slow
 def test_every_way_to_fail_has_a_panel_with_all_its_methods():
     tasks = list(failures.measure(quick=True))
     assert {task.case for task in tasks} == set(failures.WAYS)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
@@ -25,11 +26,11 @@ class FirstIntegral(Claim):
     """The printed expression is constant along every motion on the invariant set ``given``.
 
     All members of a printed chain are the same function, save those that say which value it has,
-    in numbers and names of constants. The function is not constant by itself (nor is any component
-    of it, if it is a vector): its differential is independent of those of the set at a real point.
-    With a set, the claim includes that the set is invariant, and that the function is not constant
-    off the set. Of logarithms, which stand with constant factors, it is the derivatives that are
-    stated.
+    in numbers and names of constants; these are equal too, but for a name that is given to it. The
+    function is not constant by itself (nor is any component of it, if it is a vector): its
+    differential is independent of those of the set at a real point. With a set, the claim includes
+    that the set is invariant, and that the function is not constant off the set. Of logarithms,
+    which stand with constant factors, it is the derivatives that are stated.
     """
 
     given: tuple[Printed, ...] = ()
@@ -44,6 +45,8 @@ class FirstIntegral(Claim):
         chain = [parts(member, space) for member in sides(printed, space)]
         for same in zip(*chain, strict=True):
             yield from self._goals(on, space, same)
+        if values := [*pairwise(sides(self._values(on, space, printed), space))]:
+            yield Follows(space, (tuple(values),), ())
 
     def _goals(
         self, on: Elaborations, space: Elaboration, same: tuple[Formula, ...]
@@ -73,11 +76,22 @@ class FirstIntegral(Claim):
 
     def constants(self, on: Elaborations, space: Elaboration) -> list[Formula]:
         """The members that have to be constant; not names that are defined by the others."""
-        formula = on.texts.formula(self.own)
-        chain = members(formula) if isinstance(formula, Relation) else [formula]
+        chain = self._chain(on)
         here = {n for n, place in self.scene.definitions.items() if place == self.own}
         chain = [m for m in chain if not (isinstance(m, Name) and m.name in here)] or chain
         return [member for member in chain if not _is_level(member, space)] or chain
+
+    def _chain(self, on: Elaborations) -> list[Formula]:
+        formula = on.texts.formula(self.own)
+        return members(formula) if isinstance(formula, Relation) else [formula]
+
+    def _values(
+        self, on: Elaborations, space: Elaboration, printed: list[Formula]
+    ) -> list[Formula]:
+        """The members that say which value it has; a name that stands in no other says nothing."""
+        levels = [m for m in self._chain(on) if m not in printed and _is_level(m, space)]
+        names = Counter(node.name for m in levels for node in m.nodes() if isinstance(node, Name))
+        return [m for m in levels if not isinstance(m, Name) or names[m.name] > 1]
 
 
 def _is_level(formula: Formula, space: Elaboration) -> bool:

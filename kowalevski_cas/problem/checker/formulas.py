@@ -43,9 +43,8 @@ class Map:
         """What a product of generators becomes."""
         if monomial not in self.monomials:
             powers = self.ring.exponents(monomial)
-            self.monomials[monomial] = self.space.ring.product(
-                self.image(name) if e == 1 else self.image(name) ** e for name, e in powers
-            )
+            images = [self.image(name) if e == 1 else self.image(name) ** e for name, e in powers]
+            self.monomials[monomial] = self.space.ring.product(images)
         return self.monomials[monomial]
 
     def image(self, name: str) -> Element:
@@ -146,7 +145,7 @@ class Formulas:
     def multiplied(self, op: str, values: list[Value]) -> Value:
         """A product or a quotient, by components, or a product of vectors."""
         size = max(map(len, values))
-        rows = [v if len(v) == size else v * size for v in values]
+        rows = [v * size if len(v) == 1 else v for v in values]
         need(all(len(row) == size for row in rows), "vectors have different lengths")
         if op == "cross":
             need({*map(len, values)} == {3}, "a vector product is one of vectors in space")
@@ -260,8 +259,9 @@ class Formulas:
     def conj(self, element: Element) -> Element:
         """The complex conjugate; that of a divisor does not vanish either."""
         conjugate = self.reflection()(element)
-        defined = self.env.keys() | self.ring.divisors.keys()
-        need({*conjugate.generators()} <= defined, "a conjugate is not defined yet")
+        for name in conjugate.generators():
+            known = name in self.env or name in self.ring.divisors
+            need(known, "a conjugate is not defined yet")
         return conjugate
 
     def reflection(self) -> Map:

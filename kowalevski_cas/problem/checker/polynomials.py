@@ -72,6 +72,7 @@ class Ring:
         while (k := (monomial.bit_length() - 1) // WIDTH) > 0:
             found.append((self.names[k - 1], monomial >> k * WIDTH))
             monomial &= (1 << k * WIDTH) - 1
+        self.spend(len(found))
         return found[::-1]
 
     def total(self, elements: Iterable[Element]) -> Element:
@@ -80,8 +81,9 @@ class Ring:
 
     def combination(self, parts: Iterable[tuple[int, Element]], below: int = 1) -> Element:
         """The sum of elements times integers, divided by an integer."""
-        found, common, out = [part for part in parts if part[1].terms], 1, Terms()
-        self.spend(1)
+        every, common, out = [*parts], 1, Terms()
+        found = [part for part in every if part[1].terms]
+        self.spend(1 + len(every))
         if len(found) == 1 and found[0][0] == below == 1:
             return found[0][1]
         for other in {e.below for _, e in found}:
@@ -92,7 +94,7 @@ class Ring:
         for c, e in found:
             factor = c * (common // e.below)
             bits = max(bits, e.bits + factor.bit_length())
-            self.spend(1 + len(e.terms) * (1 + (e.bits * factor.bit_length() >> 16)))
+            self.spend(len(e.terms) * (1 + (e.bits * factor.bit_length() >> 16)))
             for m, d in e.terms.items():
                 out[m] = out.get(m, 0) + factor * d
         return Element(self, out, below * common, bits + len(found).bit_length())
@@ -214,6 +216,7 @@ class Element:
 
     def partial(self, name: str) -> Element:
         """The derivative by one generator, while the others stay."""
+        self.ring.spend(len(self.terms))
         shift, unit = self.ring.at[name], self.ring.unit[name]
         terms = {m - unit: c * e for m, c in self.terms.items() if (e := m >> shift & MASK)}
         return self.over_same(terms, WIDTH)
