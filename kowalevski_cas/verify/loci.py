@@ -21,7 +21,7 @@ from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.problem.trees import FormatError, Tree, encode
 from kowalevski_cas.search.cofactors import vanishes_on
-from kowalevski_cas.search.place import Candidate
+from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.certificate import Stored, Supported
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
@@ -183,10 +183,8 @@ def drop_on(
     statement: Statement, goal: Rank, setting: Elaboration, locus: Locus
 ) -> tuple[int, Point] | None:
     """A point of a set on a locus where fewer differentials are independent, and how many."""
-    from kowalevski_cas.search.find import Finder
-
     at = setting.finder
-    finder = Finder(finder_of, statement.names)
+    finder = PointFinder(finder_of, statement.names)
     known = [*at.differences(goal.given), *at.differences(setting.equations(locus.equations))]
     rows = differentials(chosen(goal, at), at)
     found: list[int] = []

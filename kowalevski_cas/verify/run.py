@@ -8,6 +8,7 @@ from functools import cached_property
 from time import perf_counter
 
 from kowalevski_cas.algebra import POINTS, load, load_points
+from kowalevski_cas.library import library
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
@@ -17,7 +18,7 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import ProcessDied, each, tell, time_limit, watched
 from kowalevski_cas.verify.bench import Decided
-from kowalevski_cas.verify.certificate import Stored
+from kowalevski_cas.verify.certificate import Stored, load_certificates
 from kowalevski_cas.verify.mender import Mender
 from kowalevski_cas.verify.outcome import Outcome, Run, Screened, Verdict
 from kowalevski_cas.verify.statement import Statement
@@ -120,7 +121,10 @@ class Session(Mender):
         if claim is None:
             return False
         if name and name not in self.elsewhere:
-            self.elsewhere[name] = Session(derivation, ["flint"], timeout=self.timeout)
+            kept = load_certificates(library() / name)
+            self.elsewhere[name] = Session(
+                derivation, ["flint"], certificates=kept, timeout=self.timeout
+            )
         session = self.elsewhere[name] if name else self
         return session._confirms(claim, session.outcome(claim))
 

@@ -1,5 +1,6 @@
 """The run: verdicts, disagreements, limits of time, errors that are outcomes."""
 
+import sys
 import time
 from dataclasses import dataclass
 from typing import ClassVar
@@ -7,12 +8,16 @@ from typing import ClassVar
 import pytest
 
 from kowalevski_cas.algebra import EXACT
+from kowalevski_cas.library import available, find, load
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.verify.bench import Decided
+from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import Session
+from kowalevski_cas.verify.record import differences, load_record
+from kowalevski_cas.verify.run import Session, verify
 from tests.paper.small import Oscillator, decide, derivation, verdicts
+from tests.sample import sampled
 
 
 class Fickle(Session):
@@ -119,3 +124,12 @@ def test_an_id_is_given_once(small):
     ]
     with pytest.raises(ValueError):
         decide(small.section, *claims)
+
+
+@pytest.mark.parametrize("name", sampled(available(), 2))
+def test_what_has_a_certificate_is_searched_for_no_more(name, monkeypatch):
+    """That goes for the corrections of other derivations as well on which one rests."""
+    monkeypatch.setitem(sys.modules, "kowalevski_cas.search.find", None)
+    kept, record = load_certificates(find(name)), load_record(find(name))
+    run = verify(load(name), ["flint"], certificates=kept, record=record)
+    assert run.outcomes and not differences(run, record, True)
