@@ -7,6 +7,7 @@ import pytest
 from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import Negative, NotationError, Number, Product, Relation, edits
 from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.record import load_record
@@ -119,6 +120,9 @@ def changes_of_scenes(name, many):
         assert isinstance(chain, Relation)
         if len(chain.members) > 2 and rests and not changed:
             continue  # the edit is in a member of the chain that this claim does not read
+        change = claim.scene.field
+        if isinstance(change, Change) and place in change.formulas and rests and not changed:
+            continue  # an old variable is said to rest on all formulas by which it is solved for
         yield claim.id, place, rests, changed
 
 
