@@ -37,7 +37,7 @@ def regular(
     units = [*map(at.scalar, at.setting.nonzero), *at.ring.divided_by(known)]
     sparse = _sparse([at.scalar(function) for function in functions], at)
     generators = [_changed(element, sparse, multipliers, at) for element in known]
-    rows = Combinations(targets, generators, multipliers, units, conditions).rows()
+    rows = Combinations(targets, generators, multipliers, units, conditions).rows(targets)
     if rows is None:
         return None
     one, zero, size = at.ring.one, at.ring.zero, len(multipliers)
