@@ -169,12 +169,12 @@ def misprinted(tex: str) -> AuditSession:
     rate = section.display("rate", r"\dot E=0")
     value = section.display("value", "2E=x^2+y^2")
     scene = Scene(
-        "rotation", "a rotation", variables=("x", "y"), field=(motion[1], motion[2]),
+        "rotation", variables=("x", "y"), field=(motion[1], motion[2]),
         definitions={"E": energy[1]},
     )  # fmt: skip
     section.claim(
-        Identity("rate", scene, rate[1], "the energy is constant"),
-        Identity("value", scene, value[1], "the energy"),
+        Identity("rate", scene, "the energy is constant", printed=rate[1]),
+        Identity("value", scene, "the energy", printed=value[1]),
     )
     return AuditSession(Derivation("rotation", "A rotation", "", "", (section,)), patience=600)
 
