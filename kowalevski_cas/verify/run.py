@@ -12,6 +12,7 @@ from kowalevski_cas.library import library
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
@@ -36,7 +37,7 @@ def verify(
     progress: Progress = lambda claim, done, total: None,
     certificates: Mapping[str, Stored] | None = None,
     timeout: float | None = None,
-    sources: Mapping[str, str] | None = None,
+    texts: Texts | None = None,
     seed: int = 1,
     record: Mapping[str, Mapping[str, object]] | None = None,
 ) -> Run:
@@ -45,13 +46,11 @@ def verify(
     With ``only``, those are decided, and the claims whose corrections they rest on. With
     ``explain``, outcomes tell their steps. ``certificates`` saves the
     searches whose results they hold. ``timeout`` is in seconds, for each claim; with one, the run
-    has a process of its own. ``sources`` holds displays, by id, that are to be read instead of
-    what the derivation prints. ``seed`` chooses the points of the arithmetics that only screen.
+    has a process of its own. ``texts`` are read instead of what the derivation prints, or are what
+    it prints. ``seed`` chooses the points of the arithmetics that only screen.
     ``record`` says which corrections are tried first.
     """
-    session = Session(
-        derivation, arithmetics, explain, certificates, timeout, sources, seed, record
-    )
+    session = Session(derivation, arithmetics, explain, certificates, timeout, texts, seed, record)
     if timeout is None or watched():
         return session.run(only, progress)
 
