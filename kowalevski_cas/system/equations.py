@@ -76,12 +76,8 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     others = [place for place in formulas if place not in laws]
     heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
     defined = {one for known, arguments in heads_of for one in (known, *arguments)} - {*moving}
-    names = [
-        one.name
-        for formula in formulas.values()
-        for one in formula.nodes()
-        if isinstance(one, Name)
-    ]
+    nodes = (node for formula in formulas.values() for node in formula.nodes())
+    names = [node.name for node in nodes if isinstance(node, Name)]
     _check(display, formulas, laws, moving, defined)
     variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
     fixed = [one for one in names if one not in defined and one not in words.matrices]

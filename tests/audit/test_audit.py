@@ -21,9 +21,10 @@ def by_id(found):
 
 @pytest.mark.slow
 def test_an_audit_says_what_verify_says():
+    typed = {place.display.id: place.typed.tex for place in audited().places}
     run = verify(
         base().derivation, ["flint"], certificates=base().stored, record=base().record,
-        sources={place.display.id: place.typed.tex for place in audited().places},
+        texts=base().derivation.texts(typed),
     )  # fmt: skip
     said = {o.claim: (o.verdict, o.conditions, o.counterexample) for o in run.outcomes}
     found = {k: (o.verdict, o.conditions, o.counterexample) for k, o in audited().outcomes.items()}

@@ -8,10 +8,11 @@ def derivation(section):
     return Derivation("small", "A small derivation", "nobody", "nowhere", (section,))
 
 
-def decide(section, *claims, arithmetics=("flint",), **options):
-    """The outcomes for claims of a section, in order."""
+def decide(section, *claims, arithmetics=("flint",), sources=None, **options):
+    """The outcomes for claims of a section, in order; ``sources`` are read in place of displays."""
     section.claim(*claims)
-    return verify(derivation(section), arithmetics, **options).outcomes
+    paper = derivation(section)
+    return verify(paper, arithmetics, texts=paper.texts(sources), **options).outcomes
 
 
 def verdicts(section, *claims, **options):
