@@ -864,6 +864,13 @@ def test_that_there_is_no_darboux_polynomial_with_a_cofactor(lorenz):
         lorenz.find_darboux(degree=2, cofactor="0")
 
 
+def test_degrees_and_orders_are_not_negative(lorenz):
+    with pytest.raises(ValueError, match="degree=-1"):
+        lorenz.find_integrals(-1)
+    with pytest.raises(ValueError, match="order=-2"):
+        lorenz.find_closure("x", order=-2)
+
+
 def test_that_there_is_no_integral_is_an_answer(lorenz):
     (none,) = lorenz.find_integrals(degree=2)
     assert none.verdict is Verdict.PROVED and none.formulas == ()

@@ -65,6 +65,3 @@ class Program(Polynomials):
     def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
         pairs = ", ".join(f"{old} = {new}" for old, new in images.items())
         return f"{name}(p) := rat(sublis([{pairs}], ratdisrep(p)))$"
-
-    def determinant(self, rows: Sequence[Sequence[str]]) -> str:
-        return f"determinant(matrix({', '.join(f'[{chr(44).join(row)}]' for row in rows)}))"

@@ -66,6 +66,3 @@ class Program(Polynomials):
 
     def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
         return f"{name}(p) = substvec(p, [{', '.join(images)}], [{', '.join(images.values())}]);"
-
-    def determinant(self, rows: Sequence[Sequence[str]]) -> str:
-        return f"matdet([{'; '.join(', '.join(row) for row in rows)}])"

@@ -71,7 +71,3 @@ class Program(Polynomials):
     def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
         values = ", ".join(images.get(name, name) for name in reversed(generators))
         return f"map {name} = R, {values};"
-
-    def determinant(self, rows: Sequence[Sequence[str]]) -> str:
-        entries = ", ".join(entry for row in rows for entry in row)
-        return f"det(matrix(ideal({entries}), {len(rows)}, {len(rows)}))"

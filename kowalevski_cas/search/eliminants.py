@@ -9,14 +9,15 @@ degree by linear algebra over the rationals.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 from itertools import product
-from math import gcd, lcm
 from typing import NamedTuple
 
-from flint import fmpq, fmpq_mpoly, fmpz_mat
+from flint import fmpq_mpoly
 
+from kowalevski_cas.algebra.flint import terms_of
+from kowalevski_cas.algebra.kernels import kernel
 from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.problem.polynomial_fields import primitive
 
 LARGEST = 6
 """The largest degree of an eliminant that is looked for."""
@@ -109,24 +110,12 @@ def _products(
 
 def _relation(columns: Columns, leading: Exponents | None = None) -> Terms | None:
     """A linear dependence of the columns; with a ``leading`` one, whose coefficient is 1."""
-    if not columns:
-        return None
-    entries = [column.to_dict() for _, column in columns]
-    monomials = sorted({monomial for entry in entries for monomial in entry})
-    rows = []
-    for monomial in monomials:
-        row = [entry.get(monomial, fmpq(0)) for entry in entries]
-        size = lcm(*(int(value.q) for value in row))
-        rows.append([int(value * size) for value in row])
-    space, nullity = fmpz_mat(rows).nullspace()
-    keys = [key for key, _ in columns]
-    for k in range(nullity):
-        vector = {key: int(space[j, k]) for j, key in enumerate(keys) if space[j, k] != 0}
+    for vector in kernel([terms_of(column) for _, column in columns]):
+        found = {key: value for (key, _), value in zip(columns, vector, strict=True) if value}
         if leading is None:
-            size = gcd(*vector.values())
-            return {key: Fraction(number // size) for key, number in vector.items()}
-        if leading in vector:
-            return {key: Fraction(number, vector[leading]) for key, number in vector.items()}
+            return primitive(found)
+        if leading in found:
+            return {key: value / found[leading] for key, value in found.items()}
     return None
 
 

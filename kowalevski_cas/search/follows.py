@@ -158,7 +158,7 @@ def rows_of(
         return None if rows is None else (rows, 1)
     combinations = Combinations(goals, known)
     for power in range(1, LARGEST_POWER + 1):
-        if (rows := combinations.rows(power)) is not None:
+        if (rows := combinations.rows(goals, power)) is not None:
             return rows, power
     rows = complete(conditional_cofactors(goal, known) for goal in goals)
     return None if rows is None else (rows, 1)

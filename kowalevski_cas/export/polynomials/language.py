@@ -45,7 +45,3 @@ class Language(ABC):
     @abstractmethod
     def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
         """A name for the map that takes generators to expressions, all at once."""
-
-    @abstractmethod
-    def determinant(self, rows: Sequence[Sequence[str]]) -> str:
-        """The determinant of a square matrix of expressions."""
