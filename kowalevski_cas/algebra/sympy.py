@@ -43,7 +43,8 @@ class Scaled:
         return self + -other
 
     def __mul__(self, other: Scaled) -> Scaled:
-        return _lowest(self.whole * other.whole, self.below * other.below)
+        whole = self.whole.square() if self is other else self.whole * other.whole
+        return _lowest(whole, self.below * other.below)
 
     def __bool__(self) -> bool:
         return bool(self.whole)
