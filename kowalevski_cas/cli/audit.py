@@ -43,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--derivation",
         metavar="NAME",
-        help="name in the library, or folder (if not given, the one that fits derivation_of)",
+        help="name in the library, or folder (if not given, the one that fits best)",
     )
     parser.add_argument(
         "--macros",
@@ -115,7 +115,7 @@ def _written(found: Audit, folder: Path) -> str:
 
 
 def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
-    """The derivation that is named, or the one that fits a source derivation_of."""
+    """The derivation that is named, or the one that fits a source best."""
     if name is not None:
         return session.derivations([name])[0]
     candidates = session.derivations(available())
