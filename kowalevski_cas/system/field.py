@@ -134,7 +134,7 @@ class Field:
             ValueError: a relation gives no constant.
         """
         special, said = copy(self), ", ".join(map(self._tex, relations))
-        scene = self.scene.described(f"{self.scene.name} where {said}", f"${said}$")
+        scene = self.scene.called(f"{self.scene.name} where {said}")
         for relation in relations:
             tex = self._tex(relation)
             tex = tex if any(one.names for one in heads(tex)) else solved(tex, scene) or tex
@@ -149,7 +149,7 @@ class Field:
         r"""The system with more constants, as ``\rho``, which stand in no equation of motion."""
         more = copy(self)
         scene = self.scene.having(constants=constants)
-        more._stand_on(scene.described(f"{scene.name} with {', '.join(constants)}", scene.words))
+        more._stand_on(scene.called(f"{scene.name} with {', '.join(constants)}"))
         return more
 
     # -- claims ------------------------------------------------------------------

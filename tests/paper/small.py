@@ -8,10 +8,11 @@ def derivation(section):
     return Derivation("small", "A small derivation", "nobody", "nowhere", (section,))
 
 
-def decide(section, *claims, arithmetics=("flint",), **options):
-    """The outcomes for claims of a section, in order."""
+def decide(section, *claims, arithmetics=("flint",), sources=None, **options):
+    """The outcomes for claims of a section, in order; ``sources`` are read in place of displays."""
     section.claim(*claims)
-    return verify(derivation(section), arithmetics, **options).outcomes
+    paper = derivation(section)
+    return verify(paper, arithmetics, texts=paper.texts(sources), **options).outcomes
 
 
 def verdicts(section, *claims, **options):
@@ -30,15 +31,15 @@ class Oscillator:
         self.tau = self.section.inline("tau", r"\tau=it")
         field = (motion[1], motion[2])
         self.scene = Scene(
-            "oscillator", "", variables=("x", "v"), constants=("k",), field=field,
+            "oscillator", variables=("x", "v"), constants=("k",), field=field,
             definitions={"E": self.energy[1]}, roots={r"\sqrt{x^2+v^2}": None},
         )  # fmt: skip
         self.old = Scene(
-            "oscillator with the unit", "", variables=("x", "v"), field=field, unit=self.unit[1],
+            "oscillator with the unit", variables=("x", "v"), field=field, unit=self.unit[1],
             clock=self.tau[1], definitions={"z_1": self.change[1], "z_2": self.change[2]},
         )  # fmt: skip
         self.new = Scene(
-            "complex oscillator", "", variables=("z_1", "z_2"), time=r"\tau", unit=self.unit[1],
+            "complex oscillator", variables=("z_1", "z_2"), time=r"\tau", unit=self.unit[1],
             field=Change(self.old, (self.change[1], self.change[2]), self.tau[1]),
             conjugates=(("z_1", "z_2"),),
         )  # fmt: skip
@@ -59,7 +60,7 @@ class Top:
             r"\quad 3\dot\omega_3=-\omega_1\omega_2",
         )
         self.scene = Scene(
-            "Euler", "", variables=(r"\omega_1", r"\omega_2", r"\omega_3"),
+            "Euler", variables=(r"\omega_1", r"\omega_2", r"\omega_3"),
             field=(motion[1], motion[2], motion[3]),
         )  # fmt: skip
 

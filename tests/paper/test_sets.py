@@ -20,7 +20,7 @@ from tests.paper.small import decide
 
 pytestmark = pytest.mark.usefixtures("uncorrected")
 
-SPACE = Scene("space", "", variables=("x", "y", "z"))
+SPACE = Scene("space", variables=("x", "y", "z"))
 
 
 class Paper:
@@ -38,7 +38,7 @@ class Paper:
 
     def outcome(self, kind, scene, printed=None, **attributes):
         self.section.claims.clear()
-        claim = kind("t", scene, printed, "", **attributes)
+        claim = kind("t", scene, "", printed=printed, **attributes)
         (found,) = decide(self.section, claim, explain=True)
         return found
 
@@ -84,7 +84,7 @@ def test_a_declared_locus_is_the_condition_and_the_point_says_why(paper):
 
 
 def test_complex_equations_count_twice(paper):
-    scene = Scene("s", "", variables=("x", "y"), conjugates=(("x", "y"),))
+    scene = Scene("s", variables=("x", "y"), conjugates=(("x", "y"),))
     alone = paper.dimension(1, "x=0", scene=scene)
     assert alone.verdict == "error" and "conjugate" in alone.message
     assert paper.dimension(0, "x=0", "y=0", scene=scene).verdict == "proved"
@@ -135,7 +135,7 @@ FLOW = r"\dot x=1, \quad \dot y=x"
 
 
 def test_a_partial_integral_needs_an_invariant_set(paper):
-    scene = Scene("s", "", variables=("x", "y"), field=paper(FLOW))
+    scene = Scene("s", variables=("x", "y"), field=paper(FLOW))
     for equation in ("x=0", "x^2=0"):
         found = paper.outcome(FirstIntegral, scene, paper["y"], given=paper(equation))
         assert not found.verdict.green
@@ -144,14 +144,14 @@ def test_a_partial_integral_needs_an_invariant_set(paper):
 @pytest.mark.parametrize("tex", ["5", "k^2", "x-x", "x^2+y^2-x^2-y^2+k"])
 def test_a_constant_is_no_integral(paper, tex):
     field = paper(r"\dot x=y, \quad \dot y=-x")
-    scene = Scene("s", "", variables=("x", "y"), constants=("k",), field=field)
+    scene = Scene("s", variables=("x", "y"), constants=("k",), field=field)
     outcome = paper.outcome(FirstIntegral, scene, paper[tex])
     assert outcome.verdict == "refuted"
     assert outcome.message == "the differentials depend on each other everywhere"
 
 
 def test_what_vanishes_on_a_set_is_no_partial_integral(paper):
-    scene = Scene("s", "", variables=("x", "y"), field=paper(r"\dot x=x, \quad \dot y=1"))
+    scene = Scene("s", variables=("x", "y"), field=paper(r"\dot x=x, \quad \dot y=1"))
     outcome = paper.outcome(FirstIntegral, scene, paper["xy"], given=paper("x=0"))
     assert not outcome.verdict.green
 
@@ -160,7 +160,7 @@ def test_what_vanishes_on_a_set_is_no_partial_integral(paper):
 def test_all_members_of_a_chain_are_the_same_integral(first, second):
     paper = Paper()
     field = paper(r"\dot x=y, \quad \dot y=-x")
-    scene = Scene("s", "", variables=("x", "y"), constants=("e",), field=field)
+    scene = Scene("s", variables=("x", "y"), constants=("e",), field=field)
     tex = rf"{first}(x^2+y^2)={second}x^2+{second}y^2 \equiv e"
     verdict = paper.outcome(FirstIntegral, scene, paper[tex]).verdict
     assert verdict == ("proved" if first == second else "refuted")
@@ -168,7 +168,7 @@ def test_all_members_of_a_chain_are_the_same_integral(first, second):
 
 def test_a_constant_root_is_made_of_constants(paper):
     field = paper(r"\dot x=0, \quad \dot y=1")
-    scene = Scene("s", "", variables=("x", "y"), constants=("s",), field=field)
+    scene = Scene("s", variables=("x", "y"), constants=("s",), field=field)
     for name, verdict in (("x", "proved"), ("y", "refuted")):
         root = paper[f"s^2={name}^2"]
         found = paper.outcome(ConstantRoot, scene, root, unknown="s", basis=(name,))
@@ -187,8 +187,8 @@ def test_an_equivalence_does_not_exclude_its_set():
 
 @pytest.mark.parametrize("density", ["0", "x-x", "(x^2+y^2-1)"])
 def test_a_last_multiplier_vanishes_nowhere(paper, density):
-    scene = Scene("s", "", variables=("x", "y"), field=paper(r"\dot x=y, \quad \dot y=-x"))
-    circle = InvariantRelations("circle", scene, None, "", relations=paper("x^2+y^2=1"))
+    scene = Scene("s", variables=("x", "y"), field=paper(r"\dot x=y, \quad \dot y=-x"))
+    circle = InvariantRelations("circle", scene, "", relations=paper("x^2+y^2=1"))
     found = paper.outcome(LastMultiplier, scene, relations=circle, density=density)
     assert found.verdict == "refuted"
 

@@ -254,6 +254,29 @@ class TestCases:
         point = at(x=0, y=0, j=["*", 2, "i"])
         rejected(replace(self.GOAL, space=space), Shown(self.PROOF, point), "not real|real names")
 
+    STEPS = Proof((row(0, 1),), (row("y"),), (Proof((row(1, 0, minus(1)), row(0, 0, 1))),))
+    """From x + y = 0 and y = 0 first y = 0 follows, then x = 0."""
+
+    @pytest.mark.parametrize("space", [XY, Space(("x", "y"), conjugates=(("x", "y"),))])
+    def test_a_product_of_one_formula_is_a_step(self, space):
+        given = [[plus("x", "y"), 0], ["y", 0]]
+        goal = follows(["x", 0], ["y", 0], given=given, space=space)
+        accepted(goal, Shown(self.STEPS, ORIGIN))
+        for wrong in (
+            replace(self.STEPS, rows=(row(1, 0),)),
+            replace(self.STEPS, product=(row(1),)),
+        ):
+            rejected(goal, Shown(wrong, ORIGIN), "not equal")
+        goal = follows(["x", 0], ["y", 1], given=given, space=space)
+        rejected(goal, Shown(self.STEPS, ORIGIN), "not equal")
+
+    def test_one_factor_vanishes_for_complex_names_too(self):
+        goal = follows([["*", "x", "y"], 0], given=[[["*", SQUARE, "y"], 0]], space=COMPLEX)
+        cases = Proof((row(0, "y"),)), Proof((row(0, "x"),))
+        proof = Proof((row("y"),), (row("x"), row("y")), cases, 2)
+        accepted(goal, Shown(proof, at(x=0, y=0, i="i")))
+        rejected(goal, Shown(replace(proof, power=1), at(x=0, y=0, i="i")), "not equal")
+
     def test_a_difference_of_squares_is_none(self):
         goal = replace(self.GOAL, given=equations([SQUARE, ["^", "y", 2]]))
         rejected(goal, Shown(self.PROOF, ORIGIN), "not equal")

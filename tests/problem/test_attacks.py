@@ -226,6 +226,16 @@ class TestCases:
         space = {**XY, "steps": [["root", "j", -4]]}
         rejected([space], [self.GOAL], [proof], "real names")
 
+    @pytest.mark.parametrize("space", [XY, {**XY, "conjugates": [["x", "y"]]}])
+    def test_a_step_by_a_row_of_its_own(self, space):
+        goal = follows(["x", 0], given=[[["+", "x", "y"], 0], ["y", 0]])
+        case = {"cofactors": [[1, 0, ["-", 1]]]}
+        proof = {"product": [["y"]], "cofactors": [[0, 1]], "cases": [case], "point": ORIGIN}
+        assert accepted([space], [goal], [proof])
+        rejected([space], [goal], [{**proof, "cofactors": [[1, 0]]}], "not equal")
+        rejected([space], [goal], [{**proof, "product": [["x"]]}], "not equal")
+        rejected([space], [goal], [{**proof, "cases": [{"cofactors": [[0, 1, 1]]}]}], "not equal")
+
     def test_other_roots_are_real(self):
         space = {**XY, "steps": [["root", "r", ["+", "x", 1]]]}
         assert accepted([space], [self.GOAL], [{**self.PROOF, "point": at(x=0, y=0, r=1)}])
