@@ -50,7 +50,8 @@ class Site:
 
     place: Place
     typed: Typed
-    token: Token
+    tokens: list[Token]
+    at: int
 
 
 def sites(audit: Audit) -> list[Site]:
@@ -62,7 +63,7 @@ def sites(audit: Audit) -> list[Site]:
                 tokens = scan(place.typed.tex)
             except NotationError:
                 continue
-            found += [Site(place, place.typed, token) for token in tokens]
+            found += [Site(place, place.typed, tokens, at) for at in range(len(tokens))]
     return found
 
 
@@ -74,7 +75,7 @@ def sample(audit: Audit, size: int, random: Random) -> list[Mutant]:
     while len(found) < size and idle < PATIENCE * len(places):
         known, idle = len(found), 0 if len(found) > known else idle + 1
         site = random.choice(places)
-        changes = list(_changes(site.token, site.typed.tex, letters))
+        changes = list(_changes(site.tokens, site.at, site.typed.tex, letters))
         if changes:
             mutant = mutated(audit, site, random.choice(changes))
             if mutant is not None:
@@ -86,7 +87,7 @@ def every(audit: Audit) -> Iterator[Mutant]:
     """Every mutant of every token."""
     letters = letters_of(audit.session.texts.vocabulary)
     for site in sites(audit):
-        for change in _changes(site.token, site.typed.tex, letters):
+        for change in _changes(site.tokens, site.at, site.typed.tex, letters):
             mutant = mutated(audit, site, change)
             if mutant is not None:
                 yield mutant
@@ -136,24 +137,28 @@ def _difference(old: tuple[Statement, ...], new: tuple[Statement, ...]) -> int |
     return next((k for k, (a, b) in enumerate(pairs, 1) if a.formula != b.formula), None)
 
 
-def _changes(token: Token, tex: str, letters: list[str]) -> Iterator[Change]:
+def _changes(tokens: list[Token], at: int, tex: str, letters: list[str]) -> Iterator[Change]:
     """What can be done to a token."""
+    token = tokens[at]
     if token.kind == "sign":
         yield token.start, token.end, "-" if token.text == "+" else "+"
     elif token.kind == "number":
-        yield from _numbers(token)
+        yield from _numbers(tokens, at)
     elif token.kind == "letter":
         yield from _letters(token, tex, letters)
     elif token.kind == "operator" and token.text in ("Re", "Im"):
         yield token.start, token.end, "Im" if token.text == "Re" else "Re"
 
 
-def _numbers(token: Token) -> Iterator[Change]:
-    """Numbers near by, or none."""
+def _numbers(tokens: list[Token], at: int) -> Iterator[Change]:
+    """Numbers near by, or none in the place of a coefficient."""
+    token, kind = tokens[at], _role(tokens, at)
     value = int(token.text) if len(token.text) < 9 else 0
     for other in sorted({value - 1, value + 1, 2 * value, 1, 2, 3} - {value, -1}):
-        yield token.start, token.end, str(other)
-    yield token.start, token.end, ""
+        if (other or kind == "coefficient") and (kind != "index" or other <= 3):
+            yield token.start, token.end, str(other)
+    if kind == "coefficient" and at + 1 < len(tokens):
+        yield token.start, token.end, ""
 
 
 def _letters(token: Token, tex: str, letters: list[str]) -> Iterator[Change]:
@@ -164,3 +169,18 @@ def _letters(token: Token, tex: str, letters: list[str]) -> Iterator[Change]:
             if letter != found[0]:
                 gap = " " if letter[0] == "\\" and tex[end : end + 1].isalpha() else ""
                 yield start, end, letter + gap
+
+
+def _role(tokens: list[Token], at: int) -> str:
+    """Whether a number is an index, an exponent or a coefficient."""
+    depth = 0
+    for token in reversed(tokens[:at]):
+        if token.kind == "}":
+            depth += 1
+        elif token.kind == "{":
+            depth -= 1
+        elif token.kind in ("^", "_") and (depth < 0 or token is tokens[at - 1]):
+            return "exponent" if token.kind == "^" else "index"
+        elif depth == 0 and token is not tokens[at - 1] and token.kind in ("letter", "close"):
+            break
+    return "coefficient"
