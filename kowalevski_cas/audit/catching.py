@@ -1,7 +1,8 @@
-"""How many mutants of a source an audit catches, and which survive."""
+"""How many mutants of a source an audit catches, which it repairs, and which survive."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cache
@@ -11,7 +12,7 @@ from time import perf_counter
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.equivalence import equivalence
 from kowalevski_cas.audit.mutants import Mutant
-from kowalevski_cas.audit.session import AuditSession
+from kowalevski_cas.audit.session import AS_BEFORE, AuditSession
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.library import load
 from kowalevski_cas.pool import HERE, Pool
@@ -26,15 +27,19 @@ class Caught:
     """What an audit says about one mutant."""
 
     mutant: Mutant
+    role: str
     changed: tuple[str, ...]
     """The claims, and formulas, of which the verdict or the repair is another one; none of those
     that were not decided in time."""
     named: bool
     """Whether the changed place is among the causes."""
+    repair: str
+    """For a claim that was true: an edit of the mutant has ``restored`` it, the ``derivation`` says
+    what it was, another formula is ``true``, or there is ``none``."""
     equivalent: str
-    """Why a survivor says the same."""
     late: bool
     """Whether something was not decided in time: then it is not known whether it survives."""
+    seconds: float
 
     @property
     def caught(self) -> bool:
@@ -69,6 +74,10 @@ class Measurement:
         caught = sum(result.caught for result in self.results)
         return caught, caught + len(self.missed)
 
+    def repairs(self) -> Counter[str]:
+        """The repairs of claims by kind."""
+        return Counter(result.repair for result in self.results if result.repair)
+
 
 @dataclass(frozen=True)
 class Measure:
@@ -97,7 +106,9 @@ class Measure:
             _audited(self)
             (caught,) = each(self, [mutant])
             return caught
+        start = perf_counter()
         found = audit(Source(self.path, mutant.text), self.base.session.base)
+        seconds = perf_counter() - start
         before, after = _signature(self.base), _signature(found)
         changed = tuple(
             name
@@ -107,8 +118,17 @@ class Measure:
         reason = ""
         if not changed:
             reason = equivalence(self.base.session, mutant.printed, mutant.before, mutant.after)
-        late = any(map(_late, after.values()))
-        return Caught(mutant, changed, self._named(found, mutant), reason, late)
+        formula = next((f for f in self.base.formulas if f.place == mutant.printed), None)
+        return Caught(
+            mutant,
+            formula.role if formula is not None else "none",
+            changed,
+            self._named(found, mutant),
+            self._repair(found, mutant),
+            reason,
+            any(map(_late, after.values())),
+            seconds,
+        )
 
     def _named(self, found: Audit, mutant: Mutant) -> bool:
         causes = found.session.causes.values()
@@ -120,6 +140,24 @@ class Measure:
             for formula in found.formulas
             if formula.place == mutant.printed or formula.id == mutant.printed.display.id
         )
+
+    def _repair(self, found: Audit, mutant: Mutant) -> str:
+        """What the repair of a mutated claim is, if the claim was true before."""
+        claims = self.base.session.derivation.claims
+        about = [c for c in claims if mutant.printed in c.establishes()]
+        if not about or any(not self.base.outcomes[c.id].verdict.green for c in about):
+            return ""
+        outcomes = [found.outcomes[c.id] for c in about]
+        broken = [o for o in outcomes if not o.verdict.green]
+        if not broken:
+            return ""
+        if any(o.correction is None or not o.correction.verdict.green for o in broken):
+            return "none"
+        corrections = [o.correction for o in broken if o.correction is not None]
+        if any(correction.words == AS_BEFORE for correction in corrections):
+            return "derivation"
+        edits = (c.edit for c in corrections if c.printed == mutant.printed and c.edit is not None)
+        return "restored" if any(edit.formula == mutant.before for edit in edits) else "true"
 
 
 @cache

@@ -19,8 +19,7 @@ from kowalevski_cas.paper.texts import Printed
 PATIENCE = 10
 """How often a token is drawn in vain before no other mutant is looked for."""
 
-Change = tuple[int, int, str]
-"""An interval, and what is typed there instead."""
+Change = tuple[str, int, int, str]
 
 _LETTER = re.compile(r"\\[A-Za-z]+|[A-Za-z]")
 _PARTS = re.compile(r"^(?:\\(?:boldsymbol|mathbf|mathrm)\{)?(\\?[A-Za-z]+)\}?")
@@ -31,6 +30,7 @@ class Mutant:
     """A changed token: where, what for what, and the source after the change."""
 
     printed: Printed
+    kind: str
     line: int
     old: str
     new: str
@@ -101,7 +101,7 @@ def letters_of(vocabulary: Vocabulary) -> list[str]:
 
 def mutated(audit: Audit, site: Site, change: Change) -> Mutant | None:
     """The mutant, if it can be read and is another formula."""
-    start, end, new = change
+    kind, start, end, new = change
     typed, vocabulary = site.typed, audit.session.texts.vocabulary
     offset = typed.start + start
     if not audit.expanded.literal(offset, offset + end - start):
@@ -118,7 +118,7 @@ def mutated(audit: Audit, site: Site, change: Change) -> Mutant | None:
     begin = audit.expanded.origin(offset, offset + 1)[0]
     old = text[begin : begin + end - start]
     return Mutant(
-        site.place.display[number], audit.source.line(begin), old, new.strip(),
+        site.place.display[number], kind, audit.source.line(begin), old, new.strip(),
         text[:begin] + new + text[begin + len(old) :],
         own[number - 1].formula, read[number - 1].formula,
     )  # fmt: skip
@@ -138,16 +138,16 @@ def _difference(old: tuple[Statement, ...], new: tuple[Statement, ...]) -> int |
 
 
 def _changes(tokens: list[Token], at: int, tex: str, letters: list[str]) -> Iterator[Change]:
-    """What can be done to a token."""
+    """The kind of a change, the interval and what is typed there instead."""
     token = tokens[at]
     if token.kind == "sign":
-        yield token.start, token.end, "-" if token.text == "+" else "+"
+        yield "sign", token.start, token.end, "-" if token.text == "+" else "+"
     elif token.kind == "number":
         yield from _numbers(tokens, at)
     elif token.kind == "letter":
         yield from _letters(token, tex, letters)
     elif token.kind == "operator" and token.text in ("Re", "Im"):
-        yield token.start, token.end, "Im" if token.text == "Re" else "Re"
+        yield "letter", token.start, token.end, "Im" if token.text == "Re" else "Re"
 
 
 def _numbers(tokens: list[Token], at: int) -> Iterator[Change]:
@@ -156,9 +156,9 @@ def _numbers(tokens: list[Token], at: int) -> Iterator[Change]:
     value = int(token.text) if len(token.text) < 9 else 0
     for other in sorted({value - 1, value + 1, 2 * value, 1, 2, 3} - {value, -1}):
         if (other or kind == "coefficient") and (kind != "index" or other <= 3):
-            yield token.start, token.end, str(other)
+            yield kind, token.start, token.end, str(other)
     if kind == "coefficient" and at + 1 < len(tokens):
-        yield token.start, token.end, ""
+        yield kind, token.start, token.end, ""
 
 
 def _letters(token: Token, tex: str, letters: list[str]) -> Iterator[Change]:
@@ -168,7 +168,7 @@ def _letters(token: Token, tex: str, letters: list[str]) -> Iterator[Change]:
         for letter in letters:
             if letter != found[0]:
                 gap = " " if letter[0] == "\\" and tex[end : end + 1].isalpha() else ""
-                yield start, end, letter + gap
+                yield "letter", start, end, letter + gap
 
 
 def _role(tokens: list[Token], at: int) -> str:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import random
+from collections import Counter
 from pathlib import Path
 
 from kowalevski_cas.audit.catching import Measure, Measurement, measure
@@ -67,7 +68,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def report(found: Measurement) -> str:
-    """The share that was caught, and of how many the place is named; survivors with reasons."""
+    """The share that was caught, by role and kind; survivors with reasons; repairs."""
     caught, of = found.share()
     lines = [
         f"{len(found.results)} mutants in {found.seconds:.1f} s; "
@@ -75,6 +76,9 @@ def report(found: Measurement) -> str:
     ]
     named = sum(result.named for result in found.results if result.caught)
     lines.append(f"the changed place is named for {named} of {caught} ({_percent(named, caught)})")
+    lines.append(f"by role: {_by(found, [result.role for result in found.results])}")
+    lines.append(f"by kind: {_by(found, [result.mutant.kind for result in found.results])}")
+    lines += _repairs(found)
     for result in found.survivors:
         if result.equivalent:
             lines.append(f"  equivalent  {result.mutant.words}: {result.equivalent}")
@@ -83,6 +87,30 @@ def report(found: Measurement) -> str:
     unnamed = [result for result in found.results if result.caught and not result.named]
     lines += [f"  not named   {r.mutant.words}: {', '.join(r.changed[:3])}" for r in unnamed]
     return "\n".join(lines) + "\n"
+
+
+def _by(found: Measurement, names: list[str]) -> str:
+    """How many are caught or equivalent, of how many, for each name."""
+    pairs = zip(names, found.results, strict=True)
+    counts = Counter((name, r.caught or bool(r.equivalent)) for name, r in pairs)
+    return ", ".join(
+        f"{n} {counts[n, True]}/{counts[n, True] + counts[n, False]}" for n in sorted(set(names))
+    )
+
+
+def _repairs(found: Measurement) -> list[str]:
+    """How often a mutated claim is repaired, by what, and how long it takes."""
+    counts = found.repairs()
+    total = sum(counts.values())
+    if not total:
+        return []
+    times = sorted(result.seconds for result in found.results if result.repair)
+    return [
+        f"repairs of {total} claims: {counts['restored']} by the edit that restores them, "
+        f"{counts['derivation']} by what the derivation has, {counts['true']} by another true "
+        f"formula, {counts['none']} none",
+        f"seconds for one: median {times[total // 2]:.2f}, most {times[-1]:.2f}",
+    ]
 
 
 def _percent(part: int, whole: int) -> str:

@@ -56,7 +56,7 @@ def test_mutants_are_caught():
 
 def test_what_is_not_decided_in_time_is_neither_caught_nor_missed():
     [mutant] = sample(audited(), 1, Random(9))
-    survivor = Caught(mutant, (), False, "", late=True)
+    survivor = Caught(mutant, "claim", (), False, "", "", late=True, seconds=1.0)
     found = Measurement([survivor, replace(survivor, late=False)])
     assert found.late == [survivor]
     assert found.share() == (0, 1)
