@@ -28,7 +28,7 @@ COMMANDS = (
     ("find", "darboux", "--cofactor={}", "--degree=1", "kharlamov2002", "--scene", "Kowalevski case"),
     ("find", "integrals", "--on={}", "kharlamov2002", "--scene", "Kowalevski case"),
     ("mutants", "--derivation={}"), ("mutants", "--jobs={}", "--derivation", "x"),
-    ("mutants", "--seed={}", "--derivation", "x"), ("pictures", "{}"), ("pictures", "--a={}"),
+    ("mutants", "--seed={}", "--derivation", "x"), ("pictures", "{}"), ("animation", "--a={}"),
     (*MOTION, "--samples={}", "--until=1"), (*MOTION, "--until={}", "--samples=2"),
     (*MOTION, "--timeout={}", "--samples=2"), ("motion", "--point", "{}"),
     (*MOTION, "--method=ball", "--until={}", "--samples=2", "--timeout=1"),

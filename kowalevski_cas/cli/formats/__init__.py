@@ -15,7 +15,7 @@ from kowalevski_cas.report.places import Section, sections
 from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import Difference
 
-FORMATS, OF_AUDITS = ("pretty", "json", "junit", "github"), ("pretty", "json", "github")
+FORMATS, OF_AUDITS = ("pretty", "json", "junit", "github"), ("pretty", "json", "sarif", "github")
 """The formats that are chosen by name; ``-v`` chooses :mod:`.verbose`."""
 
 
