@@ -18,7 +18,7 @@ from kowalevski_cas.paper.claims import (
 from kowalevski_cas.paper.derivation import Locus, Scene, Section
 from tests.paper.small import decide
 
-pytestmark = pytest.mark.usefixtures("uncorrected")
+pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
 SPACE = Scene("space", "", variables=("x", "y", "z"))
 
