@@ -89,7 +89,7 @@ class Section:
                 f"{display.id}: {len(places)} statements, {len(ids)} ids, {len(words)} words"
             )
         for id, place, word in zip(ids, places, words, strict=True):
-            self.claim(kind(id, on, place, word, **attributes))
+            self.claim(kind(id, on, word, printed=place, **attributes))
         return printed
 
     def claim(self, *claims: Claim) -> None:

@@ -146,14 +146,13 @@ class Critical:
 
     def _excess(self, homogeneous: Element) -> Row | None:
         """By how much the rates of the homogeneous function differ, over that of the surface."""
-        polynomials = self.at.ring.polynomials
         found = []
         pairs = zip(self._rates(self.function), self._rates(homogeneous), strict=True)
         for own, other in pairs:
             difference = other - own
-            part = difference.parts.get(0, polynomials.zero)
+            part = difference.parts.get(0, self.at.ring.polynomials.zero)
             quotient, rest = divmod(part, self.beside.parts[0])
-            if not polynomials.is_zero(rest) or difference.denominator:
+            if rest or difference.denominator:
                 return None
             found.append(self.at.ring.element({0: quotient}, {}))
         return found

@@ -69,6 +69,16 @@ def test_json(paper, capsys):
     assert value["summary"]["claims"] == {"proved": 31, "conditional": 27, "refuted": 10}
 
 
+def test_sarif(paper, capsys):
+    main(["audit", str(paper), "--format", "sarif", *NAMED])
+    value = json.loads(capsys.readouterr().out)
+    results = value["runs"][0]["results"]
+    assert value["version"] == "2.1.0"
+    assert sum(result["ruleId"] == "refuted" for result in results) == 10
+    rules = {rule["id"] for rule in value["runs"][0]["tool"]["driver"]["rules"]}
+    assert {result["ruleId"] for result in results} <= rules
+
+
 def test_github(paper, capsys):
     main(["audit", str(paper), "--format", "github", *NAMED])
     lines = capsys.readouterr().out.splitlines()

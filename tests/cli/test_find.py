@@ -149,7 +149,7 @@ section = Section("1", "The field")
 motion = section.display(
     "motion", r"\dot x=\sigma(y-x),\quad \dot y=\rho x-y-xz,\quad \dot z=xy-bz"
 )
-scene = Scene("Lorenz", "").having(variables=("x", "y", "z"), constants=(r"\sigma", r"\rho", "b"))
+scene = Scene("Lorenz").having(variables=("x", "y", "z"), constants=(r"\sigma", r"\rho", "b"))
 section.states(Identity, motion[1], on=scene.moving(motion), says="the motion")
 derivation = Derivation("lorenz", "Lorenz", "", "", (section,))
 """

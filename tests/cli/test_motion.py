@@ -76,6 +76,7 @@ def test_taylor_follows_it_too_or_says_what_to_install(cli):
             ("heyoka", ["motion", *USUAL, "--method", "taylor"], "taylor"),
             ("numpy", ["verify", "kharlamov2002", "--arithmetic", "floating"], "motion"),
             ("matplotlib", ["pictures", "rectangle"], "motion"),
+            ("matplotlib", ["animation"], "motion"),
         ],
         1,
         seed=1,
@@ -92,19 +93,20 @@ def test_a_library_that_is_not_installed_is_named_with_its_extra(missing, comman
     assert (done.returncode, done.stdout, done.stderr) == (2, "", said)
 
 
-def test_csv_has_the_states_of_json(cli, tmp_path):
+def test_csv_and_npz_hold_the_same_states(cli, tmp_path):
     expected = states(cli(*USUAL)[1])
-    table = cli(*USUAL, "--format", "csv")[1]
-    header, *rows = csv.reader(io.StringIO(table))
+    header, *rows = csv.reader(io.StringIO(cli(*USUAL, "--format", "csv")[1]))
     assert header[:4] == ["t", "omega1", "omega2", "omega3"]
     assert np.array_equal(np.array(rows, dtype=float)[:, 1:], expected)
-    file = tmp_path / "new" / "motion.csv"
-    code, out, _ = cli(*USUAL, "--format", "csv", "--output", tmp_path / "new")
-    assert (code, out.strip(), file.read_text()) == (0, str(file), table)
+    code, out, _ = cli(*USUAL, "--format", "npz", "--output", tmp_path / "new")
+    assert code == 0 and out.strip() == str(tmp_path / "new" / "motion.npz")
+    with np.load(tmp_path / "new" / "motion.npz") as saved:
+        assert np.array_equal(np.hstack([saved[n] for n in ("omega", "alpha", "beta")]), expected)
+        assert json.loads(str(saved["regime"]))["tori"] == 1
 
 
 @pytest.mark.parametrize("constants", [["0.8", "0.9"], ["-0.5", "0"], ["5/7", "3/7"]])
-def test_balls_have_radii_in_every_format(cli, constants):
+def test_balls_have_radii_in_every_format(cli, constants, tmp_path):
     m, ell = constants
     given = [*FIELDS, "--m", m, "--l", ell, "--samples", 5, "--method", "ball"]
     out = cli(*given)[1]
@@ -115,6 +117,9 @@ def test_balls_have_radii_in_every_format(cli, constants):
         assert all(abs(x - number) <= radius for x, number in zip(balls, row, strict=True))
     header, *rows = csv.reader(io.StringIO(cli(*given, "--format", "csv")[1]))
     assert header[-1] == "radius" and [float(row[-1]) for row in rows] == radii
+    cli(*given, "--format", "npz", "--output", tmp_path)
+    with np.load(tmp_path / "motion.npz") as saved:
+        assert saved["radius"].tolist() == radii
 
 
 @pytest.mark.parametrize("method", ["closed", "ball", "dop853"])

@@ -8,10 +8,11 @@ def derivation(section):
     return Derivation("small", "A small derivation", "nobody", "nowhere", (section,))
 
 
-def decide(section, *claims, arithmetics=("flint",), **options):
-    """The outcomes for claims of a section, in order."""
+def decide(section, *claims, arithmetics=("flint",), sources=None, **options):
+    """The outcomes for claims of a section, in order; ``sources`` are read in place of displays."""
     section.claim(*claims)
-    return verify(derivation(section), arithmetics, **options).outcomes
+    paper = derivation(section)
+    return verify(paper, arithmetics, texts=paper.texts(sources), **options).outcomes
 
 
 def verdicts(section, *claims, **options):
@@ -40,7 +41,7 @@ class Paper:
     def outcome(self, kind, tex="", on=None, arithmetics=("flint",), **attributes):
         """What becomes of a claim, about a formula if there is one, on this scene or on its own."""
         self.section.claims.clear()
-        claim = kind("t", on or self.scene, self(tex) if tex else None, "", **attributes)
+        claim = kind("t", on or self.scene, "", printed=self(tex) if tex else None, **attributes)
         (found,) = decide(self.section, claim, arithmetics=arithmetics, explain=True)
         return found
 
@@ -53,7 +54,7 @@ class Motion(Paper):
 
     def __init__(self, tex, *variables, **more):
         super().__init__()
-        self.scene = Scene("motion", "", variables=variables, field=self.all(tex), **more)
+        self.scene = Scene("motion", variables=variables, field=self.all(tex), **more)
 
 
 class Oscillator(Paper):
@@ -68,15 +69,15 @@ class Oscillator(Paper):
         self.tau = self.section.inline("tau", r"\tau=it")
         field = (motion[1], motion[2])
         self.scene = Scene(
-            "oscillator", "", variables=("x", "v"), constants=("k",), field=field,
+            "oscillator", variables=("x", "v"), constants=("k",), field=field,
             definitions={"E": self.energy[1]}, roots={r"\sqrt{x^2+v^2}": None},
         )  # fmt: skip
         self.old = Scene(
-            "oscillator with the unit", "", variables=("x", "v"), field=field, unit=self.unit[1],
+            "oscillator with the unit", variables=("x", "v"), field=field, unit=self.unit[1],
             clock=self.tau[1], definitions={"z_1": self.change[1], "z_2": self.change[2]},
         )  # fmt: skip
         self.new = Scene(
-            "complex oscillator", "", variables=("z_1", "z_2"), time=r"\tau", unit=self.unit[1],
+            "complex oscillator", variables=("z_1", "z_2"), time=r"\tau", unit=self.unit[1],
             field=Change(self.old, (self.change[1], self.change[2]), self.tau[1]),
             conjugates=(("z_1", "z_2"),),
         )  # fmt: skip

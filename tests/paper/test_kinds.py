@@ -167,9 +167,7 @@ def test_a_relation_that_says_nothing_is_no_reason_to_stop(top):
 
 
 def test_last_multiplier(top):
-    axis = InvariantRelations(
-        "axis", top.scene, None, "", relations=top.all(r"\omega_1=0, \omega_2=0")
-    )
+    axis = InvariantRelations("axis", top.scene, "", relations=top.all(r"\omega_1=0, \omega_2=0"))
     assert top.verdict(LastMultiplier, relations=axis) == "proved"
     assert top.verdict(LastMultiplier, relations=axis, density=r"\omega_1") == "refuted"
     rest = top.outcome(LastMultiplier, relations=axis, density=TWICE_ENERGY)
@@ -336,9 +334,9 @@ def test_a_change_of_variables(oscillator):
     old, new = oscillator.old, oscillator.new
     found = decide(
         oscillator.section,
-        Unit("unit", old, oscillator.unit[1], "", rows=rows[:2]),
-        InvertibleChange("change", new, None, "", old=old, pairs=(("z_1", "z_2"),)),
-        *(ChangedEquation(f"row{k}", new, row, "", old=old) for k, row in enumerate(rows)),
+        Unit("unit", old, "", printed=oscillator.unit[1], rows=rows[:2]),
+        InvertibleChange("change", new, "", old=old, pairs=(("z_1", "z_2"),)),
+        *(ChangedEquation(f"row{k}", new, "", printed=row, old=old) for k, row in enumerate(rows)),
     )
     assert [str(o.verdict) for o in found] == ["proved", "proved", "proved", "proved", "refuted"]
     assert in_latex(found[-1].correction.formulas) == "z_1' = -z_1"
@@ -348,8 +346,10 @@ def test_a_change_of_variables(oscillator):
 @pytest.mark.parametrize("pairs", [(("z_1", "z_2"),), ()])
 def test_a_singular_change_is_refuted_and_gives_no_scene(oscillator, second, pairs):
     texts = {"change": rf"z_1=x+iv,\quad z_2={second}"}
-    claim = InvertibleChange("change", oscillator.new, None, "", old=oscillator.old, pairs=pairs)
-    there = ChangedEquation("there", oscillator.new, oscillator("z_1'=z_1"), "", oscillator.old)
+    claim = InvertibleChange("change", oscillator.new, "", old=oscillator.old, pairs=pairs)
+    there = ChangedEquation(
+        "there", oscillator.new, "", oscillator.old, printed=oscillator("z_1'=z_1")
+    )
     change, there = decide(oscillator.section, claim, there, sources=texts)
     assert change.verdict == "refuted" and there.verdict == "error"
     assert change.message == "the differentials depend on each other everywhere"
@@ -361,9 +361,9 @@ def test_a_derivative_by_real_time_is_conjugated_as_such(sign, verdict):
     real = Paper()
     unit, tau = real("i^2=-1"), real(r"\tau=1t")
     rows, complex_ones = real.all(r"\dot x = v, \dot v = -x"), real.all("z_1=x+iv, z_2=x-iv")
-    old = Scene("old", "", variables=("x", "v"), field=rows, unit=unit, clock=tau)
+    old = Scene("old", variables=("x", "v"), field=rows, unit=unit, clock=tau)
     new = Scene(
-        "new", "", variables=("z_1", "z_2"), field=Change(old, complex_ones, tau), time=r"\tau",
+        "new", variables=("z_1", "z_2"), field=Change(old, complex_ones, tau), time=r"\tau",
         conjugates=(("z_1", "z_2"),), unit=unit,
     )  # fmt: skip
     assert real.verdict(Identity, rf"\overline{{z_1'}}={sign}z_2'", new) == verdict
@@ -375,7 +375,7 @@ def test_a_derivative_by_real_time_is_conjugated_as_such(sign, verdict):
 def test_a_root_of_a_complex_number_is_not_real():
     paper = Paper()
     scene = Scene(
-        "s", "", variables=("x_1", "x_2"), conjugates=(("x_1", "x_2"),),
+        "s", variables=("x_1", "x_2"), conjugates=(("x_1", "x_2"),),
         field=paper.all(r"\dot x_1=0, \dot x_2=0"), roots={"u": paper("u^2=x_1")},
     )  # fmt: skip
     assert paper.verdict(Identity, r"\overline{u}=u", scene) != "proved"
@@ -386,14 +386,14 @@ def test_a_root_of_a_complex_number_is_not_real():
 )
 def test_a_root_with_a_printed_value_has_to_have_the_square(tex, verdict):
     paper = Paper()
-    scene = Scene("root", "", variables=("x",), roots={r"\sqrt{x^2}": paper(tex)})
+    scene = Scene("root", variables=("x",), roots={r"\sqrt{x^2}": paper(tex)})
     assert paper.verdict(Identity, r"x\sqrt{x^2} = -x^2", scene) == verdict
 
 
 def test_a_root_that_moves_is_differentiated_without_a_division():
     paper = Paper()
     scene = Scene(
-        "circle", "", variables=("s",), constants=("n",), field=paper.all(r"\dot s = nC"),
+        "circle", variables=("s",), constants=("n",), field=paper.all(r"\dot s = nC"),
         roots={"C": paper("C^2 = 1-s^2")},
     )  # fmt: skip
     assert paper.verdict(Identity, r"\dot C = -ns", scene) == "proved"
@@ -411,9 +411,9 @@ def test_definition_of_a_function(name, tex, verdict):
     section = Section("1", "A function")
     printed = section.inline("f", tex)
     equation = section.inline("e", r"f(x) - f(y) = (x-y)(x+y), \quad f(1) = 0")
-    scene = Scene("f", "", variables=("x", "y"), definitions={"f(s)": printed[1]})
+    scene = Scene("f", variables=("x", "y"), definitions={"f(s)": printed[1]})
     first, second = (
-        Definition(f"t.{k}", scene, printed[1], "", equation=equation[k]) for k in (1, 2)
+        Definition(f"t.{k}", scene, "", printed=printed[1], equation=equation[k]) for k in (1, 2)
     )
     found = verdicts(section, first, second, arithmetics=(name,))
     assert found[1] == verdict and (verdict == "error" or found[0] == "proved")
@@ -425,5 +425,5 @@ def test_definition_of_a_function(name, tex, verdict):
 def test_a_definition_defines_the_name_that_it_prints(oscillator, tex, verdict):
     printed, equation = oscillator(tex), oscillator(r"\dot D = 2xv")
     scene = replace(oscillator.scene, definitions={"D": printed})
-    claim = Definition("t", scene, printed, "", equation=equation)
+    claim = Definition("t", scene, "", printed=printed, equation=equation)
     assert verdicts(oscillator.section, claim) == [verdict]

@@ -14,11 +14,11 @@ tau = section.inline("tau", r"\tau=it")
 change = section.display("change", "z_1=x+iv, \\quad z_2=x-iv")
 root = section.display("root", r"r^2 = x^2+1, \quad \sqrt{x} = 1")
 at_rest = section.inline("at-rest", r"{\bs v} = 0")
-top = Scene("oscillator", "", variables=("x", "v")).moving(motion)
+top = Scene("oscillator", variables=("x", "v")).moving(motion)
 
 
 def test_each_verb_gives_a_new_scene_and_leaves_the_old_one():
-    derived = top.described("E", "with E").defining(energy).with_unit(unit[1], tau[1])
+    derived = top.called("E").defining(energy).with_unit(unit[1], tau[1])
     assert derived.definitions == {"E": energy[1], "e": energy[1]}
     assert (derived.name, derived.unit, derived.clock) == ("E", unit[1], tau[1])
     assert derived.field == (motion[1], motion[2])

@@ -21,7 +21,7 @@ from tests.paper.small import Motion, Paper, verdicts
 pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
 CIRCLES = r"\dot x=y, \dot y=-x"
-SPACE = Scene("space", "", variables=("x", "y", "z"))
+SPACE = Scene("space", variables=("x", "y", "z"))
 
 
 @pytest.fixture
@@ -66,7 +66,7 @@ def test_a_declared_locus_is_the_condition_and_the_point_says_why(paper):
 
 
 def test_complex_equations_count_twice(paper):
-    scene = Scene("s", "", variables=("x", "y"), conjugates=(("x", "y"),))
+    scene = Scene("s", variables=("x", "y"), conjugates=(("x", "y"),))
     alone = dimension(paper, 1, "x=0", on=scene)
     assert alone.verdict == "error" and "conjugate" in alone.message
     assert dimension(paper, 0, "x=0", "y=0", on=scene).verdict == "proved"
@@ -158,7 +158,7 @@ def test_an_equivalence_does_not_exclude_its_set():
 @pytest.mark.parametrize("density", ["0", "x-x", "(x^2+y^2-1)"])
 def test_a_last_multiplier_vanishes_nowhere(density):
     flow = Motion(CIRCLES, "x", "y")
-    circle = InvariantRelations("circle", flow.scene, None, "", relations=flow.all("x^2+y^2=1"))
+    circle = InvariantRelations("circle", flow.scene, "", relations=flow.all("x^2+y^2=1"))
     assert flow.verdict(LastMultiplier, relations=circle, density=density) == "refuted"
 
 
@@ -176,5 +176,5 @@ def test_a_last_multiplier_vanishes_nowhere(density):
 def test_rows_vote_for_a_unit_that_they_see(paper, rows, verdict):
     unit = paper("i^2=1")
     scene = SPACE.with_unit(unit).defining(*paper.all("u=x+iy, w=x-iy"))
-    claim = Unit("t", scene, unit, "", rows=tuple(map(paper, rows)))
+    claim = Unit("t", scene, "", printed=unit, rows=tuple(map(paper, rows)))
     assert verdicts(paper.section, claim) == [verdict]

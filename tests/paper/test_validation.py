@@ -22,7 +22,7 @@ class Paper:
     def outcome(self, scene, tex):
         """What is said of an identity on a scene."""
         self.section.claims.clear()
-        (found,) = decide(self.section, Identity("t", scene, self(tex)[1], ""))
+        (found,) = decide(self.section, Identity("t", scene, "", printed=self(tex)[1]))
         return found
 
 
@@ -52,7 +52,7 @@ def refused(outcome, *words):
 )
 def test_a_name_is_given_once(twice):
     with pytest.raises(ValueError, match=r"the scene “s”: .* has a meaning already, a"):
-        Scene("s", "", **twice)
+        Scene("s", **twice)
 
 
 def test_a_name_is_not_defined_and_something_else(paper):
@@ -64,19 +64,19 @@ def test_a_name_is_not_defined_and_something_else(paper):
         {"constants": ("f",), "definitions": {"f(s)": line[1]}},
     ):
         with pytest.raises(ValueError, match="choose another name, or leave one out"):
-            Scene("s", "", variables=("x",), **more)
+            Scene("s", variables=("x",), **more)
 
 
 def test_a_display_is_no_tuple_and_no_statement(paper):
     pair = paper("x=0, y=0")
-    scene = Scene("s", "", variables=("x", "y"))
+    scene = Scene("s", variables=("x", "y"))
     for make in (
-        lambda: InvariantRelations("t", scene, None, "", relations=pair),
-        lambda: FirstIntegral("t", scene, pair[1], "", given=pair),
-        lambda: FirstIntegral("t", scene, pair[1], "", given=pair[2]),
-        lambda: Identity("t", scene, pair, ""),
-        lambda: Scene("s", "", variables="xy"),
-        lambda: Scene("s", "", field=pair),
+        lambda: InvariantRelations("t", scene, "", relations=pair),
+        lambda: FirstIntegral("t", scene, "", printed=pair[1], given=pair),
+        lambda: FirstIntegral("t", scene, "", printed=pair[1], given=pair[2]),
+        lambda: Identity("t", scene, "", printed=pair),
+        lambda: Scene("s", variables="xy"),
+        lambda: Scene("s", field=pair),
         lambda: Change(scene, pair, pair[1]),
         lambda: Locus("x=0", "x=0", "x"),
     ):
@@ -91,7 +91,7 @@ def test_a_display_is_no_tuple_and_no_statement(paper):
 def test_a_conjugation_is_an_involution_that_keeps_variables_and_constants(pairs):
     """The conjugate of the conjugate of each name is the name, or there is an error."""
     paper = Paper()
-    scene = Scene("s", "", variables=("x", "y", "z"), constants=("c", "d"), conjugates=(*pairs,))
+    scene = Scene("s", variables=("x", "y", "z"), constants=("c", "d"), conjugates=(*pairs,))
     outcome = paper.outcome(scene, r"\overline{\overline{x+2y+3z+4c+5d}}=x+2y+3z+4c+5d")
     names = [name for pair in pairs for name in pair]
     odd = len(set(names)) < len(names) or any((a in "cd") != (b in "cd") for a, b in pairs)
@@ -103,7 +103,7 @@ def test_conjugate_roots_have_conjugate_squares(paper):
     for second, verdict in (("w^2=y", "proved"), ("w^2=2y", "error")):
         paper = Paper()
         scene = Scene(
-            "s", "", variables=("x", "y"), roots={"u": paper("u^2=x")[1], "w": paper(second)[1]},
+            "s", variables=("x", "y"), roots={"u": paper("u^2=x")[1], "w": paper(second)[1]},
             conjugates=(("x", "y"), ("u", "w")),
         )  # fmt: skip
         assert paper.outcome(scene, r"\overline{u}=w").verdict == verdict
@@ -122,7 +122,7 @@ def test_a_motion_keeps_the_conjugation_in_real_or_imaginary_time(paper):
         rate = "{}'" if time == r"\tau" else r"\dot {}"
         field = paper(rf"{rate.format('x')}=ix, \quad {rate.format('y')}={second}")
         scene = Scene(
-            "s", "", variables=("x", "y"), field=(*field,), conjugates=(("x", "y"),),
+            "s", variables=("x", "y"), field=(*field,), conjugates=(("x", "y"),),
             unit=paper("i^2=-1")[1], time=time,
         )  # fmt: skip
         assert paper.outcome(scene, rf"{rate.format('x')}=ix").verdict == verdict
@@ -136,7 +136,7 @@ def test_a_motion_keeps_the_conjugation_in_real_or_imaginary_time(paper):
 
 def test_each_variable_moves_by_one_equation(paper):
     field = paper(r"\dot x=x, \quad \dot x=0")
-    outcome = paper.outcome(Scene("s", "", variables=("x",), field=(*field,)), r"\dot x=0")
+    outcome = paper.outcome(Scene("s", variables=("x",), field=(*field,)), r"\dot x=0")
     refused(outcome, "“s”", "d0.1", "d0.2", "leave one out")
 
 
@@ -145,7 +145,7 @@ def test_a_root_moves_as_its_square_does(paper):
         paper = Paper()
         field = paper(rf"\dot x=1, \quad \dot u={rate}")
         scene = Scene(
-            "s", "", variables=("x",), roots={"u": paper("u^2=x")[1]}, field=(*field,)
+            "s", variables=("x",), roots={"u": paper("u^2=x")[1]}, field=(*field,)
         )  # fmt: skip
         assert paper.outcome(scene, r"\dot u u=\frac12").verdict == verdict
 
@@ -154,13 +154,13 @@ def test_a_root_moves_as_its_square_does(paper):
 def test_another_time_is_a_constant_multiple_that_is_not_zero(paper, scale):
     clock = paper(rf"\tau={scale}t")[1]
     slow = Scene(
-        "slow", "", variables=("x",), constants=("k",), field=(*paper("x'=x"),), time=r"\tau",
+        "slow", variables=("x",), constants=("k",), field=(*paper("x'=x"),), time=r"\tau",
         clock=clock,
     )  # fmt: skip
     refused(paper.outcome(slow, r"\dot x=0"), "“slow”", "d0.1", "other than zero")
-    old = Scene("old", "", variables=("x",), constants=("k",), field=(*paper(r"\dot x=x"),))
+    old = Scene("old", variables=("x",), constants=("k",), field=(*paper(r"\dot x=x"),))
     new = Scene(
-        "new", "", variables=("y",), constants=("k",), field=Change(old, (paper("y=2x")[1],), clock),
+        "new", variables=("y",), constants=("k",), field=Change(old, (paper("y=2x")[1],), clock),
         time=r"\tau",
     )  # fmt: skip
     refused(paper.outcome(new, "y'=y"), "“old”", "other than zero")
@@ -174,7 +174,7 @@ def test_the_square_of_a_root_is_found_exactly_or_not_at_all(coefficients):
     """For r^2 + p(r) = x nothing but x - p(0) is the square, and that only if p is constant."""
     paper = Paper()
     terms = "".join(f"{c:+d}r^{{{k}}}" for k, c in enumerate(coefficients))
-    scene = Scene("s", "", variables=("x",), roots={"r": paper(f"r^2{terms}=x")[1]})
+    scene = Scene("s", variables=("x",), roots={"r": paper(f"r^2{terms}=x")[1]})
     outcome = paper.outcome(scene, f"r^2=x-({coefficients[0]})")
     factor = 1 + (coefficients[2] if len(coefficients) > 2 else 0)
     even = factor and not any(c for k, c in enumerate(coefficients) if k not in (0, 2))
@@ -182,20 +182,20 @@ def test_the_square_of_a_root_is_found_exactly_or_not_at_all(coefficients):
 
 
 def test_a_polynomial_that_is_a_square_at_some_numbers_is_none(paper):
-    scene = Scene("s", "", variables=("x",), roots={"r": paper("r^2+r(r-1)(r+1)(r-2)=x")[1]})
+    scene = Scene("s", variables=("x",), roots={"r": paper("r^2+r(r-1)(r+1)(r-2)=x")[1]})
     refused(paper.outcome(scene, "r^2=x"), "d0.1", "does not give r^2")
 
 
 def test_all_members_of_a_chain_give_the_same_square(paper):
     for tex, verdict in (("r^2+x=y=x+y^2", "error"), ("r^2+x=y=y+x-x", "proved")):
         paper = Paper()
-        scene = Scene("s", "", variables=("x", "y"), roots={"r": paper(tex)[1]})
+        scene = Scene("s", variables=("x", "y"), roots={"r": paper(tex)[1]})
         assert paper.outcome(scene, "r^2=y-x").verdict == verdict
 
 
 def test_a_root_is_not_divided_by_what_may_vanish(paper):
     place = paper("xr^2=xy")[1]
-    scene = Scene("s", "", variables=("x", "y"), roots={"r": place})
+    scene = Scene("s", variables=("x", "y"), roots={"r": place})
     refused(paper.outcome(scene, "r^2=y"), "“s”", "x is not zero", "nonzero")
     assert paper.outcome(scene.having(nonzero=("x",)), "r^2=y").verdict == "proved"
 
@@ -205,14 +205,14 @@ def test_a_real_root_has_a_square_that_is_positive_somewhere(numbers):
     a, b, c = numbers
     paper = Paper()
     place = paper(f"r^2={a}x^2{b:+d}y^2{c:+d}")[1]
-    scene = Scene("s", "", variables=("x", "y"), roots={"r": place})
+    scene = Scene("s", variables=("x", "y"), roots={"r": place})
     outcome = paper.outcome(scene, r"\overline{r}=r")
     assert (outcome.verdict == "error") == (max(numbers) <= 0 and any(numbers))
 
 
 def test_a_value_that_is_printed_for_a_root_is_said_with_the_verdict(paper):
     place = paper(r"\sqrt{x^2}=-x")[1]
-    scene = Scene("s", "", variables=("x",), roots={r"\sqrt{x^2}": place})
+    scene = Scene("s", variables=("x",), roots={r"\sqrt{x^2}": place})
     outcome = paper.outcome(scene, r"x\sqrt{x^2}=-x^2")
     assert outcome.verdict == "proved"
     assert in_latex(outcome.branches) == r"\sqrt{x^2} = -x"
@@ -221,19 +221,19 @@ def test_a_value_that_is_printed_for_a_root_is_said_with_the_verdict(paper):
 @pytest.mark.parametrize("assumed", [("x-x",), ("r^2-x^2-1",), ("r-x", "y", "r+x-r-x")])
 def test_what_is_assumed_is_not_zero_by_the_relations(paper, assumed):
     place = paper("r^2=x^2+1")[1]
-    scene = Scene("s", "", variables=("x", "y"), roots={"r": place}, nonzero=assumed)
+    scene = Scene("s", variables=("x", "y"), roots={"r": place}, nonzero=assumed)
     refused(paper.outcome(scene, "x=x"), "“s”", assumed[-1], "taken for granted")
 
 
 def test_two_assumptions_may_contradict_each_other(paper):
-    scene = Scene("s", "", variables=("x",), roots={"r": paper("r^2=x^2")[1]})
+    scene = Scene("s", variables=("x",), roots={"r": paper("r^2=x^2")[1]})
     assert paper.outcome(scene.having(nonzero=("r-x",)), "r=-x").verdict != "proved"
     refused(paper.outcome(scene.having(nonzero=("r-x", "r+x")), "x=x"), "r+x")
 
 
 def test_a_scene_is_refused_for_each_claim_on_it():
-    scene = Scene("s", "", variables=("x",), nonzero=("x-x",))
+    scene = Scene("s", variables=("x",), nonzero=("x-x",))
     section = Section("2", "")
     place = section.display("e", "x=x, x=x")
-    claims = [Identity(f"t{k}", scene, place[k], "") for k in (1, 2)]
+    claims = [Identity(f"t{k}", scene, "", printed=place[k]) for k in (1, 2)]
     assert [str(o.verdict) for o in decide(section, *claims)] == ["error", "error"]

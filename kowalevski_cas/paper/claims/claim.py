@@ -52,7 +52,7 @@ class Claim(ABC):
 
     id: str
     scene: Scene
-    printed: Printed | None
+    printed: Printed | None = field(default=None, kw_only=True)
     words: str
     sentence: str = field(default="", kw_only=True)
 

@@ -57,7 +57,7 @@ class FirstIntegral(Claim):
         yield Follows(space, ((*still, *pairwise(same)),), given, self.main)
         if self.given:
             yield Fails(space, (still,))
-            invariant = InvariantRelations(self.id, self.scene, None, "", self.given, self.main)
+            invariant = InvariantRelations(self.id, self.scene, "", self.given, self.main)
             yield from invariant.goals(on)
         yield Rank(space, (same[-1],), given, 1 + len(space.finder.differences(given)))
 
