@@ -28,6 +28,7 @@ COMMANDS = {
     "mutants": "change one token at a time, and count what an audit notices",
     "motion": "follow a motion from any state: on N⁴ and O⁴ by its closed form",
     "pictures": "draw a motion, and the bifurcation diagrams of the whole top",
+    "animation": "show the body as it moves on N⁴, as an animated GIF",
     "record": "search anew, and write the record of verdicts and the certificates",
 }
 

@@ -94,13 +94,18 @@ def add_motion(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
+    binary = arguments.format == "npz" and arguments.output is None
+    if binary and sys.stdout.isatty():
+        raise CommandError("npz is not for a terminal; give --output DIR, or send it to a file")
     contents = FORMATS[arguments.format](_followed(arguments))
-    if arguments.output is None:
-        sys.stdout.write(contents)
-    else:
+    if arguments.output is not None:
         path = arguments.output / f"motion.{arguments.format}"
         write(path, contents)
         print(path)
+    elif binary:
+        sys.stdout.buffer.write(contents)
+    else:
+        sys.stdout.write(contents.decode())
     return AS_RECORDED
 
 

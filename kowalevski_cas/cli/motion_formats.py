@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from io import BytesIO
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -13,7 +14,7 @@ TOLD = ("invariants", "critical_sets", "regime")
 """What is said of a motion besides its states."""
 
 
-def as_json(result: Result) -> str:
+def as_json(result: Result) -> bytes:
     """States, a line each, so that long files can be read and compared by lines; what is told."""
     entries = [
         {"t": t, "omega": row[:3], "alpha": row[3:6], "beta": row[6:]}
@@ -24,18 +25,32 @@ def as_json(result: Result) -> str:
             entry["radius"] = radius
     states = ",\n".join(map(json.dumps, entries))
     told = [f"{json.dumps(n)}: {json.dumps(getattr(result, n), indent=1)}" for n in TOLD]
-    return ",\n".join([f'{{"states": [\n{states}\n]', *told]) + "\n}\n"
+    return ",\n".join([f'{{"states": [\n{states}\n]', *told]).encode() + b"\n}\n"
 
 
-def as_csv(result: Result) -> str:
+def as_csv(result: Result) -> bytes:
     """A table with a header: the time, the variables, the radius of a ball; floats read back."""
     radii = [[]] * len(result.times) if result.radii is None else result.radii[:, None].tolist()
     rows = zip(result.times.tolist(), result.rows, radii, strict=True)
     lines = [",".join(map(repr, (t, *row, *radius))) for t, row, radius in rows]
     names = [f"{name}{k}" for name in ("omega", "alpha", "beta") for k in (1, 2, 3)]
     header = ["t", *names, *["radius"] * (result.radii is not None)]
-    return "\n".join([",".join(header), *lines, ""])
+    return "\n".join([",".join(header), *lines, ""]).encode()
 
 
-FORMATS: dict[str, Callable[[Result], str]] = {"json": as_json, "csv": as_csv}
+def as_npz(result: Result) -> bytes:
+    """NumPy arrays: t (N), omega, alpha, beta (N, 3), radius (N); what is told as JSON."""
+    import numpy as np
+
+    omega, alpha, beta = np.split(result.states, 3, axis=1)
+    arrays = {"t": result.times, "omega": omega, "alpha": alpha, "beta": beta}
+    if result.radii is not None:
+        arrays["radius"] = result.radii
+    told = {name: np.array(json.dumps(getattr(result, name))) for name in TOLD}
+    file = BytesIO()
+    np.savez(file, allow_pickle=True, **arrays, **told)
+    return file.getvalue()
+
+
+FORMATS: dict[str, Callable[[Result], bytes]] = {"json": as_json, "csv": as_csv, "npz": as_npz}
 """The contents of a file in each format."""

@@ -87,8 +87,7 @@ class Scene:
         the places at which every statement about sets is tried once more.
     """
 
-    name: str
-    words: str
+    name: str = ""
     vectors: Mapping[str, tuple[str, ...]] = default(default_factory=dict)
     variables: tuple[str, ...] = ()
     constants: tuple[str, ...] = ()
@@ -128,9 +127,9 @@ class Scene:
 
     # -- verbs -------------------------------------------------------------------
 
-    def described(self, name: str, words: str) -> Scene:
+    def called(self, name: str) -> Scene:
         """The scene under a name of its own."""
-        return replace(self, name=name, words=words)
+        return replace(self, name=name)
 
     def having(
         self,
@@ -243,7 +242,6 @@ class Scene:
         """
         return Scene(
             self.name,
-            self.words,
             variables=(*(name for place in by for name in place.heads.names), *keeping),
             field=Change(self, tuple(by), time),
             time=time.heads.names[0],

@@ -86,7 +86,7 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     _check_indices((*variables, *constants))
     _check_derivatives(constants, defined, moving)
     title, time = name or "the system", min(words.times)
-    scene = Scene(title, "the equations of motion", vectors, variables, constants, laws, time)
+    scene = Scene(title, vectors, variables, constants, laws, time)
     for place in others:
         scene = _with(scene, place, formulas[place])
     return rooted(scene, display)

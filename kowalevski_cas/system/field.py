@@ -13,7 +13,6 @@ from typing import Any, Self
 from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import (
     Formula,
-    OpenParser,
     heads,
     read,
     read_display,
@@ -135,11 +134,10 @@ class Field:
             ValueError: a relation gives no constant.
         """
         special, said = copy(self), ", ".join(map(self._tex, relations))
-        scene = self.scene.described(f"{self.scene.name} where {said}", f"${said}$")
+        scene = self.scene.called(f"{self.scene.name} where {said}")
         for relation in relations:
             tex = self._tex(relation)
-            formula = read(tex, vocabulary((scene,)), OpenParser)
-            tex = tex if heads(tex)[0].names else solved(formula, scene.constants) or tex
+            tex = tex if any(one.names for one in heads(tex)) else solved(tex, scene) or tex
             place = self._place("where", tex, supposed=True)
             scene = restricted(scene, place)
             scene = rooted(scene, place.display)
@@ -151,7 +149,7 @@ class Field:
         r"""The system with more constants, as ``\rho``, which stand in no equation of motion."""
         more = copy(self)
         scene = self.scene.having(constants=constants)
-        more._stand_on(scene.described(f"{scene.name} with {', '.join(constants)}", scene.words))
+        more._stand_on(scene.called(f"{scene.name} with {', '.join(constants)}"))
         return more
 
     # -- claims ------------------------------------------------------------------

@@ -13,11 +13,10 @@ NAMED = ("--derivation", "kharlamov2002")
 
 
 @pytest.fixture(autouse=True)
-def decided(request, monkeypatch):
-    """The derivation is decided once for all tests, save for those that see the command do it."""
-    if request.node.name not in ("test_pretty", "test_mutants"):
-        base().outcomes  # noqa: B018
-        monkeypatch.setattr("kowalevski_cas.cli.audit.auditing", lambda *_: base())
+def decided(monkeypatch):
+    """The derivation is decided once for all tests."""
+    base().outcomes  # noqa: B018
+    monkeypatch.setattr("kowalevski_cas.cli.audit.auditing", lambda *_: base())
 
 
 @pytest.fixture
@@ -68,6 +67,16 @@ def test_json(paper, capsys):
     assert value["summary"]["derivation"] == "kharlamov2002"
     assert value["summary"]["wrong"] == 10
     assert value["summary"]["claims"] == {"proved": 31, "conditional": 27, "refuted": 10}
+
+
+def test_sarif(paper, capsys):
+    main(["audit", str(paper), "--format", "sarif", *NAMED])
+    value = json.loads(capsys.readouterr().out)
+    results = value["runs"][0]["results"]
+    assert value["version"] == "2.1.0"
+    assert sum(result["ruleId"] == "refuted" for result in results) == 10
+    rules = {rule["id"] for rule in value["runs"][0]["tool"]["driver"]["rules"]}
+    assert {result["ruleId"] for result in results} <= rules
 
 
 def test_github(paper, capsys):

@@ -16,6 +16,8 @@ from kowalevski_cas.motion import METHODS, Motion
 from kowalevski_cas.motion.methods.ball import enclosures
 from tests.sample import sampled
 
+pytestmark = pytest.mark.usefixtures("here")
+
 FIELDS = ["--a", "1", "--b", "0.4"]
 USUAL = [*FIELDS, "--m", "0.8", "--l", "0.9", "--until", "2", "--samples", "5"]
 
@@ -74,6 +76,7 @@ def test_taylor_follows_it_too_or_says_what_to_install(cli):
             ("heyoka", ["motion", *USUAL, "--method", "taylor"], "taylor"),
             ("numpy", ["verify", "kharlamov2002", "--arithmetic", "floating"], "motion"),
             ("matplotlib", ["pictures", "rectangle"], "motion"),
+            ("matplotlib", ["animation"], "motion"),
         ],
         1,
         seed=1,
@@ -90,19 +93,20 @@ def test_a_library_that_is_not_installed_is_named_with_its_extra(missing, comman
     assert (done.returncode, done.stdout, done.stderr) == (2, "", said)
 
 
-def test_csv_has_the_states_of_json(cli, tmp_path):
+def test_csv_and_npz_hold_the_same_states(cli, tmp_path):
     expected = states(cli(*USUAL)[1])
-    table = cli(*USUAL, "--format", "csv")[1]
-    header, *rows = csv.reader(io.StringIO(table))
+    header, *rows = csv.reader(io.StringIO(cli(*USUAL, "--format", "csv")[1]))
     assert header[:4] == ["t", "omega1", "omega2", "omega3"]
     assert np.array_equal(np.array(rows, dtype=float)[:, 1:], expected)
-    file = tmp_path / "new" / "motion.csv"
-    code, out, _ = cli(*USUAL, "--format", "csv", "--output", tmp_path / "new")
-    assert (code, out.strip(), file.read_text()) == (0, str(file), table)
+    code, out, _ = cli(*USUAL, "--format", "npz", "--output", tmp_path / "new")
+    assert code == 0 and out.strip() == str(tmp_path / "new" / "motion.npz")
+    with np.load(tmp_path / "new" / "motion.npz") as saved:
+        assert np.array_equal(np.hstack([saved[n] for n in ("omega", "alpha", "beta")]), expected)
+        assert json.loads(str(saved["regime"]))["tori"] == 1
 
 
 @pytest.mark.parametrize("constants", [["0.8", "0.9"], ["-0.5", "0"], ["5/7", "3/7"]])
-def test_balls_have_radii_in_every_format(cli, constants):
+def test_balls_have_radii_in_every_format(cli, constants, tmp_path):
     m, ell = constants
     given = [*FIELDS, "--m", m, "--l", ell, "--samples", 5, "--method", "ball"]
     out = cli(*given)[1]
@@ -113,6 +117,9 @@ def test_balls_have_radii_in_every_format(cli, constants):
         assert all(abs(x - number) <= radius for x, number in zip(balls, row, strict=True))
     header, *rows = csv.reader(io.StringIO(cli(*given, "--format", "csv")[1]))
     assert header[-1] == "radius" and [float(row[-1]) for row in rows] == radii
+    cli(*given, "--format", "npz", "--output", tmp_path)
+    with np.load(tmp_path / "motion.npz") as saved:
+        assert saved["radius"].tolist() == radii
 
 
 @pytest.mark.parametrize("method", ["closed", "ball", "dop853"])
@@ -236,8 +243,6 @@ def test_wrong_use_gets_a_message(cli, arguments, words):
 
 
 def test_following_a_motion_imports_no_pictures_and_the_command_line_no_arrays(cli):
-    import subprocess
-
     script = (
         "import sys; from kowalevski_cas.cli import main; main([]); "
         "assert 'numpy' not in sys.modules; "
@@ -250,7 +255,8 @@ def test_following_a_motion_imports_no_pictures_and_the_command_line_no_arrays(c
 
 @pytest.mark.parametrize("method", sampled(["radau", "lsoda", "dop853"], 1))
 @pytest.mark.parametrize("until", sampled(["1e6", "1e300", "-1e308"], 1))
-def test_a_method_that_comes_to_no_end_ends(cli, method, until):
+def test_a_method_that_comes_to_no_end_ends(cli, monkeypatch, method, until):
+    monkeypatch.undo()
     code, out, err = cli(*USUAL, "--method", method, "--until", until, "--timeout", 0.2)
     assert code == 3 and out == ""
     assert f"{method} has not come to t = {float(until):g} within 0.2 s; --timeout" in err

@@ -153,7 +153,7 @@ def test_the_value_of_a_polynomial():
 )
 def test_a_single_slip_is_mended(wrong, right):
     small = Oscillator()
-    (outcome,) = decide(small.section, Identity("t", small.scene, small(wrong), ""))
+    (outcome,) = decide(small.section, Identity("t", small.scene, "", printed=small(wrong)))
     assert outcome.verdict == "refuted"
     assert outcome.correction is not None and outcome.correction.verdict.green
     if right is not None:
@@ -162,5 +162,7 @@ def test_a_single_slip_is_mended(wrong, right):
 
 def test_a_hopeless_formula_has_no_correction():
     small = Oscillator()
-    (outcome,) = decide(small.section, Identity("t", small.scene, small("x^5+7=v^3-x+2"), ""))
+    (outcome,) = decide(
+        small.section, Identity("t", small.scene, "", printed=small("x^5+7=v^3-x+2"))
+    )
     assert outcome.verdict == "refuted" and outcome.correction is None

@@ -1,0 +1,51 @@
+"""The command animation."""
+
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from kowalevski_cas.cli import main
+from kowalevski_cas.motion.pictures import animation
+
+
+@pytest.fixture(autouse=True)
+def few_frames(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(animation, "FRAMES", 4)
+
+
+def test_it_writes_a_gif_in_which_the_body_moves(tmp_path: Path) -> None:
+    assert main(["animation", "--output", str(tmp_path / "new" / "body.gif")]) == 0
+    with Image.open(tmp_path / "new" / "body.gif") as found:
+        assert found.n_frames == 4
+        frames = []
+        for number in range(4):
+            found.seek(number)
+            frames.append(np.array(found.convert("L")))
+    assert all(np.any(a != b) for a, b in pairwise(frames))
+    assert [path.name for path in (tmp_path / "new").iterdir()] == ["body.gif"]
+
+
+def test_constants_without_a_motion_are_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    given = "animation --a 1 --b 0.4 --m 1 --l 0 --output".split()
+    assert main([*given, str(tmp_path / "body.gif")]) == 2
+    assert "negative" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_file_that_cannot_be_written_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file").write_text("")
+    assert main(["animation", "--output", str(tmp_path / "file" / "body.gif")]) == 2
+    assert "cannot be written" in capsys.readouterr().err
+
+
+def test_an_animation_is_a_gif(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for wrong in (tmp_path, tmp_path / "body.mp4"):
+        assert main(["animation", "--output", str(wrong)]) == 2
+        assert f"--output {wrong} is no file that ends with .gif" in capsys.readouterr().err
