@@ -22,7 +22,7 @@ from kowalevski_cas.verify.run import verify
 from tests.laws.systems import SYSTEMS
 from tests.sample import sampled
 
-pytestmark = pytest.mark.usefixtures("uncorrected", "unlimited")
+pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
 ROOT = Path(__file__).parents[1]
 
@@ -843,7 +843,8 @@ def test_darboux_polynomials_are_found_and_claimed(lorenz):
     assert [repr(one.formulas[0]) for one in found] and found[0].verdict is Verdict.PROVED
 
 
-def test_each_answer_has_its_time(capsys):
+def test_each_answer_has_its_time(capsys, monkeypatch):
+    monkeypatch.undo()
     chain = System(r"\dot x=yz+x^2,\ \dot y=zx-y^2,\ \dot z=xy,\ \dot u=x-u^3,\ \dot v=u")
     chain.seconds = 0.5
     found = chain.find_integrals(degree=12)

@@ -37,9 +37,9 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.errors import dotted, letter_and_index, undotted
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.brackets import Brackets
-from kowalevski_cas.paper.components import applied
+from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.functions import value_of
-from kowalevski_cas.paper.matrices import OF_MATRICES, by_rows, rows
+from kowalevski_cas.paper.matrices import OF_MATRICES, applied, by_rows, rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
 from kowalevski_cas.paper.roots import root_of_number
@@ -130,7 +130,7 @@ class Plain:
         if rank(vector, words) != VECTOR:
             raise Meaningless("a vector stands before a matrix: print it behind")
         matrix = Product(tuple(before)) if len(before) > 1 else before[0]
-        return applied(matrix, self(vector), self.setting)
+        return Vector(applied(rows(matrix, self.setting), parts(self(vector), self.setting)))
 
     def _derivative(self, argument: Formula, mark: str) -> Formula:
         """The rate by the time of the scene, or by the other one that its clock declares."""

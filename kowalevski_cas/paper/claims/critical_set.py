@@ -3,7 +3,7 @@ r"""Critical sets: where all derivatives of a function along a level surface van
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
 
 from kowalevski_cas.notation import (
@@ -26,7 +26,6 @@ from kowalevski_cas.problem.goals import Follows, Goal
 from kowalevski_cas.problem.space import Equation
 
 
-@dataclass(frozen=True, eq=False)
 class CriticalSet(Claim):
     r"""``equations`` define exactly the critical points of the printed function on a surface.
 
