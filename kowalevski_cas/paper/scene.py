@@ -315,7 +315,8 @@ class Scene:
         Then the name stands for the value at these; velocities and the time may be among them.
         """
         moving = (*self.variables, *self.vectors)
-        return {*moving, *map(dotted, moving), self.time}.issuperset(head(name)[1])
+        arguments = head(name)[1]
+        return not arguments or {*moving, *map(dotted, moving), self.time}.issuperset(arguments)
 
     def branches(self) -> Iterator[Printed]:
         """The places that print a value for a root: they choose one of two values."""
