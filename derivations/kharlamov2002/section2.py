@@ -338,23 +338,13 @@ with_root_and_unit = with_root.called("complex variables with the root and the u
     unit[1]
 )
 
-REAL = r"Hence Eqs.~(\ref{eq15}) can be written in the form"
-
 section.states(
     Equivalence,
-    real_form[1],
+    real_form,
     on=with_root_and_unit,
     says="the equations (15) in real form",
-    to=eq15[1],
-    sentence=REAL,
-)
-section.states(
-    Equivalence,
-    real_form[2],
-    on=with_root_and_unit,
-    says="the equations (15) in real form",
-    to=eq15[2],
-    sentence=REAL,
+    to=eq15,
+    sentence=r"Hence Eqs.~(\ref{eq15}) can be written in the form",
 )
 
 eq16 = section.display(
@@ -387,18 +377,10 @@ Substitution~(\ref{eq9}) leads to the invariant relations expressed in the initi
 
 section.states(
     Equivalence,
-    eq16[1],
+    eq16,
     on=with_xi,
     says="the relations (15) in the initial variables",
-    to=real_form[1],
-    sentence=INITIAL,
-)
-section.states(
-    Equivalence,
-    eq16[2],
-    on=with_xi,
-    says="the relations (15) in the initial variables",
-    to=real_form[2],
+    to=real_form,
     sentence=INITIAL,
 )
 

@@ -101,17 +101,10 @@ section.states(
 
 section.states(
     Definition,
-    solution[1],
+    solution,
     on=any_regime,
     says="the solutions in any regime, $s_1$ between $B$ and $A$, $s_2$ between $D$ and $C$",
-    equation=quartic[1],
-)
-section.states(
-    Definition,
-    solution[2],
-    on=any_regime,
-    says="the solutions in any regime, $s_1$ between $B$ and $A$, $s_2$ between $D$ and $C$",
-    equation=quartic[2],
+    equation=quartic,
 )
 section.states(
     Definition,

@@ -168,10 +168,7 @@ section.states(
     given=(*eq15,),
     main=((r"\omega_3",),),
 )
-for k in (1, 2):
-    section.states(
-        Definition, s[k], on=on_N4, says="the variables that separate", equation=separated[k]
-    )
+section.states(Definition, s, on=on_N4, says="the variables that separate", equation=separated)
 section.states(
     Definition,
     phi,
@@ -179,10 +176,7 @@ section.states(
     says="the polynomial of the separated equations",
     equation=separated[1],
 )
-for k in (1, 2):
-    section.states(
-        Definition, any_c[k], on=on_N4, says="$a$ and $b$ for any $c$", equation=separated[k]
-    )
+section.states(Definition, any_c, on=on_N4, says="$a$ and $b$ for any $c$", equation=separated)
 section.states(
     Identity,
     separated,

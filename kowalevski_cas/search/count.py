@@ -70,11 +70,14 @@ class Builder:
             },
             [Name(name) for name in self.system.unknowns],
         )
+        solved = self._solved()
+        if solved is None:
+            return None
         draft = Roots(
             root=self.root,
             form=form,
             eliminant=tuple(map(self.formula, self._coefficients())),
-            solved=tuple(self._solved()),
+            solved=tuple(solved),
             rows=(),
             quotients=(),
             factors=(),
@@ -94,16 +97,21 @@ class Builder:
             draft, rows=rows, quotients=quotients, factors=factors, minors=minors, point=point
         )
 
-    def _solved(self) -> list[tuple[str, Formula, Formula]]:
-        """Each variable by numerator and denominator."""
+    def _solved(self) -> list[tuple[str, Formula, Formula]] | None:
+        """Each variable by numerator and denominator, if it is zero or plus or minus an unknown."""
         found = {
             name: (self.formula(above), self.formula(below))
             for name, above, below in zip(
                 self.system.unknowns, self.found.numerators, self.found.denominators, strict=True
             )
         }
+        if any(self.at.scalar(below).is_zero for _, below in found.values()):
+            return None
         for name, expression in self.system.solved:
-            found[name] = self._expressed(self.system.terms(expression), found)
+            terms = self.system.terms(expression)
+            if len(terms) > 1 or any(sum(exponents) != 1 for exponents in terms):
+                return None
+            found[name] = self._expressed(terms, found)
         return [(name, *found[name]) for name in self.goal.names]
 
     def _expressed(
@@ -246,7 +254,8 @@ class Builder:
                 continue
             found = solution(self.system, point, constants)
             at = {n: found.get(n, Fraction(0)) for n in self.at.names}
-            numbers = [value(f.terms().get(0, {}), [at[n] for n in self.at.names]) for f in factors]
+            row = [at[n] for n in self.at.names]
+            numbers = [value(e.terms().get(0, {}), row) for e in (*factors, *self.at.granted)]
             if all(numbers):
                 return written_point(found)
         return None
@@ -271,6 +280,5 @@ def _by_roots(goal: Count, finder: PointFinder) -> Roots | None:
     system = system_of(goal, at)
     if system is None or not system.levels:
         return None
-    gens = [at.ring.polynomials.generator(at.names.index(name)) for name in system.unknowns]
-    found = eliminant(system.levels, gens)
+    found = eliminant([*map(system.terms, system.levels)], len(system.unknowns))
     return None if found is None else Builder(goal, system, found, finder).roots()

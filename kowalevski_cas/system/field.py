@@ -13,7 +13,6 @@ from typing import Any, Self
 from kowalevski_cas.library import MADE
 from kowalevski_cas.notation import (
     Formula,
-    OpenParser,
     heads,
     read,
     read_display,
@@ -138,8 +137,7 @@ class Field:
         scene = self.scene.called(f"{self.scene.name} where {said}")
         for relation in relations:
             tex = self._tex(relation)
-            formula = read(tex, vocabulary((scene,)), OpenParser)
-            tex = tex if heads(tex)[0].names else solved(formula, scene.constants) or tex
+            tex = tex if any(one.names for one in heads(tex)) else solved(tex, scene) or tex
             place = self._place("where", tex, supposed=True)
             scene = restricted(scene, place)
             scene = rooted(scene, place.display)

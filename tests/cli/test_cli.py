@@ -18,6 +18,8 @@ from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import Session
 from tests.sample import sampled
 
+pytestmark = pytest.mark.usefixtures("here")
+
 ROOT = Path(__file__).parents[2]
 
 HEAD = r"""
@@ -164,7 +166,8 @@ def test_3_undecided(cli, write):
     assert "would prove it is false, which does not refute it" in " ".join(out.split())
 
 
-def test_3_timed_out(cli, write):
+def test_3_timed_out(cli, write, monkeypatch):
+    monkeypatch.undo()
     slow = "class Slow(Identity):\n    def search(self, *_):\n        import time\n        time.sleep(3)\n"
     code, out, _ = cli("verify", write(f'{slow}t = s.display("t", "x=x")\ns.claim(Slow("slow", osc, "", printed=t[1]))'), "--timeout", "0.05")  # fmt: skip
     assert code == 3

@@ -25,7 +25,7 @@ from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement, finder_of
 from tests.paper.small import Oscillator, decide
 
-pytestmark = pytest.mark.usefixtures("uncorrected")
+pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
 NOTHING = "no real point is known that satisfies the hypotheses"
 

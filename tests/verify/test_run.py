@@ -2,7 +2,6 @@
 
 import sys
 import time
-from dataclasses import dataclass
 from typing import ClassVar
 
 import pytest
@@ -38,7 +37,6 @@ class Slow(Session):
         return super()._judged(statement, verdicts, arithmetic)
 
 
-@dataclass(frozen=True, eq=False)
 class LongSearch(Identity):
     def search(self, goals, on, names):
         time.sleep(5)
@@ -126,7 +124,7 @@ def test_an_id_is_given_once(small):
         decide(small.section, *claims)
 
 
-@pytest.mark.parametrize("name", sampled(available(), 2))
+@pytest.mark.parametrize("name", sampled(available(), 1, seed=8))
 def test_what_has_a_certificate_is_searched_for_no_more(name, monkeypatch):
     """That goes for the corrections of other derivations as well on which one rests."""
     monkeypatch.setitem(sys.modules, "kowalevski_cas.search.find", None)
