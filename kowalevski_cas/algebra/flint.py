@@ -70,8 +70,10 @@ class Arithmetic(Polynomials):
         self, polynomial: fmpq_mpoly, values: Sequence[fmpq_mpoly], target: Polynomials
     ) -> fmpq_mpoly:
         if values:
-            return polynomial.compose(*values)
-        return target.constant(self.terms(polynomial).get((), Fraction(0)))
+            image = polynomial.compose(*values)
+        else:
+            image = target.constant(self.terms(polynomial).get((), Fraction(0)))
+        return image
 
     def is_monomial(self, polynomial: fmpq_mpoly) -> bool:
         return len(polynomial) == 1

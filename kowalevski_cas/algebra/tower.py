@@ -107,8 +107,8 @@ class Ring:
                 product = self.multiply(p, q)
                 if left is right and mask < other:
                     product = product + product
-                key = mask & other, mask ^ other
-                products[key] = products[key] + product if key in products else product
+                pair = mask & other, mask ^ other
+                products[pair] = products[pair] + product if pair in products else product
         result: Parts = {}
         for (twice, mask), product in products.items():
             parts = {mask: product}

@@ -115,7 +115,7 @@ class Fold(ABC):
         return [left - right for left, right in self.pairs(equations)]
 
     def polynomial(self, formula: Sum) -> tuple[list[Element], list[Formula]]:
-        """The sum of the monomials in generators in a sum, if there are any, and the other terms."""
+        """The sum of those terms that are monomials in generators, if any, and the other terms."""
         places = self._places
         if not places:
             return [], [*formula.terms]
