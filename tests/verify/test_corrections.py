@@ -1,6 +1,5 @@
 """Corrections are proposals: nothing rests on one that the derivation does not accept."""
 
-from dataclasses import dataclass
 from time import sleep
 
 import pytest
@@ -15,7 +14,6 @@ from tests.paper.small import Oscillator, decide, derivation
 from tests.sample import sampled
 
 
-@dataclass(frozen=True, eq=False)
 class Slow(Definition):
     """A definition of which the corrections come late."""
 

@@ -2,7 +2,6 @@
 
 import sys
 import time
-from dataclasses import dataclass
 from typing import ClassVar
 
 import pytest
@@ -38,7 +37,6 @@ class Slow(Session):
         return super()._judged(statement, verdicts, arithmetic)
 
 
-@dataclass(frozen=True, eq=False)
 class LongSearch(Identity):
     def search(self, goals, on, names):
         time.sleep(5)

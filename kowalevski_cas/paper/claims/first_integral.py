@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
 
@@ -21,7 +20,6 @@ from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Equation, Meaningless
 
 
-@dataclass(frozen=True, eq=False)
 class FirstIntegral(Claim):
     """The printed expression is constant along every motion on the invariant set ``given``.
 

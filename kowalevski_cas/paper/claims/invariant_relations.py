@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.claims.claim import Claim
@@ -14,7 +14,6 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Exists, Follows, Goal
 
 
-@dataclass(frozen=True, eq=False)
 class InvariantRelations(Claim):
     """The printed equations define an invariant set: (F)' = M F with a matrix M that is found.
 

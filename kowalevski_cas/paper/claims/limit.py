@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula, Negative, edits, times, total
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
@@ -24,7 +23,6 @@ from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.goals import Exists, Follows, Goal, identity
 
 
-@dataclass(frozen=True, eq=False)
 class Limit(Claim):
     r"""The cofactor matrix of ``general`` goes over into the one of ``special``.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from kowalevski_cas.notation import Name, Partial, times, total
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
@@ -15,7 +15,6 @@ from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.goals import Exists, Follows, Goal, identity
 
 
-@dataclass(frozen=True, eq=False)
 class LastMultiplier(Claim):
     r"""``density`` is a last multiplier, on the whole space and on an invariant set.
 
