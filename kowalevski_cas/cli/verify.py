@@ -10,10 +10,10 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from itertools import pairwise
+from itertools import accumulate
 from pathlib import Path
 from time import sleep
 
@@ -34,7 +34,7 @@ from kowalevski_cas.library import READ, available, find, source
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
-from kowalevski_cas.verify.certificate import Stored
+from kowalevski_cas.verify.certificate import Stored, load_certificates
 from kowalevski_cas.verify.outcome import Run, Verdict
 from kowalevski_cas.verify.record import contradictions, differences, load_record, unexpected
 from kowalevski_cas.verify.teller import disagreement
@@ -73,10 +73,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run_derivations(arguments: argparse.Namespace) -> list[Result]:
     """Run the derivations and compare them with their records."""
     chosen = session.derivations(arguments.derivations, arguments.only)
+    stored = [load_certificates(folder) for folder, _ in chosen]
     parts = [
         (place, share)
         for place, (_, derivation) in enumerate(chosen)
-        for share in _shares(derivation, arguments.only, CORES // len(chosen))
+        for share in _shares(derivation, arguments.only, stored[place], CORES // len(chosen))
     ]
     texts = [_read(derivation) for _, derivation in chosen]  # once for all processes
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
@@ -87,7 +88,7 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
         place, share = part
         return session.run(
             *chosen[place], arithmetics, share, arguments.report is not None,
-            arguments.timeout, seed=arguments.seed, texts=texts[place],
+            arguments.timeout, stored[place], arguments.seed, texts[place],
         )  # fmt: skip
 
     runs: list[list[Run]] = [[] for _ in chosen]
@@ -106,16 +107,21 @@ def _read(derivation: Derivation) -> Texts:
     return texts
 
 
-def _shares(derivation: Derivation, only: Sequence[str], parts: int) -> Iterator[Sequence[str]]:
+def _shares(
+    derivation: Derivation, only: Sequence[str], stored: Mapping[str, Stored], parts: int
+) -> list[list[str]]:
     """The claims of a derivation in parts, for as many cores: what is decided does not differ.
 
     Claims that follow each other stand on the same scenes, which each process elaborates anew.
+    A claim costs what its statement does, as much as any other, and what its evidence does.
     """
     claims = [claim.id for claim in derivation.claims if not only or claim.id in only]
-    parts = max(1, min(parts, len(claims)))
-    ends = [len(claims) * part // parts for part in range(parts + 1)]
-    for start, end in pairwise(ends):
-        yield claims[start:end]
+    sizes = [stored[id].path.stat().st_size if id in stored else 0 for id in claims]
+    ends = [*accumulate(len(sizes) * size + sum(sizes) + 1 for size in sizes)]
+    shares: dict[int, list[str]] = {}
+    for id, end in zip(claims, ends, strict=True):
+        shares.setdefault(max(1, parts) * (end - 1) // ends[-1], []).append(id)
+    return list(shares.values()) or [[]]
 
 
 def _result(
