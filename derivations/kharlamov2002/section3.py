@@ -190,7 +190,6 @@ section.states(
     ids=("critical-set",),
     equations=(*eq18, *eq19),
     level=norm[1],
-    main=((r"\omega_3",),),
     sentence=CRITICAL,
 )
 section.claim(

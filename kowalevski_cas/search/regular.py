@@ -2,20 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from itertools import chain
+from collections.abc import Sequence
 
 from kowalevski_cas.algebra.linear import solve
-from kowalevski_cas.algebra.present import formula_in, written
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Quotient
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.evidence import Proof, Shown
-from kowalevski_cas.problem.fold import divisors_of
+from kowalevski_cas.problem.evidence import Shown
 from kowalevski_cas.problem.goals import Follows
-from kowalevski_cas.problem.space import Setting
-from kowalevski_cas.search.groebner import Combinations
-from kowalevski_cas.search.place import PointFinder
+from kowalevski_cas.search.in_turn import Names, Step, shown, steps_to
 
 Matrix = list[list[Element]]
 
@@ -26,7 +21,7 @@ def regular(
     functions: Sequence[Formula],
     multipliers: Sequence[str],
     conditions: Sequence[Element],
-    names: Callable[[Setting], Sequence[str]],
+    names: Names,
 ) -> Shown | None:
     """A proof that multipliers vanish one after another, and a point of the set, where they do.
 
@@ -37,86 +32,24 @@ def regular(
     (targets,) = map(at.differences, goal.conclusions)
     sparse = _sparse([at.scalar(function) for function in functions], at)
     generators = [_changed(element, sparse, multipliers, at) for element in known]
-    steps = _steps(targets, generators, multipliers, at.ring.divided_by(known), conditions)
-    if steps is None:
+    found = steps_to(targets, generators, at.ring.divided_by(known), conditions, multipliers)
+    if found is None:
         return None
     one, zero, size = at.ring.one, at.ring.zero, len(multipliers)
     columns = [solve(sparse, [one if k == j else zero for k in range(size)]) for j in range(size)]
     back = [[column[k] for column in columns] for k in range(size)]
-    own = {target: weights for target, weights in zip(targets, sparse, strict=True)}
-    last = [
-        [*(zero for _ in known), *(own[e][k] if e in own else zero for e, _ in steps)]
+    steps = []
+    for step in found[0]:
+        element, *row = (_changed(e, back, multipliers, at) for e in (step.element, *step.row))
+        steps.append(Step(element, row))
+    rows = [
+        [
+            sum((sparse[j][k] * row[n] for j, row in enumerate(found[1])), zero)
+            for n in range(len(found[1][0]))
+        ]
         for k in range(size)
     ]
-    used, proof = [*chain.from_iterable(last)], Proof(written(last))
-    for element, row in reversed(steps):
-        step, *entries = (_changed(e, back, multipliers, at) for e in (element, *row))
-        used += entries
-        proof = Proof((tuple(map(_in_turn, entries)),), written([[step]]), (proof,))
-    finder = PointFinder(lambda setting: at, names)
-    point = finder.point(at, [*known, *targets], [*known, *used])
-    return None if point is None else Shown(proof, point)
-
-
-Step = tuple[Element, list[Element]]
-"""What vanishes, and the row that combines it from what is known before it."""
-
-
-def _steps(
-    targets: Sequence[Element],
-    generators: Sequence[Element],
-    multipliers: Sequence[str],
-    units: Sequence[Element],
-    conditions: Sequence[Element],
-) -> list[Step] | None:
-    """How targets vanish in turn: each is known from there on; the shortest row comes next.
-
-    A target over conditions takes two steps, so that a row is not divided entry by entry.
-    """
-    left, steps = [*targets], list[Step]()
-    while left:
-        known = [*generators, *(element for element, _ in steps)]
-        made = Combinations(left, known, multipliers, units, conditions)
-        rows = [(target, row) for target in left if (row := made.row(target)) is not None]
-        if not rows:
-            return None
-        target, row = min(rows, key=lambda one: sum(map(_length, one[1])))
-        factor = _denominator(row)
-        if not (factor - factor.ring.one).is_zero:
-            steps.append((factor * target, [factor * entry for entry in row]))
-            row = [factor.ring.zero] * len(row) + [factor.inverse()]
-        steps.append((target, row))
-        left.remove(target)
-    return steps
-
-
-def _denominator(row: Sequence[Element]) -> Element:
-    """What the entries of a row are divided by together, without monomials."""
-    ring, exponents = row[0].ring, dict[int, int]()
-    for entry in row:
-        for index, exponent in entry.denominator.items():
-            if len(ring.polynomials.terms(ring.divisors[index])) > 1:
-                exponents[index] = max(exponent, exponents.get(index, 0))
-    product = ring.divisor_product(exponents)
-    return ring.one if product is None else ring.element({0: product}, {})
-
-
-def _length(element: Element) -> int:
-    return sum(map(len, element.terms().values()))
-
-
-def _in_turn(element: Element) -> Formula:
-    """The formula of an element that is divided by one factor after another.
-
-    Of a product of known divisors the checker knows each, but not each product of them.
-    """
-    formula = formula_in(element)
-    if isinstance(formula, Quotient):
-        divisors = [f for f, exponent in divisors_of(formula.denominator) for _ in range(exponent)]
-        formula = formula.numerator
-        for divisor in divisors:
-            formula = Quotient(formula, divisor)
-    return formula
+    return shown(steps, rows, [*known, *targets], conditions, at, names)
 
 
 def _changed(
