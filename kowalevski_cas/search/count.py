@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from itertools import compress
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -13,7 +14,7 @@ from kowalevski_cas.algebra.hermite import hermite_minors
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in, fraction_formula, polynomial_formula
 from kowalevski_cas.algebra.tower import Element, Ring
-from kowalevski_cas.notation import Formula, Name, Negative, Number, Product
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, total
 from kowalevski_cas.problem.count import eliminant_value, solved_rests
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Factor, Point, Roots
@@ -63,20 +64,13 @@ class Builder:
 
     def roots(self) -> Roots | None:
         """The evidence; ``None`` if not all minors are sums of squares, or a step fails."""
-        form = polynomial_formula(
-            {
-                tuple(int(j == k) for j in range(len(self.system.unknowns))): Fraction(c)
-                for k, c in enumerate(self.found.form)
-                if c
-            },
-            [Name(name) for name in self.system.unknowns],
-        )
+        chosen = compress(self.system.unknowns, self.found.form)
         solved = self._solved()
         if solved is None:
             return None
         draft = Roots(
             root=self.root,
-            form=form,
+            form=total(map(Name, chosen)),
             eliminant=tuple(map(self.formula, self._coefficients())),
             solved=tuple(solved),
             rows=(),
