@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
 from itertools import compress
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
@@ -25,12 +24,9 @@ from kowalevski_cas.search.eliminants import Eliminant, eliminant
 from kowalevski_cas.search.groebner import remainder
 from kowalevski_cas.search.levels import (
     System,
-    constants_for,
     more_solutions,
-    small_points,
-    solution,
+    solutions,
     system_of,
-    value,
     written_point,
 )
 from kowalevski_cas.search.place import PointFinder
@@ -233,16 +229,8 @@ class Builder:
 
     def _point(self, factors: Sequence[Element]) -> Point | None:
         """A solution in small whole numbers, with its constants."""
-        levels = [self.system.terms(level) for level in self.system.levels]
-        for point, values in small_points(levels, len(self.system.unknowns)):
-            constants = constants_for(self.system, values)
-            if constants is None:
-                continue
-            found = solution(self.system, point, constants)
-            at = {n: found.get(n, Fraction(0)) for n in self.at.names}
-            row = [at[n] for n in self.at.names]
-            numbers = [value(e.terms().get(0, {}), row) for e in (*factors, *self.at.granted)]
-            if all(numbers):
+        for found in solutions(self.system):
+            if all(self.system.value(factor, found) for factor in factors):
                 return written_point(found)
         return None
 
