@@ -193,17 +193,21 @@ class Scene:
         scene = self
         for root in roots:
             if isinstance(root, str):
-                scene = scene._with_root(root, None)
+                scene = scene.solving(root, None)
                 continue
             for place in statements(root):
                 if len(place.heads.squares) != 1:
                     raise ValueError(f"{place.place} does not give the square of one name")
-                scene = scene._with_root(place.heads.squares[0], place)
+                scene = scene.solving(place.heads.squares[0], place)
         return scene
 
-    def solving(self, root: str, by: Printed) -> Scene:
-        """The scene with a square root by an equation in which its square stands somewhere."""
-        return self._with_root(root, by)
+    def solving(self, root: str, by: Printed | None) -> Scene:
+        """The scene with a square root, by an equation in which its square stands somewhere.
+
+        A root that is printed as such needs none. Raises ``ValueError`` if it is known.
+        """
+        self._is_new(root, self.roots, self.definitions)
+        return replace(self, roots={**self.roots, root: by})
 
     def restricted(self, *by: Display | Printed) -> Scene:
         """The scene where printed equations set variables to zero."""
@@ -259,10 +263,6 @@ class Scene:
                     self._is_new(name, definitions)
                 definitions[name] = place
         return replace(self, definitions=definitions)
-
-    def _with_root(self, name: str, place: Printed | None) -> Scene:
-        self._is_new(name, self.roots, self.definitions)
-        return replace(self, roots={**self.roots, name: place})
 
     def _is_new(self, name: str, *known: Container[str]) -> None:
         if any(name in names for names in known):

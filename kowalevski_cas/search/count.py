@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
+from itertools import compress
 
-from flint import fmpq_mpoly
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.flint import to_fraction
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_fraction
 from kowalevski_cas.algebra.hermite import hermite_minors
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in, fraction_formula, polynomial_formula
 from kowalevski_cas.algebra.tower import Element, Ring
-from kowalevski_cas.notation import Formula, Name, Negative, Number, Product
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, total
 from kowalevski_cas.problem.count import eliminant_value, solved_rests
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Factor, Point, Roots
@@ -21,14 +21,12 @@ from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.eliminants import Eliminant, eliminant
+from kowalevski_cas.search.groebner import remainder
 from kowalevski_cas.search.levels import (
     System,
-    constants_for,
     more_solutions,
-    small_points,
-    solution,
+    solutions,
     system_of,
-    value,
     written_point,
 )
 from kowalevski_cas.search.place import PointFinder
@@ -62,20 +60,13 @@ class Builder:
 
     def roots(self) -> Roots | None:
         """The evidence; ``None`` if not all minors are sums of squares, or a step fails."""
-        form = polynomial_formula(
-            {
-                tuple(int(j == k) for j in range(len(self.system.unknowns))): Fraction(c)
-                for k, c in enumerate(self.found.form)
-                if c
-            },
-            [Name(name) for name in self.system.unknowns],
-        )
+        chosen = compress(self.system.unknowns, self.found.form)
         solved = self._solved()
         if solved is None:
             return None
         draft = Roots(
             root=self.root,
-            form=form,
+            form=total(map(Name, chosen)),
             eliminant=tuple(map(self.formula, self._coefficients())),
             solved=tuple(solved),
             rows=(),
@@ -209,31 +200,22 @@ class Builder:
         return Factor(written, pairs, tuple(map(formula_in, row)), self._granted(bases))
 
     def _in_variables(self, factor: Formula) -> Element | None:
-        """A factor in the constants, these being what the original equations set equal to them."""
-        rest = self.at.scalar(factor)
-        constants = {self.at.names.index(name) for name in self.at.setting.constants}
-        for element in self.known:
-            inner: Terms = {}
-            outer: Terms = {}
-            for exponents, v in element.terms()[0].items():
-                inside = any(exponents[k] for k in constants)
-                (inner if inside else outer)[exponents] = v
-            if len(inner) != 1:
-                continue
-            ((exponents, lead),) = inner.items()
-            rest = self._replaced(rest, exponents, {e: -v / lead for e, v in outer.items()})
-        terms = rest.terms().get(0, {})
-        return None if any(e[k] for e in terms for k in constants) else rest
+        """A factor in which constants are replaced by what the equations set equal to them."""
+        names, still = self.at.names, self.at.setting.constants
+        order = sorted(range(len(names)), key=lambda k: names[k] not in still)
+        context = fmpq_mpoly_ctx.get([f"x{k}" for k in order], Ordering.lex)
 
-    def _replaced(self, element: Element, monomial: Sequence[int], by: Terms) -> Element:
-        """An element with a polynomial in place of a monomial in the constants."""
-        image = self.at.ring.from_terms({0: by})
-        total = self.at.ring.zero
-        for exponents, coefficient in element.terms().get(0, {}).items():
-            power = min(e // m for e, m in zip(exponents, monomial, strict=True) if m)
-            left = tuple(e - power * m for e, m in zip(exponents, monomial, strict=True))
-            total = total + self.at.ring.from_terms({0: {left: coefficient}}) * image**power
-        return total
+        def carried(element: Element) -> fmpq_mpoly:
+            terms = element.terms().get(0, {})
+            return polynomial_of(context, {tuple(e[k] for k in order): v for e, v in terms.items()})
+
+        known = [one for one in map(carried, self.known) if any(one.monomial(0)[: len(still)])]
+        rest = remainder(carried(self.at.scalar(factor)), known)
+        if any(rest.degrees()[: len(still)]):
+            return None
+        places = [order.index(k) for k in range(len(names))]
+        back = {tuple(e[k] for k in places): value for e, value in terms_of(rest).items()}
+        return self.at.ring.from_terms({0: back})
 
     def _granted(self, bases: Sequence[Element]) -> tuple[int, tuple[Formula, ...]] | None:
         """Something granted that would vanish where all bases do."""
@@ -247,16 +229,8 @@ class Builder:
 
     def _point(self, factors: Sequence[Element]) -> Point | None:
         """A solution in small whole numbers, with its constants."""
-        levels = [self.system.terms(level) for level in self.system.levels]
-        for point, values in small_points(levels, len(self.system.unknowns)):
-            constants = constants_for(self.system, values)
-            if constants is None:
-                continue
-            found = solution(self.system, point, constants)
-            at = {n: found.get(n, Fraction(0)) for n in self.at.names}
-            row = [at[n] for n in self.at.names]
-            numbers = [value(e.terms().get(0, {}), row) for e in (*factors, *self.at.granted)]
-            if all(numbers):
+        for found in solutions(self.system):
+            if all(self.system.value(factor, found) for factor in factors):
                 return written_point(found)
         return None
 

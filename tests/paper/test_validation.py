@@ -170,6 +170,11 @@ def test_a_polynomial_that_is_a_square_at_some_numbers_is_none(paper):
     refused(paper.outcome(Identity, "r^2=x", scene), "d0.1", "does not give r^2")
 
 
+def test_a_root_by_which_is_divided_is_not_solved_for(paper):
+    scene = Scene("s", variables=("x",), roots={"r": paper(r"\frac{r^4}{r^2}=x")})
+    refused(paper.outcome(Identity, "r^2=x", scene), "d0.1", "does not give r^2")
+
+
 def test_all_members_of_a_chain_give_the_same_square():
     for tex, verdict in (("r^2+x=y=x+y^2", "error"), ("r^2+x=y=y+x-x", "proved")):
         paper = Paper()
