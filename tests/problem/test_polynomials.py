@@ -23,7 +23,7 @@ sums = st.lists(st.tuples(numbers, st.lists(st.sampled_from("xyrsuv"), max_size=
 def ring():
     """Polynomials in x and y, these inverses and these roots."""
     found = Ring(Budget(10**9))
-    x, u, y, r, v, _ = (found.adjoin(name) for name in "xuyrvs")
+    x, _, y, r, *_ = (found.adjoin(name) for name in "xuyrvs")
     found.divisors |= {"u": x - y * found.number(2), "v": y}
     found.relate("r", y * found.number(3))
     found.relate("s", x * r * found.generator("v") * found.number(Fraction(1, 5)))

@@ -171,9 +171,7 @@ class Element(checker.Element):
     ring: Traced
 
     def __init__(self, element: checker.Element, text: str) -> None:
-        super().__init__(
-            element.ring, element.terms, element.below, element.bits, element.under
-        )
+        super().__init__(element.ring, element.terms, element.below, element.bits, element.under)
         self.text = text if len(text) < LENGTH else self.ring.writer.define(text)
 
     def __neg__(self) -> checker.Element:

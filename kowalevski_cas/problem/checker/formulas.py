@@ -44,7 +44,7 @@ class Map:
         """What a product of generators becomes."""
         if monomial not in self.monomials:
             powers = self.ring.exponents(monomial)
-            images = [self.image(name) if e == 1 else self.image(name) ** e for name, e in powers]
+            images = [image for name, e in powers for image in [self.image(name)] * e]
             self.monomials[monomial] = self.space.ring.product(images)
         return self.monomials[monomial]
 
@@ -110,14 +110,14 @@ class Formulas:
 
     def value(self, tree: Json) -> Value:
         """The value of a formula."""
-        self.ring.spend(1)
         if type(tree) is int:
             return (self.ring.number(tree),)
         if type(tree) is str:
-            if tree not in self.env:
-                raise Rejected(f"{tree:.80} is not defined")
-            return self.env[tree]
+            if tree in self.env:
+                return self.env[tree]
+            raise Rejected(f"{tree:.80} is not defined")
         op, parts = operation(tree)
+        self.ring.spend(len(tree))
         if op == "^":
             return (self.scalar(parts[0]) ** exponent(parts[1]),)
         if op == "d":
@@ -171,7 +171,7 @@ class Formulas:
     # division
 
     def inverse(self, element: Element, words: str = "") -> Element:
-        """One over the element: the other values over its norm, a product of divisors.
+        """One over the element: what is below it and the other values, over its norm.
 
         The words are for the case that a new divisor has to be entered.
         """
@@ -185,6 +185,8 @@ class Formulas:
         content, norm = norm.primitive()
         parts.append(self.ring.number(1 / content))
         for name in self.known:
+            if norm.terms.keys() == {0}:
+                break
             while (quotient := norm.over(self.ring.divisors[name])) is not None:
                 norm = quotient
                 parts.append(self.ring.generator(name))
@@ -261,6 +263,8 @@ class Formulas:
 
     def conj(self, element: Element) -> Element:
         """The complex conjugate; that of a divisor does not vanish either."""
+        if not element.generators():
+            return element
         conjugate = self.reflection()(element)
         for name in conjugate.generators():
             known = name in self.env or name in self.ring.divisors

@@ -1,4 +1,4 @@
-"""Polynomials over the rational numbers; some generators are roots of other polynomials."""
+"""Fractions of polynomials over the rational numbers; some generators are roots of others."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Terms = dict[int, int]
 
 
 class Ring:
-    """Polynomials over the rational numbers in generators, of which some obey relations.
+    """Polynomials over the rational numbers in generators, of which some are roots or inverses.
 
     A monomial is an integer: the total degree in its lowest bits, then the exponents of the
     generators, in the order in which these were adjoined. Such integers add and compare as
@@ -37,8 +37,8 @@ class Ring:
         self.unknown: set[str] = set()  # what may depend on all other names
         self.once, self.squares = 0, 0  # the bits of roots, and of their higher powers
         self.guard = 1 << WIDTH - 1
-        self.evens: dict[int, tuple[int, Element]] = {}
-        self.denominators: dict[int, Element] = {}
+        self.evens: dict[int, tuple[int, Element]] = {}  # even powers of roots
+        self.denominators: dict[int, Element] = {}  # by the monomials of inverses
 
     def another(self) -> Ring:
         """A ring without generators; the work in both is counted together."""
@@ -172,10 +172,10 @@ def degree(monomials: Iterable[int]) -> int:
 
 
 class Element:
-    """A polynomial: integer coefficients, and a positive integer below them.
+    """A polynomial over a positive integer and divisors: ``under`` is a monomial of their inverses.
 
-    None of these has more than so many bits; that is no more than a bound while they are few.
-    What is below may have divisors besides, whose inverses are the factors of a monomial, ``under``.
+    The terms are without inverses, and have integer coefficients; an element is zero if it has no
+    terms. No integer has more than so many bits; that is no more than a bound while they are few.
     """
 
     __slots__ = ("below", "bits", "ring", "terms", "under")
@@ -334,7 +334,7 @@ class Element:
 
     def value(self) -> Fraction | None:
         """The number that it is, if it is one."""
-        if self.under or self.terms.keys() - {0}:
+        if self.terms and (len(self.terms) > 1 or 0 not in self.terms or self.under):
             return None
         return Fraction(self.terms.get(0, 0), self.below)
 

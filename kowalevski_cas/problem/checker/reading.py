@@ -193,7 +193,7 @@ def say(tree: Json, around: int = 0) -> str:
     if type(tree) is int:
         return f"({tree})" if tree < 0 and around else str(tree)
     if type(tree) is not list:
-        return label(tree)
+        return tree if type(tree) is str else label(tree)
     op, parts = operation(tree)
     binds = BINDS.get(op, 0)
     words = [say(part, binds) for part in parts]
