@@ -12,9 +12,9 @@ import typst
 
 from kowalevski_cas.cli import main
 from kowalevski_cas.library import load
-from kowalevski_cas.report import Contents, sections
+from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Document, Link
-from kowalevski_cas.report.places import names
+from kowalevski_cas.report.places import names, sections
 from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.verify.run import verify
 

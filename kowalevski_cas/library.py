@@ -54,7 +54,7 @@ def find(name: str) -> Path:
         return path.parent
     if path.is_file() and path.suffix == ".py":
         return path.with_suffix(EVIDENCE)
-    if path.exists():
+    if name and path.exists():
         raise LibraryError(
             f"{name} is no derivation: a Python file is expected, or a folder with an __init__.py"
             + ("; a TeX source is for `kowalevski-cas audit`" if path.suffix == ".tex" else "")

@@ -20,12 +20,14 @@ class Tool:
         title: what its authors call it.
         calls: how it may be called; the first that is installed is taken.
         package: what has to be installed on Debian for it.
+        reads: what certificates are written as for it.
         version: the arguments with which it tells its version, on the first line.
     """
 
     title: str
     calls: tuple[tuple[str, ...], ...]
     package: str
+    reads: str
     version: tuple[str, ...] = ("--version",)
 
     def call(self) -> tuple[str, ...]:
@@ -43,13 +45,21 @@ class Tool:
         )
 
 
+_OWN = "polynomial identities, and it differentiates by its own `{}`".format
+
 TOOLS = {
-    "rocq": Tool("Rocq", (("coqc",), ("rocq", "compile")), "coq"),
-    "singular": Tool("Singular", (("Singular",),), "singular-ui"),
-    "pari": Tool("PARI/GP", (("gp",),), "pari-gp", ("--version-short",)),
-    "maxima": Tool("Maxima", (("maxima",),), "maxima"),
-}
-"""The tools that can confirm certificates, in the order in which they are named."""
+    "rocq": Tool(
+        "Rocq", (("coqc",), ("rocq", "compile")), "coq",
+        "theorems, and it differentiates by itself and assumes no axioms",
+    ),
+    "singular": Tool("Singular", (("Singular",),), "singular-ui", _OWN("diff")),
+    "pari": Tool("PARI/GP", (("gp",),), "pari-gp", _OWN("deriv"), ("--version-short",)),
+    "maxima": Tool("Maxima", (("maxima",),), "maxima", _OWN("diff")),
+}  # fmt: skip
+"""The tools that can confirm certificates, in the order in which they are named.
+
+Each has a module in :mod:`kowalevski_cas.export` with a class ``Program``.
+"""
 
 _LIBRARIES = {"flint": "FLINT", "symengine": "SymEngine", "sympy": "SymPy"}
 

@@ -39,9 +39,10 @@ class Paper:
                 on = self.printed.under(texts)
                 if (found := recorded_correction(self.claims[id], on, wanted)) is None:
                     raise ValueError(f"{id} has no correction {wanted}: `make record` writes it")
-                self.claims[id] = found.claim
-                if found.edit is not None and found.printed is not None:
-                    texts = texts.with_source(found.printed.display, found.edit.tex)
+                neighbour, _ = found
+                self.claims[id] = neighbour.claim
+                if neighbour.edit is not None and neighbour.printed is not None:
+                    texts = texts.with_source(neighbour.printed.display, neighbour.edit.tex)
         self.corrected = self.printed.under(texts)
 
     @cached_property

@@ -1,16 +1,15 @@
 """What all tests share: the derivations with one run of each, and how hard Hypothesis looks."""
 
 import gc
+import os
 import pickle
 import signal
 from fcntl import LOCK_EX, flock
-from os import environ
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
 
-from kowalevski_cas import System
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.verify.certificate import load_certificates
@@ -72,7 +71,7 @@ def certificates(folder):
 def run(derivation, certificates, record, tmp_path_factory):
     """The whole paper in all three arithmetics; the first process that asks makes it for all."""
     shared = tmp_path_factory.getbasetemp()
-    place = (shared.parent if "PYTEST_XDIST_WORKER" in environ else shared) / "run.pickle"
+    place = (shared.parent if "PYTEST_XDIST_WORKER" in os.environ else shared) / "run.pickle"
     with place.with_suffix(".lock").open("w") as lock:
         flock(lock, LOCK_EX)
         if not place.exists():
@@ -94,13 +93,10 @@ def uncorrected():
         yield
 
 
-@pytest.fixture(scope="module")
-def unlimited():
-    """What a system claims is decided here, unless it has a limit of its own, and not in a copy."""
+@pytest.fixture
+def here(monkeypatch):
+    """All is decided in this process, as where a system makes no copies of one: no limit holds.
 
-    def here(*arguments, timeout):
-        return verify(*arguments, timeout=None if timeout == System.seconds else timeout)
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("kowalevski_cas.system.answers.verify", here)
-        yield
+    A test of limits or of several processes undoes it.
+    """
+    monkeypatch.delattr(os, "fork")

@@ -46,11 +46,12 @@ def test_the_message_names_file_and_line(tmp_path, text, message):
     assert str(raised.value).startswith(message.format(file=initial))
 
 
-def test_what_is_not_there_is_said_with_what_is():
+@pytest.mark.parametrize("name", ["euler1758", ""])
+def test_what_is_not_there_is_said_with_what_is(name):
     with pytest.raises(
-        LibraryError, match=r"there is no derivation “euler1758”; the library has: .*kharlamov2002"
+        LibraryError, match=f"there is no derivation “{name}”; the library has: .*kharlamov2002"
     ):
-        find("euler1758")
+        find(name)
 
 
 def test_a_file_is_no_derivation(tmp_path):

@@ -28,10 +28,7 @@ w_1/2 & 0 & \omega_3/2 & \kappa\\
 )
 
 spectral = (
-    complex_variables.described(
-        "spectral parameter",
-        "the variables (9) with a constant $\\kappa$, where all other constants abbreviate functions",
-    )
+    complex_variables.called("spectral parameter")
     .having(vectors=VECTORS, constants=(r"\kappa", r"\mu"), nonzero=(r"\kappa",))
     .with_unit(unit[1])
     .adjoining(eq4[1], eq4[2], p)

@@ -44,7 +44,6 @@ eq3 = section.display(
 
 any_body = Scene(
     "any body",
-    "the Poisson equations (3) with an arbitrary angular velocity",
     vectors=FRAME,
     variables=(*ALPHA, *BETA),
     constants=OMEGA,
@@ -81,7 +80,6 @@ energy_by_force = section.lemma(
 general = (
     Scene(
         "general body",
-        "the equations (2), (3) of a body with any principal moments of inertia and any e1, e2",
         vectors={**FRAME, **AXES},
         variables=(*OMEGA, *ALPHA, *BETA),
         constants=(*MOMENTS, *AXES[r"\mathbf{e}_1"], *AXES[r"\mathbf{e}_2"]),
@@ -121,25 +119,16 @@ A_1  = A_2  = 2A_3 , \quad {\bf e}_1  = (1,0,0), \quad {\bf e}_2  =
 (0,1,0).""",
 )
 
-body = (
-    Scene("", "", vectors=FRAME, variables=(*OMEGA, *ALPHA, *BETA))
-    .moving(eq2, eq3)
-    .defining(inertia)
-)
+body = Scene(vectors=FRAME, variables=(*OMEGA, *ALPHA, *BETA)).moving(eq2, eq3).defining(inertia)
 
 any_scale = (
-    body.described(
-        "unscaled", "the equations (2), (3) in the analogue of the Kowalevski case, in any units"
-    )
+    body.called("unscaled")
     .having(constants=("A_3", "u_0"), nonzero=("A_3", "u_0"))
     .defining(kowalevski_case)
     .adjoining(r"\sqrt{A_3/u_0}")
 )
 
-equations = body.described(
-    "Euler–Poisson equations",
-    "the equations (2), (3) specialised to the analogue of the Kowalevski case",
-).defining(kowalevski_case, unit_inertia)
+equations = body.called("Euler–Poisson equations").defining(kowalevski_case, unit_inertia)
 
 section.states(
     Scaling,
@@ -184,10 +173,7 @@ _3  + \omega _2 \beta _3 ),""",
 eq8 = section.display("eq8", r"H = h,\quad J_3  = j")
 
 kowalevski = (
-    equations.described(
-        "Kowalevski case",
-        "the equations (2), (3) specialised to the analogue of the Kowalevski case",
-    )
+    equations.called("Kowalevski case")
     .defining(energy, eq6, J, J3)
     .naming("h", eq8[1])
     .naming("j", eq8[2])
@@ -209,7 +195,6 @@ section.claim(
     InvariantRelations(
         "eq7",
         kowalevski,
-        None,
         "the zero level of $K$ is invariant; with (4) it is the set $M^4$",
         relations=(*eq7,),
         sentence=M4,
@@ -237,12 +222,7 @@ PLANAR = Locus(
 )
 
 real_variables = (
-    kowalevski.described(
-        "initial variables, real",
-        "the Kowalevski case, where $a$, $b$, $c$ abbreviate the integrals (4)",
-    )
-    .adjoining(eq4[1], eq4[2])
-    .defining(eq4[3])
+    kowalevski.called("initial variables, real").adjoining(eq4[1], eq4[2]).defining(eq4[3])
 )
 
 over_M4 = section.lemma(
@@ -255,7 +235,6 @@ section.claim(
     Dimension(
         "M4-dimension",
         real_variables.having(loci=(PLANAR,), nonzero=NOT_PARALLEL),
-        None,
         "with (4), the relations (7) define a four-dimensional manifold $M^4$",
         levels=(*eq4,),
         equations=(*eq7,),
@@ -265,7 +244,6 @@ section.claim(
     Independence(
         "M4-independence",
         kowalevski,
-        None,
         "$H$ and $J_3$ are independent on $M^4$",
         levels=(*eq4,),
         equations=(*eq7,),

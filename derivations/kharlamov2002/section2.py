@@ -27,7 +27,6 @@ section.claim(
     Degree(
         "linear-in-w3",
         kowalevski,
-        None,
         r"the derivative of any expression free of $\omega_3$ is at most linear in $\omega_3$",
         variable=r"\omega_3",
         degree=1,
@@ -84,10 +83,7 @@ Q_2 = x_2 z_1 w_1  - x_1 z_2 w_2.""",
 PAIRS = (("x_1", "x_2"), ("y_1", "y_2"), ("z_1", "z_2"), ("w_1", "w_2"))
 
 with_unit = (
-    kowalevski.described(
-        "initial variables",
-        "the Kowalevski case with the imaginary unit, and the complex variables (9) as abbreviations",
-    )
+    kowalevski.called("initial variables")
     .having(undefined=("w_3",))
     .defining(eq9)
     .with_unit(unit[1], tau[1])
@@ -95,10 +91,7 @@ with_unit = (
 
 complex_variables = (
     with_unit.changed(eq9, tau[1], keeping=(r"\omega_3",))
-    .described(
-        "complex variables",
-        "the variables (9) in the time (10), with the field derived through the change",
-    )
+    .called("complex variables")
     .having(undefined=("w_3",), conjugates=PAIRS)
     .defining(eq11)
 )
@@ -114,7 +107,6 @@ section.claim(
     InvertibleChange(
         "eq9",
         complex_variables,
-        None,
         "the change (9) is invertible, and the variables come in conjugate pairs",
         old=with_unit,
         pairs=PAIRS,
@@ -151,9 +143,9 @@ terms not depending on $\omega_3$""",
 
 ansatz = section.display("ansatz", r"\theta ^m \omega _3  - \theta ^n Q_1.")
 
-symbolic_exponents = complex_variables.described(
-    "symbolic exponents", "the complex variables with two undetermined exponents of $\\theta$"
-).having(constants=("m", "n"), powers=((r"\theta", "m"), (r"\theta", "n")))
+symbolic_exponents = complex_variables.called("symbolic exponents").having(
+    constants=("m", "n"), powers=((r"\theta", "m"), (r"\theta", "n"))
+)
 
 ansatz_coefficient = section.states(
     Coefficient,
@@ -175,7 +167,6 @@ section.claim(
     SolvedExponents(
         "ansatz-exponents",
         symbolic_exponents,
-        None,
         "the coefficient vanishes for these exponents and for no others",
         values=(*ansatz_exponents,),
         ansatz=ansatz[1],
@@ -217,10 +208,7 @@ U_1  = \frac{x_2 } {x_1 } c_1 (w_1^2  + x_1 ),\qquad U_2  =
 )
 
 with_constants = (
-    complex_variables.described(
-        "complex variables with c1 and c2",
-        "the complex variables and $\\sqrt{x_1x_2}$, where $c_1$ and $c_2$ are the constants (4)",
-    )
+    complex_variables.called("complex variables with c1 and c2")
     .having(
         constants=("c_1", "c_2"),
         conjugates=(("c_1", "c_2"),),
@@ -233,10 +221,7 @@ with_constants = (
 )
 
 initial = (
-    kowalevski.described(
-        "initial variables with the constants (4)",
-        "the Kowalevski case with $a$, $b$, $c$, the abbreviations (9) and the imaginary unit",
-    )
+    kowalevski.called("initial variables with the constants (4)")
     .adjoining(eq4[1], eq4[2])
     .defining(eq9, eq4[3], c)
     .with_unit(unit[1], tau[1])
@@ -280,10 +265,7 @@ z_1 w_1  + x_1 z_2 w_2 } {\sqrt {x_1 x_2 } }}).}
 
 F2 = section.inline("F2", r"F_2  = U_1  - U_2")
 
-with_root = with_constants.described(
-    "complex variables with the root",
-    "the complex variables and $\\sqrt{x_1x_2}$, where $c_1$ and $c_2$ are the constants (4)",
-).defining(F2)
+with_root = with_constants.called("complex variables with the root").defining(F2)
 
 F_prime = section.identity(
     "F-prime",
@@ -302,10 +284,7 @@ eq15 = section.display("eq15", r"F_1  = 0,\quad F_2  = 0")
 
 # For statements about sets in the space of all nine variables the constants of (4) are functions.
 all_constants = (
-    complex_variables.described(
-        "complex variables, all constants",
-        "the complex variables, $\\sqrt{x_1x_2}$ and $i$, where $c_1$, $c_2$ abbreviate the integrals (4)",
-    )
+    complex_variables.called("complex variables, all constants")
     .having(
         vectors=FRAME,
         loci=(Locus("$a=b$ and $c=0$", ("c_1=0", "c_2=0"), AS_LARGE.condition),),
@@ -319,7 +298,6 @@ all_constants = (
 N4 = InvariantRelations(
     "eq15",
     with_root,
-    None,
     "the equations $F_1=0$, $F_2=0$ define an invariant manifold; with (4) it is the set $N^4$",
     relations=(*eq15,),
     sentence=r"defines the invariant submanifold of the phase space of Eqs.~(\ref{eq10})",
@@ -329,7 +307,6 @@ section.claim(
     Dimension(
         "N4-dimension",
         all_constants,
-        None,
         "with (4), the relations (15) define a four-dimensional manifold $N^4$",
         levels=(*eq4,),
         equations=(*eq15,),
@@ -341,7 +318,6 @@ fields, this manifold has dimension~4""",
     Reality(
         "reality",
         with_root,
-        None,
         r"$\theta$ and $Q_1$ are real, $U_1-U_2$ is purely imaginary",
         real=(r"\theta", "Q_1"),
         imaginary=("U_1-U_2",),
@@ -358,27 +334,17 @@ x_1 x_2 \omega _3  - 2{\mathop{\rm Re}\nolimits} (x_2 z_1 w_1 ) =
 0,\qquad {\mathop{\rm Im}\nolimits} [x_2^2 c_1 (w_1^2  + x_1 )] = 0.""",
 )
 
-with_root_and_unit = with_root.described(
-    "complex variables with the root and the unit", "the same with $i$, for imaginary parts"
-).with_unit(unit[1])
-
-REAL = r"Hence Eqs.~(\ref{eq15}) can be written in the form"
-
-section.states(
-    Equivalence,
-    real_form[1],
-    on=with_root_and_unit,
-    says="the equations (15) in real form",
-    to=eq15[1],
-    sentence=REAL,
+with_root_and_unit = with_root.called("complex variables with the root and the unit").with_unit(
+    unit[1]
 )
+
 section.states(
     Equivalence,
-    real_form[2],
+    real_form,
     on=with_root_and_unit,
     says="the equations (15) in real form",
-    to=eq15[2],
-    sentence=REAL,
+    to=eq15,
+    sentence=r"Hence Eqs.~(\ref{eq15}) can be written in the form",
 )
 
 eq16 = section.display(
@@ -404,36 +370,22 @@ xi = section.display(
 _1 .""",
 )
 
-with_xi = initial.described(
-    "initial variables with $\\xi_1$ and $\\xi_2$",
-    "the Kowalevski case with $a$, $b$, $c$, the abbreviations (9) and the imaginary unit",
-).defining(xi)
+with_xi = initial.called("initial variables with $\\xi_1$ and $\\xi_2$").defining(xi)
 
 INITIAL = r"""
 Substitution~(\ref{eq9}) leads to the invariant relations expressed in the initial variables"""
 
 section.states(
     Equivalence,
-    eq16[1],
+    eq16,
     on=with_xi,
     says="the relations (15) in the initial variables",
-    to=real_form[1],
-    sentence=INITIAL,
-)
-section.states(
-    Equivalence,
-    eq16[2],
-    on=with_xi,
-    says="the relations (15) in the initial variables",
-    to=real_form[2],
+    to=real_form,
     sentence=INITIAL,
 )
 
 xi_variables = (
-    real_variables.described(
-        "initial variables, real, with $\\xi_1$ and $\\xi_2$",
-        "the Kowalevski case with $a$, $b$, $c$ and the abbreviations $\\xi_1$, $\\xi_2$",
-    )
+    real_variables.called("initial variables, real, with $\\xi_1$ and $\\xi_2$")
     .having(
         loci=(Locus(r"$\xi_1=\xi_2=0$", (r"\xi_1=0", r"\xi_2=0"), r"\xi_1^2+\xi_2^2"), AS_LARGE)
     )
@@ -444,7 +396,6 @@ section.claim(
     InvariantRelations(
         "eq16.invariance",
         xi_variables,
-        None,
         "the system (16), read literally with (4), defines an invariant set",
         relations=(*eq16,),
         main=((r"\omega_3",),),
@@ -474,10 +425,9 @@ K = (\omega _1^2  - \omega _2^2  + \alpha _1  - \beta _2 )^2  +
     sentence=TWO_INTEGRALS,
 )
 
-with_integrals = all_constants.described(
-    "complex variables, all constants and integrals",
-    "the same with $H$ and $K$",
-).defining(eq17)
+with_integrals = all_constants.called("complex variables, all constants and integrals").defining(
+    eq17
+)
 
 over_N4 = section.lemma(
     "over-N4",
@@ -487,16 +437,14 @@ y_2 = \frac{1}{x_1}\left[\frac{x_1^2(z_2^2+x_2y_1)(w_2^2+x_2)}{x_2^2(w_1^2+x_1)}
     "the relations (15) solved for two variables",
 )
 
-at_rest = kowalevski.described(
-    "constants of the fields",
-    "the Kowalevski case with $a$, $b$, $c$ as numbers",
-).having(constants=("a", "b", "c"), nonzero=NOT_PARALLEL, loci=(AS_LARGE,))
+at_rest = kowalevski.called("constants of the fields").having(
+    constants=("a", "b", "c"), nonzero=NOT_PARALLEL, loci=(AS_LARGE,)
+)
 
 section.claim(
     Independence(
         "N4-independence",
         with_integrals,
-        None,
         "$H$ and $K$ are independent on $N^4$",
         levels=(*eq4,),
         equations=(*eq15,),
@@ -507,7 +455,6 @@ section.claim(
     Equilibria(
         "equilibria",
         at_rest,
-        None,
         "the body has exactly four equilibria",
         fixed=OMEGA,
         levels=(*eq4,),
@@ -519,7 +466,6 @@ body equilibria; there exists only four such points""",
     LastMultiplier(
         "last-multiplier",
         kowalevski,
-        None,
         "the flow preserves the volume of the space and, with it, a measure on $N^4$",
         relations=N4,
         sentence=r"""

@@ -21,17 +21,10 @@ one_field_only = section.inline("beta", r"{\bs \beta} = 0")
 
 POLES = Locus(r"$\alpha_1=\alpha_2=0$", (r"\alpha_1=0", r"\alpha_2=0"), r"\alpha_1^2+\alpha_2^2")
 
-classical = (
-    kowalevski.described("one field alone", "the Kowalevski case for $\\beta=0$")
-    .restricted(one_field_only)
-    .having(loci=(POLES,))
-)
+classical = kowalevski.called("one field alone").restricted(one_field_only).having(loci=(POLES,))
 
 with_values = (
-    classical.described(
-        "one field",
-        "the Kowalevski case for $\\beta=0$, where $h$, $k$ are the values of the integrals",
-    )
+    classical.called("one field")
     .having(nonzero=("a^2",))
     .redefining(eq17)
     .adjoining(eq4[1], eq4[2])
@@ -98,12 +91,7 @@ eq20 = section.display(
 )
 
 with_root_of_k = (
-    classical.described(
-        "one field, with the root of k",
-        "the Kowalevski case for $\\beta=0$ with $\\sqrt{k}$, one of the two roots of the integral $K$",
-    )
-    .redefining(eq17)
-    .adjoining(r"\sqrt{k}")
+    classical.called("one field, with the root of k").redefining(eq17).adjoining(r"\sqrt{k}")
 )
 
 TO_OBTAIN = "and substitute to the Kowalevski integral to obtain"
@@ -147,14 +135,9 @@ section.states(
 
 with_area = classical.defining(area, Psi)
 
-reduced_space = with_area.described(
-    "reduced phase space",
-    "the Euler–Poisson variables in the space of all six, $(\\alpha,\\alpha)$ being an integral",
-).redefining(eq17)
+reduced_space = with_area.called("reduced phase space").redefining(eq17)
 
-unit_field = reduced_space.described(
-    "one unit field", "the Kowalevski case for $\\beta=0$ and $(\\alpha,\\alpha)=1$"
-).solving(r"\alpha_3", norm[1])
+unit_field = reduced_space.called("one unit field").solving(r"\alpha_3", norm[1])
 
 eq21 = section.identity(
     "eq21",
@@ -174,10 +157,7 @@ _1 ) + 2\alpha _1 \alpha _2 (2\omega _1 \omega _2  + \alpha _2 )].}
 eq22 = section.display("eq22", r"2\ell^2  - h = \sqrt {k}.")
 
 free_k = (
-    with_area.described(
-        "one unit field, any k",
-        "the same, where $k$ is any number and $\\sqrt{k}$ one of its roots",
-    )
+    with_area.called("one unit field, any k")
     .having(constants=("k",))
     .redefining(eq17)
     .solving(r"\alpha_3", norm[1])
@@ -210,14 +190,12 @@ section.states(
     ids=("critical-set",),
     equations=(*eq18, *eq19),
     level=norm[1],
-    main=((r"\omega_3",),),
     sentence=CRITICAL,
 )
 section.claim(
     Dimension(
         "appelrot-dimension",
         reduced_space,
-        None,
         "in the five-dimensional reduced phase space the relations (18), (19) define a set of "
         "dimension three",
         levels=(*norm,),
@@ -239,11 +217,7 @@ section.states(
 
 # What the paper uses of Kowalevski's separation of variables, in the complex variables (9).
 
-complex_unit_field = (
-    free_k.described("one unit field, complex", "the same with $i$ and the variables (9)")
-    .with_unit(unit[1])
-    .defining(eq9)
-)
+complex_unit_field = free_k.called("one unit field, complex").with_unit(unit[1]).defining(eq9)
 
 squares = section.states(
     Implication,
@@ -297,7 +271,6 @@ third_component = section.lemma(
 appelrot = (
     Scene(
         "Appelrot's motions",
-        "the set (18), (20) by $x_1$, $x_2$ and $\\sqrt{k}$: $w_1$, $w_2$ are square roots on it",
         variables=("x_1", "x_2", "w_1", "w_2"),
         constants=("k", "s"),
         time=r"\tau",
@@ -323,10 +296,7 @@ These are, naturally, the solutions on which one of the Kowalevski variables rem
 )
 
 limit_scene = (
-    classical.described(
-        "the limit",
-        "the Kowalevski case for $\\beta=0$ with the variables (9), $i$ and $\\sqrt{x_1x_2}$",
-    )
+    classical.called("the limit")
     .with_unit(unit[1], tau[1])
     .adjoining(r"\sqrt{x_1x_2}")
     .defining(eq9, eq11, c, F1, eq13[1], eq13[2], F2)
@@ -336,7 +306,6 @@ section.claim(
     Limit(
         "limit",
         limit_scene,
-        None,
         r"as $\beta\to 0$ the matrix that gives the derivatives of the functions (15) by these "
         r"functions tends to that for (18), (19), up to a change of basis",
         sentence=r"""
@@ -346,7 +315,6 @@ Therefore the family of motions (\ref{eq16}) found in this paper generalizes the
         special=InvariantRelations(
             "limit/direct",
             reduced_space,
-            None,
             "the relations (18), (19) by themselves",
             relations=(*eq18, *eq19),
             main=((r"\omega_3",),),

@@ -39,9 +39,7 @@ def derivatives(function: str) -> str:
 
 
 everywhere = (
-    complex_variables.described(
-        "all points", "the variables (9), where the constants and integrals abbreviate functions"
-    )
+    complex_variables.called("all points")
     .adjoining(complex_integrals[3])
     .defining(c, complex_integrals[1], complex_integrals[2], complex_G)
 )
@@ -108,7 +106,7 @@ Z = \lambda(y_2+2\mu)-c_1x_2-2\mu x_1(w_2^2+x_2)""",
 )
 
 at_critical = (
-    everywhere.described("critical points", "the same with the multipliers $\\lambda$, $\\mu$")
+    everywhere.called("critical points")
     .having(constants=(r"\lambda", r"\mu"))
     .defining(forces, with_G, sets)
 )
@@ -172,7 +170,6 @@ none = section.lemma("no-multiplier", r"\lambda = 0, \quad \mu = 0", "no combina
 
 by_consequences = Scene(
     "critical points, by consequences",
-    "the equations of the sets as variables",
     variables=(
         *("k", "N_1", "N_2", "E_1", "E_2", "E_3", "E_4", "E_5", "Z"),
         *("x_1", "x_2", "y_1", "y_2", "z_1", "z_2", "w_1", "w_2", r"\omega_3"),
@@ -184,7 +181,6 @@ section.claim(
     Union(
         "critical-points",
         by_consequences,
-        None,
         "a critical point of a combination with $G$ is on $M^4$, $N^4$, $O^4$, or rotates "
         "about the third axis",
         sets=((*M4,), (*N4,), (*O4,), (*axis,)),
@@ -193,7 +189,6 @@ section.claim(
     Union(
         "critical-points-without-G",
         by_consequences,
-        None,
         "a critical point of a combination without $G$ is on $M^4$, $N^4$, or rotates about the "
         "third axis",
         sets=((*M4,), (*N4,), (*axis,), (*none,)),

@@ -13,7 +13,6 @@ known = complex_variables.variables
 
 constants = Scene(
     "constants",
-    "those of motions on $M^4$ and $N^4$",
     constants=("h", "k", "g", "j", "m", r"\ell", "p", "r"),
 )
 

@@ -30,7 +30,7 @@ R_2 = (w_1z_2+w_2z_1)\omega_3^2
 O4 = section.display("O4", r"R_1 = 0, \quad R_2 = 0")
 
 near_O4 = (
-    complex_variables.described("near O⁴", "the variables (9) where $w_1$, $w_2$ are not zero")
+    complex_variables.called("near O⁴")
     .having(nonzero=("w_1", "w_2"))
     .defining(forces, R[1], written_out)
 )
@@ -43,7 +43,6 @@ section.claim(
     InvariantRelations(
         "O4",
         near_O4,
-        None,
         "the equations $R_1=0$, $R_2=0$ define an invariant set",
         relations=(*O4,),
         main=(FIELDS,),
@@ -74,9 +73,7 @@ s = -\frac14\left(\frac{A}{w_1}+\frac{B}{w_2}\right), \quad
 \tau_3 = \frac12(w_1B+w_2A)+x_1x_2+z_1z_2""",
 )
 
-with_constants = near_O4.described(
-    "near O⁴, with constants", "the same with $s$ and $\\tau_3$"
-).defining(partial)
+with_constants = near_O4.called("near O⁴, with constants").defining(partial)
 
 section.states(
     FirstIntegral,
@@ -135,7 +132,6 @@ i\eta' = \frac12\left[(w_2\omega_3+z_2)z_1+(x_1w_2-y_2w_1)w_2\right](y_1+2s)
 on_O4 = (
     Scene(
         "O⁴",
-        "$O^4$ by $w_1$, $w_2$, $z_1$, $z_2$, $\\omega_3$, $\\eta$ and the constant $s$",
         variables=("w_1", "w_2", "z_1", "z_2", r"\omega_3", r"\eta"),
         constants=("s",),
         nonzero=("w_1", "w_2", "z_1", "z_2"),

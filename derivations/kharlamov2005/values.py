@@ -33,7 +33,7 @@ g = \frac{p^4-r^4}{4s}+\frac{(p^2-\tau_3)s}{2}""",
 )
 
 with_integrals = (
-    on_O4.described("O⁴ with integrals", "the same with the integrals, where $s$ is not zero")
+    on_O4.called("O⁴ with integrals")
     .having(nonzero=("s",))
     .adjoining(r"\sqrt{c_1c_2}", root_of_c, complex_integrals[3])
     .defining(c, complex_integrals[1], complex_integrals[2], complex_G, partial[2])
@@ -49,7 +49,6 @@ section.states(
 
 constants = Scene(
     "constants",
-    "the constants of a motion on $O^4$, where $s$ is not zero",
     constants=("s", r"\tau_3", "p", "r"),
     nonzero=("s",),
 ).defining(on_O4_values)

@@ -26,7 +26,6 @@ CONSTANTS = ("s", r"\tau_3", "p", "r")
 
 here = Scene(
     "phase point on O⁴, supplied",
-    "the radicals, and parts of the formulas, as variables",
     variables=(
         *COORDINATES,
         *RADICALS,
@@ -39,9 +38,9 @@ here = Scene(
     ),
 )
 
-values = Scene("constants of O⁴", "the constants as variables", variables=CONSTANTS)
+values = Scene("constants of O⁴", variables=CONSTANTS)
 
-plane = Scene("X, ξ, q", "as variables", variables=("X", r"\xi", r"\tau_3", r"\sigma", "q"))
+plane = Scene("X, ξ, q", variables=("X", r"\xi", r"\tau_3", r"\sigma", "q"))
 
 
 def offer() -> HyperellipticForm:

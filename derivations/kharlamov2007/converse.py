@@ -13,10 +13,7 @@ from .separation import abbreviations, in_plane
 section = Section("4", "The converse", copied=False)
 
 anywhere = (
-    body.described(
-        "phase space for c = 0",
-        "the equations (3), (5) with a number $\\tau_3$, where the fields are orthogonal",
-    )
+    body.called("phase space for c = 0")
     .having(constants=(r"\tau_3",))
     .with_unit(unit[1])
     .adjoining(eq4[1], eq4[2], p, r)
@@ -50,9 +47,7 @@ Y = \tau_3\frac{2\tau_3\xi+2(\tau_3-p^2)(\tau_3-X)+\sigma-\xi^2}{\tau_3-X}""",
 section.states(
     Implication,
     section.display("y-by-x", r"\tau_3y_1(\Pi+i\Lambda) = r^2x_1(Y+i\Lambda)"),
-    on=anywhere.described("parts for c = 0", "the same with parts of the phase point")
-    .having(nonzero=(r"\tau_3-X",))
-    .defining(symmetric),
+    on=anywhere.called("parts for c = 0").having(nonzero=(r"\tau_3-X",)).defining(symmetric),
     says="$y_1$ by $x_1$, as at the phase point",
     given=(*no_c,),
 )
@@ -69,7 +64,7 @@ by_velocity = section.states(
 w_1^2 = \frac{\left(x_1z_2-(y_1+2s)z_1\right)^2}{2s\left((y_1+2s)(y_2+2s)-x_1x_2\right)}""",
         "the constant $\\tau_3$ and the velocity from the equations of $O^4$",
     ),
-    on=on_O4.described("O⁴ where ω3 is not zero", "the same with $\\tau_3$")
+    on=on_O4.called("O⁴ where ω3 is not zero")
     .having(nonzero=("s", r"\omega_3"))
     .defining(partial[2]),
     says=r"$\tau_3$ and $w_1$ by the fields and $s$",
@@ -78,7 +73,6 @@ w_1^2 = \frac{\left(x_1z_2-(y_1+2s)z_1\right)^2}{2s\left((y_1+2s)(y_2+2s)-x_1x_2
 by_fields = (
     Scene(
         "O⁴ for c = 0 by the fields",
-        "$x_1$, $x_2$, $z_1$, $z_2$ with the constants $s$, $r$",
         variables=("x_1", "x_2", "z_1", "z_2"),
         constants=("s", "r"),
         nonzero=("s", "r", "x_1", "x_2", "(y_1+2s)(y_2+2s)-x_1x_2", r"\tau_3-X"),

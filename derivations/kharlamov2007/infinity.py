@@ -40,7 +40,6 @@ quotient = section.display(
 with_P = (
     Scene(
         "one-variable roots",
-        "roots of $u_1$ and of $u_2$ alone, for $\\sigma$, $\\tau_3>0$",
         constants=("u_1", "u_2", r"\sigma", r"\tau_3"),
         nonzero=(r"\sigma", r"\tau_3", "u_1+u_2"),
     )
@@ -108,7 +107,6 @@ hatted_rates = section.display(
 chart = (
     Scene(
         "phase point on O⁴ near infinity",
-        "the phase space by $u_1$ and $v=n/u_2$, where $v^2u_1^2\\ne n^2$",
         vectors=VECTORS,
         variables=("u_1", "v"),
         constants=("s", r"\tau_3", "r", r"\sigma", "n"),

@@ -74,8 +74,6 @@ rates = section.display(
 
 by_u = (
     Scene(
-        "",
-        "",
         variables=("u_1", "u_2"),
         constants=("s", r"\tau_3", "r", r"\sigma"),
         nonzero=("s", r"\tau_3", "r", r"\sigma", "u_1-u_2", "u_1+u_2"),
@@ -85,10 +83,7 @@ by_u = (
 )
 
 point = (
-    by_u.described(
-        "phase point on O⁴",
-        "the phase space by $u_1$, $u_2$ and the radicals, where $u_1^2\\ne u_2^2$",
-    )
+    by_u.called("phase point on O⁴")
     .having(vectors=VECTORS)
     .moving(rates)
     .restricted(no_c)
@@ -99,9 +94,7 @@ point = (
 section.states(
     Identity,
     separated,
-    on=by_u.described("separated by u", "the same, where $k$ is the constant of $O^4$")
-    .moving(rates)
-    .defining(on_O4_values[2]),
+    on=by_u.called("separated by u").moving(rates).defining(on_O4_values[2]),
     says="the separated equations",
 )
 section.states(
@@ -126,13 +119,7 @@ section.states(
     ids=("point.omega_1", "point.omega_2", "point.omega_3"),
 )
 section.states(Identity, p, on=point, says="the constant $p$ by the fields", ids=("point.p",))
-with_unit = (
-    by_u.described(
-        "phase point on O⁴ with the unit", "the same with the complex variables as abbreviations"
-    )
-    .with_unit(unit[1])
-    .defining(eq9)
-)
+with_unit = by_u.called("phase point on O⁴ with the unit").with_unit(unit[1]).defining(eq9)
 
 complex_point = section.states(
     Identity,
@@ -164,9 +151,7 @@ w_2 = -\frac{E(A_1B_2-iA_2B_1)(\mu_2K_1-i\mu_1K_2)}{4sr(u_1-u_2)}""",
 )
 
 short = (
-    with_unit.described(
-        "phase point on O⁴ in complex variables", "the same with the complex variables as above"
-    )
+    with_unit.called("phase point on O⁴ in complex variables")
     .redefining(complex_point, conjugate_point)
     .defining(forces, abbreviations[3])
 )

@@ -25,9 +25,7 @@ separated = section.display(
 
 # On O^4: what X and xi are there, and how they move.
 
-plane = with_integrals.described(
-    "O⁴ with X and ξ", "the same with $\\sigma$, $X$, $\\xi$"
-).defining(abbreviations)
+plane = with_integrals.called("O⁴ with X and ξ").defining(abbreviations)
 
 section.states(Identity, xi, on=plane, says="the second variable of the plane")
 
@@ -78,7 +76,7 @@ cubic = section.lemma(
 section.states(
     Identity,
     cubic,
-    on=plane.described("O⁴ with the discriminant", "the same with a root of the discriminant")
+    on=plane.called("O⁴ with the discriminant")
     .redefining(known[1], known[2], known[3], xi)
     .having(constants=("a", "b", "c"))
     .adjoining(root)
@@ -99,7 +97,6 @@ rates = section.lemma("plane-rates", r"\dot X = \alpha, \quad \dot\xi = \beta", 
 in_plane = (
     Scene(
         "plane of X and ξ",
-        "$X$ and $\\xi$ with any velocity, and the constants of $O^4$",
         variables=("X", r"\xi"),
         constants=("s", r"\tau_3", "p", "r", r"\alpha", r"\beta"),
         nonzero=("s", r"\tau_3", r"\tau_3-X", "q^2"),

@@ -8,10 +8,7 @@ from .separation import on_N4
 
 section = Section("8", "Across N⁴", copied=False)
 
-with_U = on_N4.described(
-    "N⁴ with U",
-    "$N^4$ by $x_1$, $x_2$, $z_1$, $z_2$ and the constants $m$, $c_1$, $c_2$, with $U_1$ and $U_2$",
-).defining(eq13[1], eq13[2])
+with_U = on_N4.called("N⁴ with U").defining(eq13[1], eq13[2])
 
 sum_of_U = section.states(
     Identity,

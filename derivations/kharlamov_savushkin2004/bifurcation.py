@@ -17,7 +17,6 @@ energy = section.lemma(
 values = (
     Scene(
         "constants",
-        "the constants of a motion on $N^4$ for $c=0$, where $m$ is not zero",
         constants=("a", "b", "m", r"\ell"),
         nonzero=("m",),
     )

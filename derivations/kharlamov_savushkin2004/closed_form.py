@@ -19,7 +19,6 @@ invariants = ("F_1", "F_2", "U_1", "U_2")
 
 point = Scene(
     "phase point, supplied",
-    "the radicals, and parts of the formulas, as variables",
     variables=(*by, "s_1", "s_2", "a", "b", "m", r"\ell"),
 )
 
@@ -28,7 +27,7 @@ with_G = initial.having(vectors=VECTORS).defining(G)
 with_xi = with_G.defining(xi)
 
 beside = (
-    Scene("beside N⁴", "the variables (9) with $\\sqrt{x_1x_2}$", variables=known)
+    Scene("beside N⁴", variables=known)
     .with_unit(unit[1])
     .adjoining(ROOT)
     .defining(c, eq13[1], eq13[2], F1, F2)
@@ -36,7 +35,6 @@ beside = (
 
 linear = Scene(
     "across N⁴",
-    "$F_1$, $F_2$, $U_1$, $U_2$ as variables",
     variables=(*invariants, "x_1", "x_2"),
 ).adjoining(ROOT)
 

@@ -63,7 +63,6 @@ D = C-k^2(1-\kappa)\lambda""",
 any_regime = (
     Scene(
         "any regime",
-        "Jacobi's functions with any four roots $A$, $B$, $C$, $D$, by $k$, $\\kappa$ and $\\lambda$",
         variables=(SN,),
         constants=("C", "k", r"\kappa", r"\lambda", "m"),
         nonzero=(r"\lambda", r"\kappa", r"1-\kappa", r"\kappa-k^2"),
@@ -102,17 +101,10 @@ section.states(
 
 section.states(
     Definition,
-    solution[1],
+    solution,
     on=any_regime,
     says="the solutions in any regime, $s_1$ between $B$ and $A$, $s_2$ between $D$ and $C$",
-    equation=quartic[1],
-)
-section.states(
-    Definition,
-    solution[2],
-    on=any_regime,
-    says="the solutions in any regime, $s_1$ between $B$ and $A$, $s_2$ between $D$ and $C$",
-    equation=quartic[2],
+    equation=quartic,
 )
 section.states(
     Definition,
@@ -124,24 +116,20 @@ section.states(
 )
 
 one_variable = (
-    Scene("", "", variables=(SN,))
+    Scene(variables=(SN,))
     .moving(jacobi[3])
     .adjoining(parameters[1], r"\sqrt{m(A-C)(B-D)}", jacobi[1], jacobi[2])
     .defining(parameters[2], parameters[3], solution, roots_of_phi, phi)
 )
 
 for_s1 = (
-    one_variable.described(
-        "first variable", "Jacobi's functions with the roots of the equation for $s_1$"
-    )
+    one_variable.called("first variable")
     .having(constants=("a", "m", r"\ell", "s"), nonzero=("m", "a"))
     .defining(first)
 )
 
 for_s2 = (
-    one_variable.described(
-        "second variable", "Jacobi's functions with the roots of the equation for $s_2$"
-    )
+    one_variable.called("second variable")
     .having(constants=("b", "m", r"\ell"), nonzero=("m", "b"))
     .defining(second)
 )

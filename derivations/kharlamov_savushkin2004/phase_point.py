@@ -51,8 +51,6 @@ rates = section.display("rates", r"\dot s_1 = \tfrac12S_1f_1,\quad \dot s_2 = \t
 
 by_s = (
     Scene(
-        "",
-        "",
         variables=("s_1", "s_2"),
         constants=("r", "b", "m", r"\ell"),
         nonzero=("m", "r", "d"),
@@ -63,10 +61,7 @@ by_s = (
 )
 
 point = (
-    by_s.described(
-        "phase point",
-        "the phase space by $s_1$, $s_2$ and the radicals, where $m$, $r$ and $d$ are not zero",
-    )
+    by_s.called("phase point")
     .having(vectors=VECTORS)
     .moving(rates)
     .restricted(no_c)
@@ -112,13 +107,7 @@ section.states(
     ids=("point.k", "point.g", "point.h"),
 )
 
-with_unit = (
-    by_s.described(
-        "phase point with the unit", "the same with the complex variables as abbreviations"
-    )
-    .with_unit(unit[1])
-    .defining(eq9, c)
-)
+with_unit = by_s.called("phase point with the unit").with_unit(unit[1]).defining(eq9, c)
 
 complex_x = section.states(
     Identity,
@@ -146,10 +135,7 @@ root_of_x = section.lemma(
 )
 
 complex_point = (
-    with_unit.described(
-        "phase point in complex variables",
-        "the same with $x_1$, $x_2$, $c_1$, $c_2$ in closed form, and with $\\sqrt{x_1x_2}$",
-    )
+    with_unit.called("phase point in complex variables")
     .redefining(complex_x, real_c)
     .solving(r"\sqrt{x_1x_2}", root_of_x[1])
     .defining(eq13[1], eq13[2], F1, F2)
@@ -186,10 +172,7 @@ f_1 = \frac{2d\omega_2}{r(\ell-2ms_2)}, \quad f_2 = \frac{2d\omega_1}{r(\ell-2ms
 )
 
 any_point = (
-    solved_for.described(
-        "N⁴ without c",
-        "any point of $N^4$ for $c=0$, with the radicals that the formulas give there",
-    )
+    solved_for.called("N⁴ without c")
     .having(constants=("r",), nonzero=("x_1", "x_2", "m", "r"))
     .adjoining(complex_integrals[3], any_c)
     .defining(real_c, psi, inverse, solved)

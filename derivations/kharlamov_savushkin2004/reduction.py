@@ -26,10 +26,7 @@ Z_1 = q_1z_1, \quad Z_2 = q_2z_2, \quad W_1 = q_1w_1, \quad W_2 = q_2w_2""",
 )
 
 rotation = (
-    with_root.described(
-        "turned variables",
-        "the complex variables, turned by an angle; $q_1$ and $q_2$ are conjugate numbers",
-    )
+    with_root.called("turned variables")
     .moving(eq10)
     .having(
         constants=("q_1", "q_2", "r"), conjugates=(("q_1", "q_2"),), nonzero=("q_1", "q_2", "r")

@@ -16,10 +16,7 @@ near_N4 = complex_variables.having(
 ).defining(F1, eq13[1], eq13[2], F2, constants)
 
 with_root = (
-    near_N4.described(
-        "complex variables",
-        "the variables (9) with $\\sqrt{x_1x_2}$, where $c_1$, $c_2$ are constants and nothing is zero",
-    )
+    near_N4.called("complex variables")
     .solving("z_1", c[1])
     .solving("z_2", c[2])
     .adjoining(r"\sqrt{x_1x_2}")
@@ -104,8 +101,6 @@ omega3 = section.lemma(
 
 solved_for = (
     Scene(
-        "",
-        "",
         variables=("x_1", "x_2", "z_1", "z_2", "w_1", "w_2"),
         constants=("m",),
         time=r"\tau",
@@ -119,17 +114,14 @@ solved_for = (
     .defining(y, omega3, constants[2], s, phi)
 )
 
-any_level = solved_for.described(
-    "N⁴",
-    "$N^4$ by $x_1$, $x_2$, $z_1$, $z_2$ and the constants $m$, $c_1$, $c_2$, none of which is zero",
-).having(
+any_level = solved_for.called("N⁴").having(
     constants=("c_1", "c_2"),
     conjugates=(("c_1", "c_2"),),
     nonzero=("x_1", "x_2", "c_1", "c_2", "m"),
 )
 
 on_N4 = (
-    any_level.described("N⁴ with a and b", "the same, where $r$, $p$, $a$ and $b$ are known")
+    any_level.called("N⁴ with a and b")
     .adjoining(r"\sqrt{c_1c_2}", root_of_c, complex_integrals[3], any_c)
     .defining(complex_integrals[1], complex_integrals[2])
 )
@@ -160,10 +152,7 @@ squares = section.states(
 )
 
 with_G = (
-    near_N4.described(
-        "complex variables and G",
-        "the variables (9), where $G$ is known through $F_1$, $U_1$, $U_2$",
-    )
+    near_N4.called("complex variables and G")
     .having(constants=("p", "h"))
     .adjoining(r"\sqrt{x_1x_2}", r"\sqrt{c_1c_2}", root_of_c)
     .defining(level)
@@ -179,10 +168,7 @@ section.states(
     given=(*eq15,),
     main=((r"\omega_3",),),
 )
-for k in (1, 2):
-    section.states(
-        Definition, s[k], on=on_N4, says="the variables that separate", equation=separated[k]
-    )
+section.states(Definition, s, on=on_N4, says="the variables that separate", equation=separated)
 section.states(
     Definition,
     phi,
@@ -190,10 +176,7 @@ section.states(
     says="the polynomial of the separated equations",
     equation=separated[1],
 )
-for k in (1, 2):
-    section.states(
-        Definition, any_c[k], on=on_N4, says="$a$ and $b$ for any $c$", equation=separated[k]
-    )
+section.states(Definition, any_c, on=on_N4, says="$a$ and $b$ for any $c$", equation=separated)
 section.states(
     Identity,
     separated,

@@ -17,10 +17,7 @@ root_of_c = section.lemma("root-of-c", r"r^2=\sqrt{c_1c_2}", "the positive root 
 body = kowalevski.moving(eq5, eq3).redefining(eq17)
 
 initial = (
-    body.described(
-        "initial variables",
-        "the equations (3), (5), with the imaginary unit and the complex variables as abbreviations",
-    )
+    body.called("initial variables")
     .with_unit(unit[1], tau[1])
     .adjoining(eq4[1], eq4[2], p, r"\sqrt{c_1c_2}", root_of_c)
     .defining(eq9, eq4[3], c)

@@ -22,10 +22,7 @@ G = (\omega_1\alpha_1+\omega_2\alpha_2+\tfrac12\omega_3\alpha_3)^2
 VECTORS = {**FRAME, r"\boldsymbol{\gamma}": (r"\gamma_1", r"\gamma_2", r"\gamma_3")}
 
 real = (
-    body.described(
-        "real variables",
-        "the equations (3), (5), where $a$, $b$, $c$ abbreviate the integrals (4)",
-    )
+    body.called("real variables")
     .having(vectors=VECTORS)
     .adjoining(eq4[1], eq4[2])
     .defining(eq4[3], G)
@@ -42,7 +39,7 @@ bracket = section.display(
 )
 
 hamiltonian = (
-    real.described("Poisson bracket", "the real variables with the bracket of their functions")
+    real.called("Poisson bracket")
     .having(vectors={r"\mathbf{M}": ("M_1", "M_2", "M_3")})
     .defining(bracket)
 )
@@ -79,10 +76,7 @@ m = \frac{1}{c_2}\frac{x_2}{x_1}(w_1^2+x_1), \qquad
 )
 
 everything = (
-    complex_variables.described(
-        "complex variables, all constants",
-        "the variables (9), where all constants abbreviate functions of them",
-    )
+    complex_variables.called("complex variables, all constants")
     .having(vectors=VECTORS, nonzero=("x_1", "x_2"))
     .with_unit(unit[1])
     .adjoining(eq4[1], eq4[2], p, r"\sqrt{x_1x_2}", r"\sqrt{c_1c_2}", root_of_c)
@@ -108,7 +102,6 @@ G = \frac12p^2H + \frac14(U_1+U_2) - \frac14F_1^2, \quad K = \frac{U_1U_2}{c_1c_
 by_functions = (
     Scene(
         "near N⁴",
-        "$G$ and $K$ through $F_1$, $U_1$, $U_2$ and the other integrals",
         variables=("F_1", "U_1", "U_2", "H"),
         constants=("p", "c_1", "c_2"),
         nonzero=("c_1", "c_2"),

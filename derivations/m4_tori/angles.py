@@ -53,7 +53,6 @@ KAPPAS = (r"\kappa_1", r"\kappa_2", r"\kappa_3")
 by_angles = (
     Scene(
         "M⁴ by angles",
-        "$M^4$ by three numbers $\\kappa_n=e^{i\\theta_n}$ and $\\rho=|w_1|$, with the constant $j$",
         variables=(*KAPPAS, r"\rho"),
         constants=("j", "r"),
         nonzero=(
@@ -84,7 +83,7 @@ section.states(
 )
 
 with_integrals = (
-    by_angles.described("M⁴ by angles, with integrals", "the same with the integrals")
+    by_angles.called("M⁴ by angles, with integrals")
     .adjoining(complex_integrals[3])
     .defining(complex_integrals[1], quartic[1], cubic[1])
 )

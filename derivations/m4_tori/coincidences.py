@@ -12,7 +12,6 @@ section = Section("3", "Coinciding roots", copied=False)
 common = (
     Scene(
         "M⁴ and O⁴",
-        "the constants of a motion on both, where $s$ and $\\tau_3$ are not zero",
         constants=("s", r"\tau_3", "r", "u"),
         nonzero=("s", r"\tau_3"),
     )

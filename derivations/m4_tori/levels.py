@@ -32,7 +32,6 @@ y_1 = \frac{z_2^2-r^2}{w_2^2}, \quad y_2 = \frac{z_1^2-r^2}{w_1^2}""",
 on_M4 = (
     Scene(
         "M⁴ for c = 0",
-        "$M^4$ by $w_1$, $w_2$, $z_1$, $z_2$, $\\omega_3$, where the fields are orthogonal",
         variables=("w_1", "w_2", "z_1", "z_2", r"\omega_3"),
         constants=("r",),
         nonzero=("w_1", "w_2"),
@@ -69,7 +68,7 @@ W = w_1w_2, \quad Y = x_1x_2+z_1z_2""",
 )
 
 with_integrals = (
-    on_M4.described("levels on M⁴", "the same with the integrals and a number $u$")
+    on_M4.called("levels on M⁴")
     .having(constants=("u",))
     .adjoining(complex_integrals[3])
     .defining(complex_integrals[1], complex_J3, quartic[1], cubic)
@@ -99,7 +98,6 @@ section.identity(
     r"R(u)R(-u) = j^8Q\left(\frac{u^2-r^4}{j^2}\right)",
     on=Scene(
         "levels by ξ",
-        "the constants of a level, where $j$ is not zero",
         constants=("u", "h", "j", "p", "r"),
         nonzero=("j",),
     ).defining(quartic),
@@ -111,5 +109,5 @@ NUMBERS = (r"\xi", "h", "j", "p", "r")
 
 def offer() -> LevelsOnM4:
     """The polynomial in ξ, whose real roots count the tori."""
-    numbers = Scene("levels of M⁴", "the constants as variables", variables=NUMBERS)
+    numbers = Scene("levels of M⁴", variables=NUMBERS)
     return LevelsOnM4(polynomial=Values(numbers, (Member(quartic[2], 1),), NUMBERS))

@@ -53,7 +53,7 @@ def _polynomial_along(ring: Ring, polynomial: Polynomial, field: Field) -> Eleme
         if component is None or (component.is_zero and not component.denominator):
             continue  # a zero remembers what it was divided by
         partial = ring.polynomials.derivative(polynomial, index)
-        if not ring.polynomials.is_zero(partial):
+        if partial:
             total = total + Element(ring, {0: partial}, {}) * component
     return total
 

@@ -73,11 +73,11 @@ class Arithmetic(Polynomials):
             polynomial.compose(*values) if values else super().composed(polynomial, values, target)
         )
 
-    def is_zero(self, polynomial: fmpq_mpoly) -> bool:
-        return bool(polynomial.is_zero())
+    def is_monomial(self, polynomial: fmpq_mpoly) -> bool:
+        return len(polynomial) == 1
 
-    def degrees(self, polynomial: fmpq_mpoly) -> Sequence[int]:
-        return polynomial.degrees()
+    def occurring(self, polynomial: fmpq_mpoly) -> list[int]:
+        return [place for place, degree in enumerate(polynomial.degrees()) if degree > 0]
 
     def terms(self, polynomial: fmpq_mpoly) -> Terms:
         return terms_of(polynomial)

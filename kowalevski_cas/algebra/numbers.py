@@ -183,8 +183,7 @@ def _gaussian(values: Sequence[Element], numbers: Ring) -> list[Polynomial] | No
     polynomials = numbers.polynomials
     letter = polynomials.generator(0)
     return [
-        value.parts.get(0, polynomials.zero)
-        + polynomials.product(value.parts.get(1, polynomials.zero), letter)
+        value.parts.get(0, polynomials.zero) + value.parts.get(1, polynomials.zero) * letter
         for value in values
     ]
 

@@ -8,14 +8,18 @@ few operations. A new exact arithmetic is one new file with one such class.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from functools import reduce
-from operator import itemgetter
+from operator import itemgetter, mul
 from typing import Any
 
 Polynomial = Any
-"""A polynomial of the library at hand; it must support ``+``, ``-``, ``*`` and unary ``-``."""
+"""A polynomial of the library at hand, in the one form that it has there.
+
+It must support ``+``, ``-``, ``*``, unary ``-`` and ``==``, and be false exactly if it vanishes
+identically.
+"""
 
 Terms = dict[tuple[int, ...], Fraction]
 """The neutral form of a polynomial: exponents of the generators to coefficient."""
@@ -42,10 +46,6 @@ class Polynomials(ABC):
     def constant(self, value: Fraction) -> Polynomial:
         """A rational number as a polynomial."""
 
-    def product(self, left: Polynomial, right: Polynomial) -> Polynomial:
-        """The product of two polynomials, in the form in which the library keeps them."""
-        return left * right
-
     @abstractmethod
     def derivative(self, polynomial: Polynomial, index: int) -> Polynomial:
         """The partial derivative by the generator with this index."""
@@ -60,18 +60,18 @@ class Polynomials(ABC):
             for power in filter(itemgetter(1), enumerate(exponents)):
                 if power not in powers:
                     place, exponent = power
-                    powers[power] = reduce(target.product, [values[place]] * exponent)
-                product = target.product(product, powers[power])
+                    powers[power] = reduce(mul, [values[place]] * exponent)
+                product = product * powers[power]
             total = total + product
         return total
 
     @abstractmethod
-    def is_zero(self, polynomial: Polynomial) -> bool:
-        """Whether the polynomial vanishes identically; the answer is exact."""
+    def is_monomial(self, polynomial: Polynomial) -> bool:
+        """Whether a polynomial that is not zero has one term only."""
 
-    def degrees(self, polynomial: Polynomial) -> Sequence[int]:
-        """The degree in each generator of a polynomial that is not zero."""
-        return tuple(map(max, zip(*self.terms(polynomial), strict=True)))
+    @abstractmethod
+    def occurring(self, polynomial: Polynomial) -> Collection[int]:
+        """The places of the generators that stand in a polynomial."""
 
     @abstractmethod
     def terms(self, polynomial: Polynomial) -> Terms:

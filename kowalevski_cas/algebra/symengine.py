@@ -1,67 +1,97 @@
-"""Expressions of SymEngine, kept expanded, so that zero has one form only."""
+"""Expressions of SymEngine, kept expanded, so that each polynomial has one form only."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
 
-import symengine
-from symengine import Expr
+from symengine import Add, Expr, Integer, Mul, Rational, Symbol, expand
 
 from kowalevski_cas.algebra.polynomials import Coefficients, Polynomials, Terms
 
+ZERO = Integer(0)
+
+
+class Expanded:
+    """An expanded expression; sums of such are expanded, nothing else is."""
+
+    __slots__ = ("value",)
+
+    def __init__(self, value: Expr) -> None:
+        self.value = value
+
+    def __add__(self, other: Expanded) -> Expanded:
+        return Expanded(self.value + other.value)
+
+    def __neg__(self) -> Expanded:
+        return Expanded(expand(-self.value))
+
+    def __sub__(self, other: Expanded) -> Expanded:
+        return Expanded(expand(self.value - other.value))
+
+    def __mul__(self, other: Expanded) -> Expanded:
+        return Expanded(expand(self.value * other.value))
+
+    def __bool__(self) -> bool:
+        return bool(self.value != ZERO)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Expanded) and bool(self.value == other.value)
+
+    __hash__ = None  # type: ignore[assignment]
+
 
 class Arithmetic(Polynomials):
-    """Polynomial expressions in SymEngine's symbols; every product is expanded at once."""
+    """Polynomial expressions in SymEngine's symbols."""
 
     name = "symengine"
 
     def __init__(self, generators: tuple[str, ...]) -> None:
         super().__init__(generators)
-        self.symbols = [symengine.Symbol(f"g{index}") for index in range(len(generators))]
+        self.symbols = [Symbol(f"g{index}") for index in range(len(generators))]
         self.index = {symbol: index for index, symbol in enumerate(self.symbols)}
-        self.zero = symengine.Integer(0)
-        self.one = symengine.Integer(1)
+        self.zero = self.constant(0)
+        self.one = self.constant(1)
 
-    def generator(self, index: int) -> Expr:
-        return self.symbols[index]
+    def generator(self, index: int) -> Expanded:
+        return Expanded(self.symbols[index])
 
-    def constant(self, value: int | Fraction) -> Expr:
-        return symengine.Rational(value.numerator, value.denominator)
+    def constant(self, value: int | Fraction) -> Expanded:
+        return Expanded(Rational(value.numerator, value.denominator))
 
-    def product(self, left: Expr, right: Expr) -> Expr:
-        return symengine.expand(left * right)
+    def derivative(self, polynomial: Expanded, index: int) -> Expanded:
+        return Expanded(polynomial.value.diff(self.symbols[index]))
 
-    def derivative(self, polynomial: Expr, index: int) -> Expr:
-        return polynomial.diff(self.symbols[index])
+    def composed(
+        self, polynomial: Expanded, values: Sequence[Expanded], target: Polynomials
+    ) -> Expanded:
+        images = {g: image.value for g, image in zip(self.symbols, values, strict=True)}
+        return Expanded(expand(polynomial.value.xreplace(images)))
 
-    def composed(self, polynomial: Expr, values: Sequence[Expr], target: Polynomials) -> Expr:
-        return symengine.expand(polynomial.xreplace(dict(zip(self.symbols, values, strict=True))))
+    def is_monomial(self, polynomial: Expanded) -> bool:
+        return not polynomial.value.is_Add
 
-    def is_zero(self, polynomial: Expr) -> bool:
-        return bool(symengine.expand(polynomial) == self.zero)
+    def occurring(self, polynomial: Expanded) -> set[int]:
+        return {self.index[symbol] for symbol in polynomial.value.free_symbols}
 
-    def terms(self, polynomial: Expr) -> Terms:
-        expanded = symengine.expand(polynomial)
+    def terms(self, polynomial: Expanded) -> Terms:
         terms: Terms = {}
-        for monomial, value in expanded.as_coefficients_dict().items():
-            exponents = [0] * len(self.symbols)
-            if monomial.is_Number:  # a constant comes as itself, once
-                value, monomial = value * monomial, self.one
-            for base, exponent in monomial.as_powers_dict().items():
-                if base in self.index:
+        for product in Add.make_args(polynomial.value):
+            exponents, value = [0] * len(self.symbols), Fraction(1)
+            for factor in Mul.make_args(product):
+                if factor.is_Number:
+                    value = Fraction(int(factor.p), int(factor.q))
+                else:
+                    base, exponent = factor.args or (factor, 1)
                     exponents[self.index[base]] = int(exponent)
-            value = value * self.one  # a number of SymEngine, also where it is one of Python
-            if value != self.zero:
-                terms[tuple(exponents)] = Fraction(int(value.p), int(value.q))
+            if value:
+                terms[tuple(exponents)] = value
         return terms
 
-    def from_terms(self, terms: Coefficients) -> Expr:
-        total = self.zero
-        for exponents, value in terms.items():
-            product = self.constant(value)
-            for symbol, exponent in zip(self.symbols, exponents, strict=True):
-                if exponent:
-                    product *= symbol**exponent
-            total += product
-        return total
+    def from_terms(self, terms: Coefficients) -> Expanded:
+        return Expanded(Add(*(self._product(*term) for term in terms.items())))
+
+    def _product(self, exponents: Sequence[int], value: int | Fraction) -> Expr:
+        powers = zip(self.symbols, exponents, strict=True)
+        number = Rational(value.numerator, value.denominator)
+        return Mul(number, *(symbol**exponent for symbol, exponent in powers if exponent))

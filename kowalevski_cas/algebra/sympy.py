@@ -19,7 +19,7 @@ from kowalevski_cas.algebra.polynomials import Coefficients, Polynomials, Terms
 
 @dataclass(frozen=True, slots=True)
 class Scaled:
-    """A polynomial with whole coefficients over a positive number.
+    """A polynomial with whole coefficients over a positive number, in lowest terms.
 
     Rational coefficients would be put in lowest terms one by one, which takes most of the time.
     """
@@ -29,25 +29,30 @@ class Scaled:
 
     def __add__(self, other: Scaled) -> Scaled:
         if self.below == other.below:
-            return Scaled(self.whole + other.whole, self.below)
+            return _lowest(self.whole + other.whole, self.below)
         below = lcm(self.below, other.below)
         left, right = below // self.below, below // other.below
-        return Scaled(self.whole * left + other.whole * right, below)
+        return _lowest(self.whole * left + other.whole * right, below)
 
     def __neg__(self) -> Scaled:
         return Scaled(-self.whole, self.below)
 
     def __sub__(self, other: Scaled) -> Scaled:
+        if self.below == other.below:
+            return _lowest(self.whole - other.whole, self.below)
         return self + -other
 
     def __mul__(self, other: Scaled) -> Scaled:
-        whole, below = self.whole * other.whole, self.below * other.below
-        common = below if below == 1 else gcd(below, *map(int, whole.values()))
-        return (
-            Scaled(whole.quo_ground(common), below // common)
-            if common > 1
-            else Scaled(whole, below)
-        )
+        return _lowest(self.whole * other.whole, self.below * other.below)
+
+    def __bool__(self) -> bool:
+        return bool(self.whole)
+
+
+def _lowest(whole: PolyElement, below: int) -> Scaled:
+    if below > 1 and (common := gcd(below, *whole.values())) > 1:
+        return Scaled(whole.quo_ground(common), below // common)
+    return Scaled(whole, below)
 
 
 class Arithmetic(Polynomials):
@@ -68,10 +73,13 @@ class Arithmetic(Polynomials):
         return Scaled(self.ring.ground_new(value.numerator), value.denominator)
 
     def derivative(self, polynomial: Scaled, index: int) -> Scaled:
-        return Scaled(polynomial.whole.diff(index), polynomial.below)
+        return _lowest(polynomial.whole.diff(index), polynomial.below)
 
-    def is_zero(self, polynomial: Scaled) -> bool:
-        return not polynomial.whole
+    def is_monomial(self, polynomial: Scaled) -> bool:
+        return len(polynomial.whole) == 1
+
+    def occurring(self, polynomial: Scaled) -> list[int]:
+        return [place for place, degree in enumerate(polynomial.whole.degrees()) if degree > 0]
 
     def terms(self, polynomial: Scaled) -> Terms:
         return {

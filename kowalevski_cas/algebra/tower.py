@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from typing import Any
 
 from kowalevski_cas.algebra.polynomials import Coefficients, Polynomial, Polynomials, Terms
 
@@ -29,14 +28,11 @@ class Ring:
 
     def __init__(self, polynomials: Polynomials) -> None:
         self.polynomials = polynomials
-        self._is_zero = polynomials.is_zero
-        self._product = polynomials.product
         self.roots: list[str] = []
         self.radicands: list[Element] = []
         self.below: list[Element | None] = []
         """What each root is over, as an element: the generator is this times the root."""
         self.divisors: list[Polynomial] = []
-        self._divisor_index: dict[frozenset[Any], int] = {}
         self._squares: dict[int, Parts] = {}
         self._numbers: dict[int | Fraction, Element] = {}
         self.zero = Element(self, {}, {})
@@ -79,15 +75,14 @@ class Ring:
 
     def element(self, parts: Parts, denominator: dict[int, int]) -> Element:
         """An element, with vanishing parts dropped."""
-        is_zero = self._is_zero
-        return Element(self, {m: p for m, p in parts.items() if not is_zero(p)}, denominator)
+        return Element(self, {m: p for m, p in parts.items() if p}, denominator)
 
     def multiply(self, left: Polynomial, right: Polynomial) -> Polynomial:
         """The product of two polynomials."""
         one = self.polynomials.one
         if left is one or right is one:
             return right if left is one else left
-        return self._product(left, right)
+        return left * right
 
     def add_parts(self, left: Parts, right: Parts) -> Parts:
         """The sum of two numerators, without what vanishes."""
@@ -96,10 +91,10 @@ class Ring:
             own = result.get(mask)
             if own is None:
                 result[mask] = p
-            elif self._is_zero(total := own + p):
-                del result[mask]
-            else:
+            elif total := own + p:
                 result[mask] = total
+            else:
+                del result[mask]
         return result
 
     def multiply_parts(self, left: Parts, right: Parts) -> Parts:
@@ -125,15 +120,9 @@ class Ring:
 
     def divisor(self, polynomial: Polynomial) -> int:
         """The index of a polynomial among the divisors, where it is entered if it is new."""
-        return self._entered(polynomial, self.polynomials.terms(polynomial))
-
-    def _entered(self, polynomial: Polynomial, terms: Terms) -> int:
-        # Fractions are slow to hash, whole numbers are not.
-        key = frozenset((e, v.numerator, v.denominator) for e, v in terms.items())
-        if key not in self._divisor_index:
-            self._divisor_index[key] = len(self.divisors)
+        if polynomial not in self.divisors:
             self.divisors.append(polynomial)
-        return self._divisor_index[key]
+        return self.divisors.index(polynomial)
 
     def divisor_product(self, exponents: Mapping[int, int]) -> Polynomial | None:
         """The product of divisors to these positive exponents; ``None`` for the empty one."""
@@ -146,10 +135,9 @@ class Ring:
 
     def inverse_of_polynomial(self, polynomial: Polynomial) -> Element:
         """One over a polynomial; a monomial is taken apart into its generators."""
-        terms = self.polynomials.terms(polynomial)
-        if len(terms) > 1:
-            return Element(self, {0: self.polynomials.one}, {self._entered(polynomial, terms): 1})
-        ((exponents, value),) = terms.items()
+        if not self.polynomials.is_monomial(polynomial):
+            return Element(self, {0: self.polynomials.one}, {self.divisor(polynomial): 1})
+        ((exponents, value),) = self.polynomials.terms(polynomial).items()
         denominator = {
             self.divisor(self.polynomials.generator(index)): exponent
             for index, exponent in enumerate(exponents)

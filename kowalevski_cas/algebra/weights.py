@@ -11,27 +11,19 @@ from kowalevski_cas.algebra.polynomials import Terms
 
 
 def gradings(polynomials: Sequence[Terms]) -> list[tuple[int, ...]]:
-    """A basis of the weights, of any sign, for which all polynomials are homogeneous."""
+    """A basis of the weights, of any sign, for which all polynomials are homogeneous.
+
+    >>> from fractions import Fraction
+    >>> one = Fraction(1)
+    >>> ((a, b),) = gradings([{(2, 0): one, (0, 1): one}])
+    >>> b == 2 * a
+    True
+    """
     rows = []
     for terms in polynomials:
         first, *others = terms
         rows += [[a - b for a, b in zip(first, other, strict=True)] for other in others]
     return whole_solutions(rows, len(first))
-
-
-def weights(polynomials: Sequence[Terms]) -> tuple[int, ...] | None:
-    """The smallest positive integers that do it, if they are unique up to a factor.
-
-    >>> from fractions import Fraction
-    >>> one = Fraction(1)
-    >>> weights([{(2, 0): one, (0, 1): one}])
-    (1, 2)
-    """
-    found = gradings(polynomials)
-    if len(found) != 1:
-        return None
-    result = tuple(map(abs, found[0]))
-    return result if found[0] in (result, tuple(-w for w in result)) and all(result) else None
 
 
 def whole_solutions(rows: Sequence[Sequence[int]], width: int) -> list[tuple[int, ...]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 from time import perf_counter
@@ -17,9 +18,13 @@ from kowalevski_cas.audit.places import Place, find_places
 from kowalevski_cas.audit.sentences import Sentences
 from kowalevski_cas.audit.session import AuditSession, formulas
 from kowalevski_cas.audit.source import Source, SourceError
-from kowalevski_cas.audit.tokens import words
+from kowalevski_cas.audit.tokens import likeness, words
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Display
 from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
+
+FITS = 0.2
+"""The share of a derivation's displays that must be found in a source."""
 
 MOST = 20_000
 """Formulas in one source."""
@@ -105,6 +110,19 @@ def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
         if why := expanded.definitions.why(formula.tex, formula.kind, origin):
             found[place] = replace(formula, trouble=formula.trouble or why)
     return expanded, found
+
+
+def derivation_of(source: Source, derivations: Sequence[Derivation]) -> Derivation | None:
+    """The derivation of which a source is a version, if there is one."""
+    _, formulas = typed_formulas(source)
+
+    def share(derivation: Derivation) -> float:
+        places = find_places(derivation, formulas)
+        alike = (likeness(p.typed.tex, p.display.tex) for p in places if p.typed is not None)
+        return sum(alike) / max(1, len(places))
+
+    found = max(derivations, key=share, default=None)
+    return found if found is not None and share(found) >= FITS else None
 
 
 def audit(source: Source, base: AuditSession) -> Audit:

@@ -16,8 +16,9 @@ from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.processes import time_limit
-from kowalevski_cas.verify.corrections import printed_of
+from kowalevski_cas.verify.corrections import printed_of, stated
 from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.verify.statement import Statement
 
@@ -115,11 +116,11 @@ class AuthorSession(AuditSession):
         """Nothing is wrong with the derivation where the author has caused what is."""
         return outcome if claim.id in self.causes else super().with_acceptance(claim, outcome)
 
-    def correct(self, claim: Claim, on: Elaborations) -> Correction | None:
-        if self._blame_changes(claim):
+    def correct(self, printed: Statement) -> Correction | None:
+        if self._blame_changes(printed.claim):
             return None
         try:
-            return self._restored(claim, on) or super().correct(claim, on)
+            return self._restored(printed.claim, printed.on) or super().correct(printed)
         except Exception:  # candidates are made of what an author types
             return None
 
@@ -133,10 +134,10 @@ class AuthorSession(AuditSession):
         self.causes[claim.id] = own
         if good is None or not self._as_in_base(claim, self._without(own)):
             return None
-        with suppress(NotationError):
+        with suppress(NotationError, Meaningless):
             for neighbour in claim.neighbours(on.texts):
                 if printed_of(neighbour) == good.formulas:
-                    return self.proposed(neighbour, on)
+                    return self.proposed(neighbour, stated(neighbour, on))
         return Correction(good.formulas, AS_BEFORE, good.verdict, good.conditions)
 
     def _blame_changes(self, claim: Claim) -> bool:

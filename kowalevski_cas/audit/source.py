@@ -27,14 +27,8 @@ NOISE = 0.01
 """The share of control characters from which a file is not taken for text."""
 
 _INPUTENC = re.compile(r"\\usepackage\s*\[\s*([\w-]+)\s*\]\s*\{inputenc\}")
-_CODECS = {
-    "utf8": "utf-8",
-    "utf8x": "utf-8",
-    "latin1": "latin-1",
-    "ansinew": "cp1252",
-    "applemac": "mac-roman",
-    "koi8-r": "koi8-r",
-}
+_CODECS = {"utf8x": "utf-8", "ansinew": "cp1252", "applemac": "mac-roman"}
+"""Encodings that Python calls otherwise than LaTeX."""
 _VERBATIM = "verbatim|Verbatim|lstlisting|minted|comment|filecontents"
 _SILENT = re.compile(
     r"\\(?:\\|%)"  # escaped: it prints

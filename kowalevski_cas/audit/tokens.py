@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from difflib import SequenceMatcher
 from functools import lru_cache
 
@@ -47,29 +46,9 @@ def words(tex: str) -> tuple[str, ...]:
 @lru_cache(maxsize=16384)
 def likeness(one: str, other: str) -> float:
     """From 1 for the same tokens down to 0 for nothing in common."""
-    first, second = words(one), words(other)
-    if first == second:
-        return 1.0
-    longest = max(len(first), len(second))
-    if sum((Counter(first) & Counter(second)).values()) * 2 < longest:
-        return 0.0
-    return 1 - distance(first[:_LONGEST], second[:_LONGEST]) / longest
-
-
-def distance(first: Sequence[str], second: Sequence[str]) -> int:
-    """The least number of tokens to insert, to leave out or to change."""
-    start = 0
-    while start < min(len(first), len(second)) and first[start] == second[start]:
-        start += 1
-    first, second = first[start:], second[start:]
-    while first and second and first[-1] == second[-1]:
-        first, second = first[:-1], second[:-1]
-    row = list(range(len(second) + 1))
-    for count, one in enumerate(first, 1):
-        above, row = row, [count]
-        for k, other in enumerate(second):
-            row.append(min(above[k + 1] + 1, row[k] + 1, above[k] + (one != other)))
-    return row[-1]
+    first, second = words(one)[:_LONGEST], words(other)[:_LONGEST]
+    matcher = SequenceMatcher(None, first, second, autojunk=False)
+    return matcher.ratio() if matcher.quick_ratio() > 0.5 else 0.0
 
 
 def changes(old: str, new: str) -> Iterator[tuple[int, int, str]]:

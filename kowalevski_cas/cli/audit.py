@@ -14,7 +14,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from kowalevski_cas.algebra import EXACT
-from kowalevski_cas.audit.audit import Audit, audit
+from kowalevski_cas.audit.audit import Audit, audit, derivation_of
 from kowalevski_cas.audit.listing import listing
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source, read_source
@@ -119,9 +119,7 @@ def chosen(source: Source, name: str | None) -> tuple[Path, Derivation]:
     if name is not None:
         return session.derivations([name])[0]
     candidates = session.derivations(available())
-    from kowalevski_cas.audit.fit import best
-
-    found = best(source, [derivation for _, derivation in candidates])
+    found = derivation_of(source, [derivation for _, derivation in candidates])
     if found is None:
         raise CommandError(
             f"{source.path}: no derivation of the library fits this source; "

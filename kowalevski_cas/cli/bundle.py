@@ -22,8 +22,8 @@ from kowalevski_cas.cli.report import certified, explained
 from kowalevski_cas.files import write_all
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.problem import checker
-from kowalevski_cas.report import Section
 from kowalevski_cas.report.pdf import page
+from kowalevski_cas.report.places import Section
 from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.committed import Checked, certificate_files
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict

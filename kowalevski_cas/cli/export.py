@@ -11,9 +11,10 @@ from pathlib import Path
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED, CommandError
-from kowalevski_cas.export import FORMATS, Export, Json, load
+from kowalevski_cas.export import Export, Json, load
 from kowalevski_cas.files import write_all
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.tools import TOOLS
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.committed import certificate_files, check_committed, check_files
 from kowalevski_cas.verify.record import load_record
@@ -21,8 +22,8 @@ from kowalevski_cas.verify.record import load_record
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
-    words = "; ".join(f"{name}: {words}" for name, words in FORMATS.items())
-    parser.add_argument("format", choices=FORMATS, metavar="FORMAT", help=words)
+    words = "; ".join(f"{name}: {tool.reads}" for name, tool in TOOLS.items())
+    parser.add_argument("format", choices=TOOLS, metavar="FORMAT", help=words)
     session.add_derivations(parser)
     session.add_output(parser, "write there", required=True)
 

@@ -192,7 +192,7 @@ def _scene(derivation: Derivation, name: str | None) -> Scene:
 def _has_more_constants(scene: Scene, than: Scene) -> bool:
     """Whether a scene is another one with more constants, of which its motion does not depend."""
     differing = {name for name, value in vars(scene).items() if value != vars(than)[name]}
-    same = differing <= {"name", "words", "constants"}
+    same = differing <= {"name", "constants"}
     return same and {*scene.constants} > {*than.constants}
 
 

@@ -46,7 +46,7 @@ def run(arguments: argparse.Namespace) -> int:
         source = read_source(arguments.source)
         folder, derivation = chosen(source, arguments.derivation)
     else:
-        name = [arguments.derivation] if arguments.derivation else []
+        name = [] if arguments.derivation is None else [arguments.derivation]
         folder, derivation = session.derivations(name)[0]
         source = synthetic(derivation)
     print(f"{source.path} by {derivation.name}, seed {seed}", flush=True)

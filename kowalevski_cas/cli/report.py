@@ -12,8 +12,8 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.report import Section, sections
 from kowalevski_cas.report.pdf import write_report
+from kowalevski_cas.report.places import Section, sections
 from kowalevski_cas.verify.committed import Checked, check_committed, statements
 from kowalevski_cas.verify.outcome import Run
 

@@ -17,6 +17,7 @@ from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.library import available, find, load, source
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
@@ -74,6 +75,7 @@ def run(
     timeout: float | None = None,
     stored: Mapping[str, Stored] | None = None,
     seed: int = 1,
+    texts: Texts | None = None,
 ) -> Run:
     """A run of a derivation, with the certificates in its folder; it tells how far it has come."""
     if not derivation.claims:
@@ -82,8 +84,8 @@ def run(
         stored = load_certificates(folder)
     try:
         return verify(
-            derivation, arithmetics, only, explain, tell, stored, timeout, seed=seed,
-            record=recorded(folder),
+            derivation, arithmetics, only, explain, tell, stored, timeout, texts, seed,
+            recorded(folder),
         )  # fmt: skip
     except NotationError as error:
         raise CommandError(f"{derivation.name}: what it accepts cannot be read: {error}") from None

@@ -10,10 +10,10 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from itertools import pairwise
+from itertools import accumulate
 from pathlib import Path
 from time import sleep
 
@@ -31,9 +31,10 @@ from kowalevski_cas.cli.exits import (
 )
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.library import READ, available, find, source
+from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.report import sections
-from kowalevski_cas.verify.certificate import Stored
+from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.verify.certificate import Stored, load_certificates
 from kowalevski_cas.verify.outcome import Run, Verdict
 from kowalevski_cas.verify.record import contradictions, differences, load_record, unexpected
 from kowalevski_cas.verify.teller import disagreement
@@ -72,42 +73,63 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run_derivations(arguments: argparse.Namespace) -> list[Result]:
     """Run the derivations and compare them with their records."""
     chosen = session.derivations(arguments.derivations, arguments.only)
+    stored = [load_certificates(folder) for folder, _ in chosen]
     parts = [
         (place, share)
         for place, (_, derivation) in enumerate(chosen)
-        for share in _shares(derivation, arguments.only, CORES // len(chosen))
+        for share in _shares(derivation, arguments.only, stored[place], CORES // len(chosen))
     ]
+    texts = [_read(derivation) for _, derivation in chosen]  # once for all processes
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-    for name in arithmetics:  # once for all processes
+    for name in arithmetics:
         (load_points if name in POINTS else load)(name)
 
     def run(part: tuple[int, Sequence[str]]) -> Run:
         place, share = part
         return session.run(
             *chosen[place], arithmetics, share, arguments.report is not None,
-            arguments.timeout, seed=arguments.seed,
+            arguments.timeout, stored[place], arguments.seed, texts[place],
         )  # fmt: skip
 
     runs: list[list[Run]] = [[] for _ in chosen]
     for (place, _), found in zip(parts, session.watched(run, parts), strict=True):
         runs[place].append(found)
-    return [_result(arguments, *one, found) for one, found in zip(chosen, runs, strict=True)]
+    parts_of = zip(chosen, texts, runs, strict=True)
+    return [_result(arguments, *one, words, found) for one, words, found in parts_of]
 
 
-def _shares(derivation: Derivation, only: Sequence[str], parts: int) -> Iterator[Sequence[str]]:
+def _read(derivation: Derivation) -> Texts:
+    """The texts of a derivation, with all its displays read."""
+    texts = derivation.texts()
+    for display in derivation.displays():
+        with suppress(NotationError):  # whoever decides a claim about it says why
+            texts.statements(display)
+    return texts
+
+
+def _shares(
+    derivation: Derivation, only: Sequence[str], stored: Mapping[str, Stored], parts: int
+) -> list[list[str]]:
     """The claims of a derivation in parts, for as many cores: what is decided does not differ.
 
     Claims that follow each other stand on the same scenes, which each process elaborates anew.
+    A claim costs what its statement does, as much as any other, and what its evidence does.
     """
     claims = [claim.id for claim in derivation.claims if not only or claim.id in only]
-    parts = max(1, min(parts, len(claims)))
-    ends = [len(claims) * part // parts for part in range(parts + 1)]
-    for start, end in pairwise(ends):
-        yield claims[start:end]
+    sizes = [stored[id].path.stat().st_size if id in stored else 0 for id in claims]
+    ends = [*accumulate(len(sizes) * size + sum(sizes) + 1 for size in sizes)]
+    shares: dict[int, list[str]] = {}
+    for id, end in zip(claims, ends, strict=True):
+        shares.setdefault(max(1, parts) * (end - 1) // ends[-1], []).append(id)
+    return list(shares.values()) or [[]]
 
 
 def _result(
-    arguments: argparse.Namespace, folder: Path, derivation: Derivation, runs: Sequence[Run]
+    arguments: argparse.Namespace,
+    folder: Path,
+    derivation: Derivation,
+    texts: Texts,
+    runs: Sequence[Run],
 ) -> Result:
     """The parts of a run, put together in the order of the paper, beside the record."""
     outcomes = {outcome.claim: outcome for run in runs for outcome in run.outcomes}
@@ -116,10 +138,10 @@ def _result(
     )
     if arguments.report is not None or arguments.format == "json":
         found = replace(found, versions=session.versions())
-    return compared(folder, derivation, found, not arguments.only)
+    return compared(folder, derivation, texts, found, not arguments.only)
 
 
-def compared(folder: Path, derivation: Derivation, found: Run, whole: bool) -> Result:
+def compared(folder: Path, derivation: Derivation, texts: Texts, found: Run, whole: bool) -> Result:
     """A run beside the record in a folder, of all claims if it is whole."""
     record, said = load_record(folder), derivation.expected
     if record is None:
@@ -131,8 +153,7 @@ def compared(folder: Path, derivation: Derivation, found: Run, whole: bool) -> R
         against = (one for one in unexpected(found, said) if one.claim in said)
         words = "against the file, which expects {}"
         differing += [replace(one, recorded=words.format(one.recorded)) for one in against]
-    paper = sections(found, derivation, derivation.texts())
-    return Result(folder, found, paper, differing, record is not None, derivation.lines)
+    return Result(folder, derivation, texts, found, differing, record is not None)
 
 
 def told(
@@ -140,7 +161,7 @@ def told(
 ) -> str:
     """What a terminal says of a claim, if it is not as recorded or expected; else nothing."""
     found = session.run(folder, derivation, ["flint"], [claim], timeout=seconds, stored=stored)
-    result = compared(folder, derivation, found, False)
+    result = compared(folder, derivation, derivation.texts(), found, False)
     return "" if exit_code(result) == AS_RECORDED else load_format("pretty").render([result])
 
 

@@ -11,15 +11,16 @@ import sys
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, REJECTED
 from kowalevski_cas.cli.export import translated
-from kowalevski_cas.export import FORMATS, load
+from kowalevski_cas.export import load
 from kowalevski_cas.export.witness import testify
 from kowalevski_cas.files import write
+from kowalevski_cas.tools import TOOLS
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
-    words = "; ".join(f"{name}: {words}" for name, words in FORMATS.items())
-    parser.add_argument("program", choices=FORMATS, metavar="PROGRAM", help=words)
+    words = "; ".join(f"{name}: {tool.reads}" for name, tool in TOOLS.items())
+    parser.add_argument("program", choices=TOOLS, metavar="PROGRAM", help=words)
     session.add_derivations(parser)
     session.add_output(parser, "write there", "reports/witnesses")
 

@@ -35,6 +35,11 @@ class Program(Polynomials):
 
     tool = TOOLS["maxima"]
     suffix = ".mac"
+    comment = "/* {} */"
+    holds = 'holds("{}", {}, {})$'
+    define = "{} : red({})$"
+    relation = "roots : cons([{}, {}], roots)$"
+    divisors = "{} : [{}]$"
 
     def arguments(self, file: Path) -> list[str]:
         return ["--very-quiet", "--run-string", f'errcatch(batchload("{file.name}"))$ quit()$']
@@ -47,24 +52,6 @@ class Program(Polynomials):
     def frame(self, generators: Sequence[str], body: str) -> str:
         return f"ratvars({', '.join(generators)})$\n{_BEGIN}\n{body}\n"
 
-    def holds(self, words: str, text: str, divisors: str) -> str:
-        return f'holds("{words}", {text}, {divisors})$'
-
-    def comment(self, words: str) -> str:
-        return f"/* {words} */"
-
-    def define(self, name: str, text: str) -> str:
-        return f"{name} : red({text})$"
-
-    def relation(self, root: str, square: str) -> str:
-        return f"roots : cons([{root}, {square}], roots)$"
-
-    def divisors(self, name: str, pairs: Sequence[tuple[str, str]]) -> str:
-        return f"{name} : [{', '.join(f'[{v}, {n}]' for v, n in pairs)}]$"
-
     def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
         pairs = ", ".join(f"{old} = {new}" for old, new in images.items())
         return f"{name}(p) := rat(sublis([{pairs}], ratdisrep(p)))$"
-
-    def determinant(self, rows: Sequence[Sequence[str]]) -> str:
-        return f"determinant(matrix({', '.join(f'[{chr(44).join(row)}]' for row in rows)}))"

@@ -42,6 +42,11 @@ class Program(Polynomials):
 
     tool = TOOLS["pari"]
     suffix = ".gp"
+    comment = r"\\ {}"
+    define = "{} = red({});"
+    relation = "roots = concat(roots, [[{}, {}]]);"
+    divisors = "{} = [{}];"
+    derivative = "deriv({}, {})"
 
     def arguments(self, file: Path) -> list[str]:
         return ["--quiet", "--fast", "--default", "parisize=1G", file.name]
@@ -49,23 +54,5 @@ class Program(Polynomials):
     def frame(self, generators: Sequence[str], body: str) -> str:
         return f"[{', '.join(reversed(generators))}];\n{_BEGIN}\n{body}\nquit;\n"
 
-    def comment(self, words: str) -> str:
-        return rf"\\ {words}"
-
-    def define(self, name: str, text: str) -> str:
-        return f"{name} = red({text});"
-
-    def relation(self, root: str, square: str) -> str:
-        return f"roots = concat(roots, [[{root}, {square}]]);"
-
-    def divisors(self, name: str, pairs: Sequence[tuple[str, str]]) -> str:
-        return f"{name} = [{', '.join(f'[{v}, {n}]' for v, n in pairs)}];"
-
-    def derivative(self, text: str, generator: str) -> str:
-        return f"deriv({text}, {generator})"
-
     def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
         return f"{name}(p) = substvec(p, [{', '.join(images)}], [{', '.join(images.values())}]);"
-
-    def determinant(self, rows: Sequence[Sequence[str]]) -> str:
-        return f"matdet([{'; '.join(', '.join(row) for row in rows)}])"

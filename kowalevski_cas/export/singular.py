@@ -43,6 +43,10 @@ class Program(Polynomials):
 
     tool = TOOLS["singular"]
     suffix = ".sing"
+    comment = "// {}"
+    define = "poly {} = red({});"
+    relation = "relations = relations + ideal({}^2 - {});"
+    divisors, pair = "list {} = list({});", "{}, {}"
 
     def arguments(self, file: Path) -> list[str]:
         return ["--quiet", "--no-rc", "--no-warn", file.name]
@@ -51,27 +55,11 @@ class Program(Polynomials):
         names = ", ".join(reversed(generators))
         return f"ring R = 0, ({names}), lp;\n{_BEGIN}\n{body}\nquit;\n"
 
-    def comment(self, words: str) -> str:
-        return f"// {words}"
-
     def number(self, value: Fraction) -> str:
         if value.denominator == 1:
             return f"number({value.numerator})"
         return f"(number({value.numerator})/number({value.denominator}))"
 
-    def define(self, name: str, text: str) -> str:
-        return f"poly {name} = red({text});"
-
-    def relation(self, root: str, square: str) -> str:
-        return f"relations = relations + ideal({root}^2 - {square});"
-
-    def divisors(self, name: str, pairs: Sequence[tuple[str, str]]) -> str:
-        return f"list {name} = list({', '.join(f'{v}, {n}' for v, n in pairs)});"
-
     def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
         values = ", ".join(images.get(name, name) for name in reversed(generators))
         return f"map {name} = R, {values};"
-
-    def determinant(self, rows: Sequence[Sequence[str]]) -> str:
-        entries = ", ".join(entry for row in rows for entry in row)
-        return f"det(matrix(ideal({entries}), {len(rows)}, {len(rows)}))"

@@ -49,7 +49,8 @@ class Formula:
         while waiting:
             one = waiting.pop()
             yield one
-            waiting += reversed(one.children())
+            if one._below:
+                waiting += reversed(one.children())
 
     def names(self) -> set[str]:
         """The names that stand in the formula."""

@@ -206,8 +206,9 @@ def _missing(names: list[str], vocabulary: Vocabulary, place: _Place) -> Iterato
         first = len(factors)
     else:
         first = int(isinstance(factors[0], Number))
+    tex = to_latex(node)
     for name in names:
-        words = f"insert the factor ${name}$ in ${to_latex(node)}$"
+        words = f"insert the factor ${name}$ in ${tex}$"
         yield "missing", place.path, times(*factors[:first], Name(name), *factors[first:]), words
 
 

@@ -17,7 +17,6 @@ from kowalevski_cas.notation import (
     to_latex,
 )
 from kowalevski_cas.notation.vocabulary import VECTOR
-from kowalevski_cas.paper.matrices import rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.problem.space import Let, Meaningless
 
@@ -44,16 +43,6 @@ def size(vector: Formula, setting: Meaning) -> int:
         numbers = " and ".join(map(str, sorted(found)))
         raise Meaningless(f"the vectors in {to_latex(vector)} have {numbers} components")
     return found.pop()
-
-
-def applied(matrix: Formula, vector: Formula, setting: Meaning) -> Vector:
-    """The product of a matrix that is printed by its rows and a vector, by components."""
-    lines, columns = rows(matrix, setting), range(size(vector, setting))
-    if len(lines[0]) != len(columns):
-        raise Meaningless("a matrix and a vector are multiplied whose sizes do not fit")
-    entries = [component(vector, k, setting) for k in columns]
-    sums = (tuple(map(Product, zip(line, entries, strict=True))) for line in lines)
-    return Vector(tuple(Sum(terms) if len(terms) > 1 else terms[0] for terms in sums))
 
 
 def component(vector: Formula, index: int, setting: Meaning) -> Formula:

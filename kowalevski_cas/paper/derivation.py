@@ -74,7 +74,8 @@ class Section:
             says: what is claimed, in words; one for each statement, if it is not the same for all.
             ids: the ids of the claims, if they are others than that of the display, which is
                 followed by a number where the display has several statements.
-            attributes: what the kind of claim asks for besides.
+            attributes: what the kind of claim asks for besides; of a display, each claim is about
+                the statement with the number of its own.
 
         Raises:
             ValueError: if there are not as many words or ids as statements.
@@ -89,7 +90,11 @@ class Section:
                 f"{display.id}: {len(places)} statements, {len(ids)} ids, {len(words)} words"
             )
         for id, place, word in zip(ids, places, words, strict=True):
-            self.claim(kind(id, on, place, word, **attributes))
+            own: dict[str, Any] = {
+                name: value[place.number] if isinstance(value, Display) else value
+                for name, value in attributes.items()
+            }
+            self.claim(kind(id, on, word, printed=place, **own))
         return printed
 
     def claim(self, *claims: Claim) -> None:

@@ -56,7 +56,7 @@ def rows(formula: Formula, setting: Meaning, within: tuple[str, ...] = ()) -> Ro
         case Vector(lines) if all(isinstance(line, Vector) for line in lines):
             return tuple(tuple(map(setting.plain, line.children())) for line in lines)
         case Diagonal(entries):
-            return _diagonal([*map(setting.plain, entries)])
+            return diagonal([*map(setting.plain, entries)])
         case Negative(argument):
             return _each(of(argument), Negative)
         case Derivative(argument, mark):
@@ -97,7 +97,7 @@ def alike(
     }
     size = len(next(iter(found.values())))
     return [
-        found[k] if k in found else _diagonal([setting.plain(formula)] * size)
+        found[k] if k in found else diagonal([setting.plain(formula)] * size)
         for k, formula in enumerate(formulas)
     ]
 
@@ -106,17 +106,17 @@ def _multiplied(formula: Formula, setting: Meaning, of: Callable[[Formula], Rows
     """The entries of what is made of matrices by multiplication."""
     match formula:
         case Commutator(left, right):
-            first, second = _product(of(left), of(right)), _product(of(right), of(left))
+            first, second = product(of(left), of(right)), product(of(right), of(left))
             return _sum(first, _each(second, Negative))
         case Power(base, Number(exponent)) if exponent:
-            return reduce(_product, [of(base)] * exponent)
+            return reduce(product, [of(base)] * exponent)
         case Quotient(above, below):
             divisor = setting.plain(below)
             return _each(of(above), lambda entry: Quotient(entry, divisor))
         case Product(factors):
             matrices = [of(factor) for factor in factors if is_matrix(factor, setting)]
             scalars = tuple(setting.plain(f) for f in factors if not is_matrix(f, setting))
-            whole = reduce(_product, matrices)
+            whole = reduce(product, matrices)
             return _each(whole, lambda entry: Product((*scalars, entry))) if scalars else whole
     raise Meaningless(f"{to_latex(formula)} is no matrix that is known here")
 
@@ -153,7 +153,8 @@ OF_MATRICES = {r"\det": determinant, r"\mathrm{tr}": trace}
 """The functions of matrices."""
 
 
-def _diagonal(entries: Sequence[Formula]) -> Rows:
+def diagonal(entries: Sequence[Formula]) -> Rows:
+    """The matrix with this diagonal, and zeros beside it."""
     size = range(len(entries))
     return tuple(tuple(entries[i] if i == j else Number(0) for j in size) for i in size)
 
@@ -172,11 +173,14 @@ def _plus(a: Formula, b: Formula) -> Formula:
     return Sum((a, b))
 
 
-def _product(left: Rows, right: Rows) -> Rows:
-    if sizes(left)[1] != sizes(right)[0]:
-        raise Meaningless("matrices are multiplied whose sizes do not fit")
-    columns = tuple(zip(*right, strict=True))
-    return tuple(
-        tuple(total(Product(pair) for pair in zip(row, column, strict=True)) for column in columns)
-        for row in left
-    )
+def applied(matrix: Rows, column: Sequence[Formula]) -> tuple[Formula, ...]:
+    """A matrix times a column; raises :class:`Meaningless` if their sizes do not fit."""
+    if len(matrix[0]) != len(column):
+        raise Meaningless("factors are multiplied whose sizes do not fit")
+    return tuple(total(map(Product, zip(row, column, strict=True))) for row in matrix)
+
+
+def product(left: Rows, right: Rows) -> Rows:
+    """The product of two matrices."""
+    columns = (applied(left, column) for column in zip(*right, strict=True))
+    return tuple(zip(*columns, strict=True))

@@ -35,11 +35,11 @@ from kowalevski_cas.notation import (
     total,
 )
 from kowalevski_cas.notation.errors import dotted, letter_and_index, undotted
-from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.brackets import Brackets
-from kowalevski_cas.paper.components import applied
+from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.functions import value_of
-from kowalevski_cas.paper.matrices import OF_MATRICES, by_rows, is_matrix, rows
+from kowalevski_cas.paper.matrices import OF_MATRICES, applied, by_rows, rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
 from kowalevski_cas.paper.roots import root_of_number
@@ -120,16 +120,17 @@ class Plain:
     def _applied_matrix(self, factors: tuple[Formula, ...]) -> Formula | None:
         """The product of a matrix by its rows and a vector; ``None`` for any other product."""
         words = self.setting.texts.vocabulary
-        if rank(Product(factors), words) != VECTOR:
+        ranks = [rank(factor, words) for factor in factors]
+        if VECTOR not in ranks or MATRIX not in ranks:
             return None
-        matrices = (factor for factor in factors if is_matrix(factor, self.setting))
+        matrices = (factor for factor, own in zip(factors, ranks, strict=True) if own == MATRIX)
         if not any(by_rows(matrix, self.setting) for matrix in matrices):
             return None
         *before, vector = factors
         if rank(vector, words) != VECTOR:
             raise Meaningless("a vector stands before a matrix: print it behind")
         matrix = Product(tuple(before)) if len(before) > 1 else before[0]
-        return applied(matrix, self(vector), self.setting)
+        return Vector(applied(rows(matrix, self.setting), parts(self(vector), self.setting)))
 
     def _derivative(self, argument: Formula, mark: str) -> Formula:
         """The rate by the time of the scene, or by the other one that its clock declares."""

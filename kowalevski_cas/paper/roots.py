@@ -6,10 +6,10 @@ from fractions import Fraction
 from functools import cache
 
 from kowalevski_cas.algebra import load
+from kowalevski_cas.algebra.derivation import along
 from kowalevski_cas.algebra.numbers import prime_factors, rational
-from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in
-from kowalevski_cas.algebra.tower import Element, Ring
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Constant, Formula, Name, Number, Power, to_latex
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
@@ -78,24 +78,14 @@ def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
 
 
 def _even(element: Element, name: str) -> tuple[Element, Element]:
-    """The factor of the square of a generator, and the rest, if it occurs to these powers."""
+    """The factor of the square of a generator, and the rest, if it occurs to these powers only."""
     ring = element.ring
-    place = ring.polynomials.generators.index(name)
-    found: dict[int, dict[int, Terms]] = {0: {}, 2: {}}
-    for mask, terms in element.terms().items():
-        for exponents, value in terms.items():
-            below = (*exponents[:place], 0, *exponents[place + 1 :])
-            found.setdefault(exponents[place], {}).setdefault(mask, {})[below] = value
-    if found.keys() != {0, 2} or any(place in _stands(ring, k) for k in element.denominator):
-        return ring.zero, ring.one
-    one = Element(ring, ring.one.parts, element.denominator)
-    return ring.from_terms(found[2]) * one, ring.from_terms(found[0]) * one
-
-
-def _stands(ring: Ring, divisor: int) -> set[int]:
-    """The places of the generators that stand in a divisor."""
-    monomials = ring.polynomials.terms(ring.divisors[divisor])
-    return {place for exponents in monomials for place, e in enumerate(exponents) if e}
+    by = {name: ring.one}
+    factor = along(along(element, by), by) * ring.number(Fraction(1, 2))
+    rest = element - factor * ring.generator(name) ** 2
+    without = (factor, rest, *ring.divided_by([element]))
+    even = all(along(one, by).is_zero for one in without)
+    return (factor, rest) if even else (ring.zero, ring.one)
 
 
 def _known(at: Evaluation, setting: Meaning, member: Formula) -> Formula | None:

@@ -87,8 +87,7 @@ class Scene:
         the places at which every statement about sets is tried once more.
     """
 
-    name: str
-    words: str
+    name: str = ""
     vectors: Mapping[str, tuple[str, ...]] = default(default_factory=dict)
     variables: tuple[str, ...] = ()
     constants: tuple[str, ...] = ()
@@ -128,9 +127,9 @@ class Scene:
 
     # -- verbs -------------------------------------------------------------------
 
-    def described(self, name: str, words: str) -> Scene:
+    def called(self, name: str) -> Scene:
         """The scene under a name of its own."""
-        return replace(self, name=name, words=words)
+        return replace(self, name=name)
 
     def having(
         self,
@@ -194,17 +193,21 @@ class Scene:
         scene = self
         for root in roots:
             if isinstance(root, str):
-                scene = scene._with_root(root, None)
+                scene = scene.solving(root, None)
                 continue
             for place in statements(root):
                 if len(place.heads.squares) != 1:
                     raise ValueError(f"{place.place} does not give the square of one name")
-                scene = scene._with_root(place.heads.squares[0], place)
+                scene = scene.solving(place.heads.squares[0], place)
         return scene
 
-    def solving(self, root: str, by: Printed) -> Scene:
-        """The scene with a square root by an equation in which its square stands somewhere."""
-        return self._with_root(root, by)
+    def solving(self, root: str, by: Printed | None) -> Scene:
+        """The scene with a square root, by an equation in which its square stands somewhere.
+
+        A root that is printed as such needs none. Raises ``ValueError`` if it is known.
+        """
+        self._is_new(root, self.roots, self.definitions)
+        return replace(self, roots={**self.roots, root: by})
 
     def restricted(self, *by: Display | Printed) -> Scene:
         """The scene where printed equations set variables to zero."""
@@ -243,7 +246,6 @@ class Scene:
         """
         return Scene(
             self.name,
-            self.words,
             variables=(*(name for place in by for name in place.heads.names), *keeping),
             field=Change(self, tuple(by), time),
             time=time.heads.names[0],
@@ -261,10 +263,6 @@ class Scene:
                     self._is_new(name, definitions)
                 definitions[name] = place
         return replace(self, definitions=definitions)
-
-    def _with_root(self, name: str, place: Printed | None) -> Scene:
-        self._is_new(name, self.roots, self.definitions)
-        return replace(self, roots={**self.roots, name: place})
 
     def _is_new(self, name: str, *known: Container[str]) -> None:
         if any(name in names for names in known):
@@ -317,7 +315,8 @@ class Scene:
         Then the name stands for the value at these; velocities and the time may be among them.
         """
         moving = (*self.variables, *self.vectors)
-        return {*moving, *map(dotted, moving), self.time}.issuperset(head(name)[1])
+        arguments = head(name)[1]
+        return not arguments or {*moving, *map(dotted, moving), self.time}.issuperset(arguments)
 
     def branches(self) -> Iterator[Printed]:
         """The places that print a value for a root: they choose one of two values."""

@@ -9,7 +9,8 @@ with other texts.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
+from dataclasses import field as default
 from functools import cache
 from typing import Any
 
@@ -133,6 +134,7 @@ def check_attributes(one: Any, owner: str) -> None:
             )
 
 
+@dataclass(frozen=True, eq=False)
 class Texts:
     """The texts at the places of a derivation, read in one vocabulary.
 
@@ -140,19 +142,11 @@ class Texts:
     prints; ``edits`` holds single statements that are changed on top of that.
     """
 
-    def __init__(
-        self,
-        vocabulary: Vocabulary,
-        sources: Mapping[str, str] | None = None,
-        edits: Mapping[Printed, Formula] | None = None,
-        displays: dict[str, tuple[Statement, ...]] | None = None,
-        expressions: dict[str, Formula] | None = None,
-    ) -> None:
-        self.vocabulary = vocabulary
-        self.sources = dict(sources or {})
-        self.edits = dict(edits or {})
-        self._read: dict[str, tuple[Statement, ...]] = {} if displays is None else displays
-        self._expressions: dict[str, Formula] = {} if expressions is None else expressions
+    vocabulary: Vocabulary
+    sources: Mapping[str, str] = default(default_factory=dict)
+    edits: Mapping[Printed, Formula] = default(default_factory=dict)
+    _read: dict[str, tuple[Statement, ...]] = default(default_factory=dict)
+    _expressions: dict[str, Formula] = default(default_factory=dict)
 
     def edited(self, printed: Printed, edit: Edit) -> Texts:
         """The same texts with one statement changed."""
@@ -160,20 +154,12 @@ class Texts:
 
     def reading(self, formulas: Mapping[Printed, Formula]) -> Texts:
         """The same texts with other formulas at some places."""
-        return Texts(
-            self.vocabulary,
-            self.sources,
-            {**self.edits, **formulas},
-            self._read,
-            self._expressions,
-        )
+        return replace(self, edits={**self.edits, **formulas})
 
     def with_source(self, display: Display, tex: str) -> Texts:
         """The same texts with another source of one display."""
         kept = {id: statements for id, statements in self._read.items() if id != display.id}
-        return Texts(
-            self.vocabulary, {**self.sources, display.id: tex}, self.edits, kept, self._expressions
-        )
+        return replace(self, sources={**self.sources, display.id: tex}, _read=kept)
 
     def expression(self, tex: str) -> Formula:
         """A formula that no place prints, in the same vocabulary."""

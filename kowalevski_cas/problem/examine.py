@@ -90,8 +90,7 @@ class Examiner:
         """Check a proof; what stands in it is yielded."""
         groups = [[at.scalar(entry) for entry in group] for group in proof.product]
         if groups:
-            if not is_real(at.setting) or not all(groups):
-                raise Unproved("cases need real names, and each supposes something")
+            _check_groups(groups, at.setting)
             for group, case in zip(groups, proof.cases, strict=True):
                 yield from group
                 yield from self._settle(goals, [*known, *group], case, at)
@@ -126,6 +125,14 @@ class Examiner:
             raise Unproved("something is divided by that vanishes at the point")
         self.accepted.places.append(place)
         return place
+
+
+def _check_groups(groups: Sequence[Sequence[Element]], setting: Setting) -> None:
+    """Refuse a case that supposes nothing, and squares of what is not real."""
+    if not all(groups):
+        raise Unproved("there are cases, and each supposes something")
+    if any(group[1:] for group in groups) and not is_real(setting):
+        raise Unproved("sums of squares need real names")
 
 
 def need_point(point: Point | None) -> Point:

@@ -53,7 +53,7 @@ class Place:
         zero = self.numbers.ring.zero
         generators = {name: given.get(name, zero) for name in at.ring.polynomials.generators}
         self._value = Substitution(at.ring, generators, self.numbers.ring, roots={})
-        self._unknown = [k for k, name in enumerate(generators) if name not in given]
+        self._unknown = {k for k, name in enumerate(generators) if name not in given}
         self._unknown_roots = sum(1 << k for k, n in enumerate(at.ring.roots) if n not in given)
         for bit, name in enumerate(at.ring.roots):
             below = at.ring.below[bit]
@@ -73,11 +73,8 @@ class Place:
         if any(mask & self._unknown_roots for mask in element.parts):
             return False
         divisors = (ring.divisors[index] for index in element.denominator)
-        return not any(
-            degrees[k] > 0
-            for degrees in map(ring.polynomials.degrees, (*element.parts.values(), *divisors))
-            for k in self._unknown
-        )
+        occurring = map(ring.polynomials.occurring, (*element.parts.values(), *divisors))
+        return all(map(self._unknown.isdisjoint, occurring))
 
     def vanish(self, elements: Sequence[Element]) -> bool:
         """Whether all elements are defined and vanish there."""

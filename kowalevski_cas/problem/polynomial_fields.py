@@ -46,10 +46,10 @@ class PolynomialField:
 
     def polynomial(self, element: Element) -> Terms:
         """An element times what it divides by, which no variable stands in."""
-        degrees, ring = self.at.ring.polynomials.degrees, self.at.ring
-        moving = [ring.polynomials.generators.index(name) for name in self.names[: self.size]]
+        ring = self.at.ring
+        moving = {ring.polynomials.generators.index(name) for name in self.names[: self.size]}
         for index in element.denominator:
-            if any(degrees(ring.divisors[index])[k] for k in moving):
+            if not moving.isdisjoint(ring.polynomials.occurring(ring.divisors[index])):
                 raise Meaningless("a variable stands below the line")
         return self._times(element, element.denominator)
 

@@ -133,8 +133,9 @@ class Reach:
     def _reached(self, formula: Formula) -> bool:
         """Whether a formula speaks of names that are reached only."""
         trial = Reach(self.setting)
+        trial.names = {*self.names}  # with all to which they lead
         trial.formula(formula)
-        return trial.names <= self.names
+        return trial.names == self.names
 
 
 def pruned(goals: Iterable[Goal]) -> Problem:

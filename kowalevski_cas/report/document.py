@@ -8,11 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.report.graph import Picture
-from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.verify.outcome import Verdict
+
+if TYPE_CHECKING:  # a terminal shows none
+    from kowalevski_cas.report.graph import Picture
+    from kowalevski_cas.report.plates import Plate
 
 
 @dataclass(frozen=True)
@@ -148,12 +151,6 @@ class Document:
     short: str
     subtitle: tuple[Text, ...]
     blocks: tuple[Block, ...]
-
-
-def drawing(document: Document) -> Picture:
-    """The picture in a document, which some formats take as a file of its own."""
-    drawn = (block.picture for block in document.blocks if isinstance(block, Graph))
-    return next(drawn, Picture((), (), 0.0, 0.0))
 
 
 def paged(document: Document) -> Document:

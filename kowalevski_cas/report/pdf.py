@@ -19,8 +19,9 @@ from typing import Final, Literal
 from kowalevski_cas import UserError
 from kowalevski_cas.files import write
 from kowalevski_cas.report.contents import contents
-from kowalevski_cas.report.document import Document, drawing
+from kowalevski_cas.report.document import Document, Graph
 from kowalevski_cas.report.facts import facts
+from kowalevski_cas.report.graph import Picture
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.latex import render_latex
@@ -107,11 +108,17 @@ def write_report(
             if engine == "latex":
                 raise
             notes = (f"{error} The PDF was made by Typst instead.",)
-    source, picture = render_typst(document), svg(drawing(document))
+    source, picture = render_typst(document), svg(_drawing(document))
     made = _made("typst", source + picture, shown, folder)
     if not _ends(pdf, made):
         write(pdf, typst_pdf(source, picture, shown, folder) + made)
     return Written(html, tex, pdf, "typst", notes)
+
+
+def _drawing(document: Document) -> Picture:
+    """The picture in a document, which Typst takes as a file of its own."""
+    drawn = (block.picture for block in document.blocks if isinstance(block, Graph))
+    return next(drawn, Picture((), (), 0.0, 0.0))
 
 
 def _made(engine: str, source: str, shown: tuple[Plate, ...], folder: Path) -> bytes:

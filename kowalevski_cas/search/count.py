@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from flint import fmpq_mpoly
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.flint import to_fraction
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_fraction
 from kowalevski_cas.algebra.hermite import hermite_minors
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in, fraction_formula, polynomial_formula
@@ -21,6 +21,7 @@ from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.eliminants import Eliminant, eliminant
+from kowalevski_cas.search.groebner import remainder
 from kowalevski_cas.search.levels import (
     System,
     constants_for,
@@ -70,11 +71,14 @@ class Builder:
             },
             [Name(name) for name in self.system.unknowns],
         )
+        solved = self._solved()
+        if solved is None:
+            return None
         draft = Roots(
             root=self.root,
             form=form,
             eliminant=tuple(map(self.formula, self._coefficients())),
-            solved=tuple(self._solved()),
+            solved=tuple(solved),
             rows=(),
             quotients=(),
             factors=(),
@@ -94,16 +98,21 @@ class Builder:
             draft, rows=rows, quotients=quotients, factors=factors, minors=minors, point=point
         )
 
-    def _solved(self) -> list[tuple[str, Formula, Formula]]:
-        """Each variable by numerator and denominator."""
+    def _solved(self) -> list[tuple[str, Formula, Formula]] | None:
+        """Each variable by numerator and denominator, if it is zero or plus or minus an unknown."""
         found = {
             name: (self.formula(above), self.formula(below))
             for name, above, below in zip(
                 self.system.unknowns, self.found.numerators, self.found.denominators, strict=True
             )
         }
+        if any(self.at.scalar(below).is_zero for _, below in found.values()):
+            return None
         for name, expression in self.system.solved:
-            found[name] = self._expressed(self.system.terms(expression), found)
+            terms = self.system.terms(expression)
+            if len(terms) > 1 or any(sum(exponents) != 1 for exponents in terms):
+                return None
+            found[name] = self._expressed(terms, found)
         return [(name, *found[name]) for name in self.goal.names]
 
     def _expressed(
@@ -201,31 +210,22 @@ class Builder:
         return Factor(written, pairs, tuple(map(formula_in, row)), self._granted(bases))
 
     def _in_variables(self, factor: Formula) -> Element | None:
-        """A factor in the constants, these being what the original equations set equal to them."""
-        rest = self.at.scalar(factor)
-        constants = {self.at.names.index(name) for name in self.at.setting.constants}
-        for element in self.known:
-            inner: Terms = {}
-            outer: Terms = {}
-            for exponents, v in element.terms()[0].items():
-                inside = any(exponents[k] for k in constants)
-                (inner if inside else outer)[exponents] = v
-            if len(inner) != 1:
-                continue
-            ((exponents, lead),) = inner.items()
-            rest = self._replaced(rest, exponents, {e: -v / lead for e, v in outer.items()})
-        terms = rest.terms().get(0, {})
-        return None if any(e[k] for e in terms for k in constants) else rest
+        """A factor in which constants are replaced by what the equations set equal to them."""
+        names, still = self.at.names, self.at.setting.constants
+        order = sorted(range(len(names)), key=lambda k: names[k] not in still)
+        context = fmpq_mpoly_ctx.get([f"x{k}" for k in order], Ordering.lex)
 
-    def _replaced(self, element: Element, monomial: Sequence[int], by: Terms) -> Element:
-        """An element with a polynomial in place of a monomial in the constants."""
-        image = self.at.ring.from_terms({0: by})
-        total = self.at.ring.zero
-        for exponents, coefficient in element.terms().get(0, {}).items():
-            power = min(e // m for e, m in zip(exponents, monomial, strict=True) if m)
-            left = tuple(e - power * m for e, m in zip(exponents, monomial, strict=True))
-            total = total + self.at.ring.from_terms({0: {left: coefficient}}) * image**power
-        return total
+        def carried(element: Element) -> fmpq_mpoly:
+            terms = element.terms().get(0, {})
+            return polynomial_of(context, {tuple(e[k] for k in order): v for e, v in terms.items()})
+
+        known = [one for one in map(carried, self.known) if any(one.monomial(0)[: len(still)])]
+        rest = remainder(carried(self.at.scalar(factor)), known)
+        if any(rest.degrees()[: len(still)]):
+            return None
+        places = [order.index(k) for k in range(len(names))]
+        back = {tuple(e[k] for k in places): value for e, value in terms_of(rest).items()}
+        return self.at.ring.from_terms({0: back})
 
     def _granted(self, bases: Sequence[Element]) -> tuple[int, tuple[Formula, ...]] | None:
         """Something granted that would vanish where all bases do."""
@@ -246,7 +246,8 @@ class Builder:
                 continue
             found = solution(self.system, point, constants)
             at = {n: found.get(n, Fraction(0)) for n in self.at.names}
-            numbers = [value(f.terms().get(0, {}), [at[n] for n in self.at.names]) for f in factors]
+            row = [at[n] for n in self.at.names]
+            numbers = [value(e.terms().get(0, {}), row) for e in (*factors, *self.at.granted)]
             if all(numbers):
                 return written_point(found)
         return None
@@ -271,6 +272,5 @@ def _by_roots(goal: Count, finder: PointFinder) -> Roots | None:
     system = system_of(goal, at)
     if system is None or not system.levels:
         return None
-    gens = [at.ring.polynomials.generator(at.names.index(name)) for name in system.unknowns]
-    found = eliminant(system.levels, gens)
+    found = eliminant([*map(system.terms, system.levels)], len(system.unknowns))
     return None if found is None else Builder(goal, system, found, finder).roots()

@@ -1,28 +1,23 @@
 """Eliminants: a form that tells the solutions of a system apart, and the equation for it.
 
-The system sets homogeneous polynomials in some unknowns equal to parameters. So
-the parameters are functions of the unknowns, a relation with parameters is a
-linear dependence of polynomials in the unknowns, and it is found degree by
-degree by linear algebra over the rationals.
+The system sets polynomials in some unknowns equal to parameters. What is asked for stands in a
+Gröbner basis for which the unknowns come first, then the form, and the parameters last.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import product
-from math import gcd, lcm
 from typing import NamedTuple
 
-from flint import fmpq, fmpq_mpoly, fmpz_mat
+from flint import Ordering, fmpq_mpoly_ctx
 
+from kowalevski_cas.algebra.flint import polynomial_of, terms_of
+from kowalevski_cas.algebra.kernels import TooLarge
 from kowalevski_cas.algebra.polynomials import Terms
-
-LARGEST = 6
-"""The largest degree of an eliminant that is looked for."""
-
-LARGEST_RELATION = 12
-"""The largest degree of a relation that gives an unknown."""
+from kowalevski_cas.problem.polynomial_fields import primitive
+from kowalevski_cas.search.groebner import complete, reduced_basis
 
 
 class Eliminant(NamedTuple):
@@ -38,99 +33,43 @@ class Eliminant(NamedTuple):
     numerators: tuple[Terms, ...]
 
 
-Exponents = tuple[int, ...]
-Columns = list[tuple[Exponents, fmpq_mpoly]]
+def eliminant(levels: Sequence[Terms], size: int) -> Eliminant | None:
+    """A sum of few of the unknowns with an integral equation, by which all of them are told."""
+    for form in sorted(product((0, 1), repeat=size), key=sum)[1:]:
+        found = complete(_told(levels, form, place) for place in range(size))
+        if found is not None:
+            equations, denominators, numerators = zip(*found, strict=True)
+            return Eliminant(form, equations[0], denominators, numerators)
+    return None
 
 
-def eliminant(levels: Sequence[fmpq_mpoly], unknowns: Sequence[fmpq_mpoly]) -> Eliminant | None:
-    """The form of unknowns with an integral equation of least degree, if one is separating."""
-    degrees = [_degree(level) for level in levels]
-    if 0 in degrees:
+def _told(
+    levels: Sequence[Terms], form: Sequence[int], place: int
+) -> tuple[Terms, Terms, Terms] | None:
+    """The equation of the form, and the unknown at a place as a denominator and a numerator."""
+    size = len(form)
+    order = sorted(range(size), key=lambda k: k == place)  # this unknown comes last
+    names = [*(f"x{k}" for k in order), "s", *(f"p{j}" for j in range(len(levels)))]
+    context, rest = fmpq_mpoly_ctx.get(names, Ordering.lex), (0,) * (len(levels) + 1)
+    units = {tuple(int(j == k) for j in range(size)): Fraction(c) for k, c in enumerate(form) if c}
+    sides = (
+        polynomial_of(context, {(*(e[k] for k in order), *rest): v for e, v in side.items()})
+        for side in (units, *levels)
+    )
+    given = [side - value for side, value in zip(sides, context.gens()[size:], strict=True)]
+    try:
+        basis = reduced_basis(given)
+    except TooLarge:
         return None
-    forms = sorted(product((0, 1), repeat=len(unknowns)), key=sum)[1:]
-    for degree in range(1, LARGEST + 1):
-        for form in forms:
-            chosen = [u for u, c in zip(unknowns, form, strict=True) if c]
-            value = sum(chosen, levels[0].context().constant(0))
-            columns = list(_products(value, levels, degrees, degree, degree))
-            equation = _relation(columns, (degree, *(0 for _ in levels)))
-            if equation is None:
-                continue
-            solved = [_solved(u, value, levels, degrees, degree) for u in unknowns]
-            rows = [row for row in solved if row is not None]
-            if len(rows) == len(unknowns):
-                denominators, numerators = zip(*rows, strict=True)
-                return Eliminant(form, equation, denominators, numerators)
-    return None
-
-
-def _solved(
-    unknown: fmpq_mpoly,
-    value: fmpq_mpoly,
-    levels: Sequence[fmpq_mpoly],
-    degrees: Sequence[int],
-    size: int,
-) -> tuple[Terms, Terms] | None:
-    """``denominator * unknown = numerator``, a polynomial in the form."""
-    for degree in range(1, LARGEST_RELATION + 1):
-        first = list(_products(unknown, levels, degrees, degree - 1, 0))
-        left = [((-1, *key[1:]), unknown * column) for key, column in first]
-        relation = _relation([*left, *_products(value, levels, degrees, degree, size - 1)])
-        if relation is not None:
-            sign = 1 if relation[max(k for k in relation if k[0] < 0)] > 0 else -1
-            denominator = {(0, *k[1:]): sign * v for k, v in relation.items() if k[0] < 0}
-            return denominator, {k: -sign * v for k, v in relation.items() if k[0] >= 0}
-    return None
-
-
-def _products(
-    value: fmpq_mpoly,
-    levels: Sequence[fmpq_mpoly],
-    degrees: Sequence[int],
-    degree: int,
-    largest: int,
-) -> Iterator[tuple[Exponents, fmpq_mpoly]]:
-    """Products of powers of the form, up to the largest one, and of the levels, of one degree."""
-    one = levels[0].context().constant(1)
-
-    def extend(rest: int, index: int) -> Iterator[tuple[Exponents, fmpq_mpoly]]:
-        if index == len(levels):
-            if rest == 0:
-                yield (), one
-            return
-        for exponent in range(rest // degrees[index] + 1):
-            for key, column in extend(rest - exponent * degrees[index], index + 1):
-                yield (exponent, *key), levels[index] ** exponent * column
-
-    for power in range(min(degree, largest) + 1):
-        for key, column in extend(degree - power, 0):
-            yield (power, *key), value**power * column
-
-
-def _relation(columns: Columns, leading: Exponents | None = None) -> Terms | None:
-    """A linear dependence of the columns; with a ``leading`` one, whose coefficient is 1."""
-    if not columns:
+    own = [
+        {e[size - 1 :]: value for e, value in terms_of(one).items()}
+        for one in basis
+        if not any(one.degrees()[: size - 1])
+    ]
+    equation = next((one for one in own if not any((max(one)[0], *max(one)[2:]))), None)
+    linear = next((primitive(one) for one in own if max(one)[:2] == (1, 0)), None)
+    if equation is None or linear is None:
         return None
-    entries = [column.to_dict() for _, column in columns]
-    monomials = sorted({monomial for entry in entries for monomial in entry})
-    rows = []
-    for monomial in monomials:
-        row = [entry.get(monomial, fmpq(0)) for entry in entries]
-        size = lcm(*(int(value.q) for value in row))
-        rows.append([int(value * size) for value in row])
-    space, nullity = fmpz_mat(rows).nullspace()
-    keys = [key for key, _ in columns]
-    for k in range(nullity):
-        vector = {key: int(space[j, k]) for j, key in enumerate(keys) if space[j, k] != 0}
-        if leading is None:
-            size = gcd(*vector.values())
-            return {key: Fraction(number // size) for key, number in vector.items()}
-        if leading in vector:
-            return {key: Fraction(number, vector[leading]) for key, number in vector.items()}
-    return None
-
-
-def _degree(polynomial: fmpq_mpoly) -> int:
-    """The degree of a homogeneous polynomial, 0 if it is none."""
-    degrees = {sum(exponents) for exponents in polynomial.to_dict()}
-    return int(degrees.pop()) if len(degrees) == 1 else 0
+    below = {e[1:]: value for e, value in linear.items() if e[0]}
+    above = {e[1:]: -value for e, value in linear.items() if not e[0]}
+    return {e[1:]: value for e, value in equation.items()}, below, above

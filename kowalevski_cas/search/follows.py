@@ -122,8 +122,10 @@ class FollowsFinder(PointFinder):
                 return Proof(written([row]), written([group, goals]), cases, exponent)
         return None
 
-    def failure(self, goal: Follows, at: Evaluation) -> At | None:
-        """A point where the given equations hold and in each conclusion one fails."""
+    def failure(
+        self, goal: Follows, at: Evaluation, conditions: Sequence[Element] = ()
+    ) -> At | None:
+        """A point where the given equations and conditions hold; in each conclusion one fails."""
         known = at.differences(goal.given)
         failing = [[e for e in at.differences(one) if not e.is_zero] for one in goal.conclusions]
         if any(all(vanishes_on(e, known) for e in one) for one in failing):
@@ -133,6 +135,7 @@ class FollowsFinder(PointFinder):
             return all(not candidate.vanish(one) for one in failing)
 
         divided = [*known, *(e for one in failing for e in one)]
+        divided += [condition.inverse() for condition in conditions]
         point = self.point(at, known, divided, good)
         return None if point is None else At(point)
 
@@ -158,7 +161,7 @@ def rows_of(
         return None if rows is None else (rows, 1)
     combinations = Combinations(goals, known)
     for power in range(1, LARGEST_POWER + 1):
-        if (rows := combinations.rows(power)) is not None:
+        if (rows := combinations.rows(goals, power)) is not None:
             return rows, power
     rows = complete(conditional_cofactors(goal, known) for goal in goals)
     return None if rows is None else (rows, 1)

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from heapq import heapify, heappop, heappush
 from itertools import combinations
 from math import prod
+from operator import sub
 from typing import Any, TypeVar
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_mpoly_vec
@@ -35,7 +36,6 @@ POWERS = 3
 Monomial = tuple[int, ...]
 Made = dict[int, fmpq_mpoly]
 """How a polynomial is combined from elements of a basis, by their places."""
-
 
 Row = TypeVar("Row")
 
@@ -75,13 +75,9 @@ class Basis:
                 row[place] += row[k] * factor
         return row[: self.count]
 
-    def minimal(self) -> list[fmpq_mpoly]:
-        """The elements whose leading monomials no later one divides; they are a basis too."""
-        return [self.elements[k] for k in self._kept]
-
     def reduced(self) -> list[fmpq_mpoly]:
         """A basis in which no monomial is divisible by the leading one of another element."""
-        found = self.minimal()
+        found = [self.elements[k] for k in self._kept]
         for k, own in enumerate(found):
             found[k] = remainder(own, (*found[:k], *found[k + 1 :]))
         return [one for one in found if one]
@@ -122,7 +118,8 @@ class Basis:
         """The S-polynomial of two elements, and how it is made."""
         common = _lcm(self.leads[i], self.leads[j])
         first, second = (
-            self._over(common, self.leads[k]) / self.elements[k].leading_coefficient()
+            self.context.from_dict({tuple(map(sub, common, self.leads[k])): 1})
+            / self.elements[k].leading_coefficient()
             for k in (i, j)
         )
         return first * self.elements[i] - second * self.elements[j], {i: first, j: -second}
@@ -139,10 +136,6 @@ class Basis:
             self._steps += len(factor) * len(self.elements[place]) + len(rest)
             made[place] = made.get(place, self.context.constant(0)) - factor
         return rest, made
-
-    def _over(self, monomial: Monomial, divisor: Monomial) -> fmpq_mpoly:
-        exponents = tuple(a - b for a, b in zip(monomial, divisor, strict=True))
-        return self.context.from_dict({exponents: 1})
 
 
 def reduced_basis(polynomials: Sequence[fmpq_mpoly]) -> list[fmpq_mpoly]:
@@ -188,7 +181,7 @@ class Combinations:
         units: Sequence[Element] = (),
         conditions: Sequence[Element] = (),
     ) -> None:
-        self.targets, self.generators = targets, generators
+        self.generators = generators
         self.units, self.conditions = units, conditions
         self.ring = ring = targets[0].ring
         self.flat = flat = Flat(ring)
@@ -213,15 +206,11 @@ class Combinations:
         primitive = [known[k] / c for k, c in zip(self.kept, self.contents, strict=True)]
         self.basis = Basis([*primitive, *relations], flat.indices(unknowns)) if primitive else None
 
-    def rows(self, power: int = 1) -> list[list[Element]] | None:
-        """The rows for powers of the targets, or ``None`` if one is not found."""
-        return self.rows_of(self.targets, power)
-
-    def rows_of(self, targets: Sequence[Element], power: int = 1) -> list[list[Element]] | None:
-        """The rows for powers of other targets that divide by nothing new."""
+    def rows(self, targets: Sequence[Element], power: int = 1) -> list[list[Element]] | None:
+        """The rows for powers of targets, or ``None`` if one is not found."""
         return complete(self.row(target**power) for target in targets)
 
-    def minimal(self) -> list[Element]:
+    def reduced(self) -> list[Element]:
         """The elements of the reduced basis."""
         found = [] if self.basis is None else self.basis.reduced()
         return [self.flat.element(_in(self.flat.context, one)) for one in found]
@@ -267,8 +256,8 @@ def expressed(
     row = cofactors(target, generators, main)
     if row is not None or len(generators) == 1:
         return row
-    rows = Combinations([target], generators).rows()
-    return rows[0] if rows else conditional_cofactors(target, generators)
+    row = Combinations([target], generators).row(target)
+    return row or conditional_cofactors(target, generators)
 
 
 def _content(polynomial: fmpq_mpoly, places: set[int]) -> fmpq_mpoly:

@@ -1,7 +1,7 @@
-"""Systems of levels of homogeneous polynomials, and their solutions in small whole numbers.
+"""Systems of levels of polynomials, and their solutions in small whole numbers.
 
-The equations have to be solved for some variables at once; what is left has to set homogeneous
-polynomials in the other variables equal to expressions in the constants.
+The equations have to be solved for some variables at once; what is left has to set polynomials
+in the other variables equal to expressions in the constants.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ from itertools import combinations
 from math import prod
 from operator import mul
 
-from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpq_poly
 
 from kowalevski_cas.algebra.flint import coefficients, to_flint
 from kowalevski_cas.problem.space import Meaningless
@@ -153,11 +153,12 @@ class _Series:
         """
         others = [one for one in self.exponents if one != order]
         times = len(self.exponents) - len(others)
-        quotient, value = _divided(_with_roots(others), Fraction(order))
-        known = self._known(order)
-        next_one, conditions = self._applied([q / value for q in quotient], known), Vector()
+        roots = (fmpq_poly([-to_flint(one), 1]) for one in others)
+        projection = prod(roots, start=fmpq_poly([1]))
+        projection /= projection(order)
+        known, quotient = self._known(order), projection // fmpq_poly([-order, 1])
+        next_one, conditions = self._applied(quotient, known), Vector()
         if times:
-            projection = [one / value for one in _with_roots(others)]
             places = range(self.size)
             units = ([self.zero + (j == k) for j in places] for k in places)
             columns = [self._applied(projection, unit) for unit in units]
@@ -205,12 +206,12 @@ class _Series:
         """A times a vector."""
         return [self._short(sum(map(mul, row, vector), self.zero)) for row in self.matrix]
 
-    def _applied(self, polynomial: Sequence[Fraction], vector: Vector) -> Vector:
-        """A polynomial in A, with its highest coefficient first, times a vector."""
+    def _applied(self, polynomial: fmpq_poly, vector: Vector) -> Vector:
+        """A polynomial in A times a vector."""
         total = [self.zero] * self.size
-        for value in polynomial:
+        for value in reversed(polynomial.coeffs()):
             moved = self._times(total)
-            total = [a + to_flint(value) * b for a, b in zip(moved, vector, strict=True)]
+            total = [a + value * b for a, b in zip(moved, vector, strict=True)]
         return total
 
     def _known(self, order: int) -> Vector:
@@ -249,20 +250,3 @@ class _Series:
                     for k in range(len(product))
                 ]
         return product[order] if product else self.zero
-
-
-def _with_roots(roots: Sequence[Fraction]) -> list[Fraction]:
-    """The coefficients of a polynomial with these roots, the highest first."""
-    found = [Fraction(1)]
-    for root in roots:
-        zero = [Fraction(0)]
-        found = [a - root * b for a, b in zip(found + zero, zero + found, strict=True)]
-    return found
-
-
-def _divided(polynomial: Sequence[Fraction], root: Fraction) -> tuple[list[Fraction], Fraction]:
-    """The quotient by ρ less a number, and the value there."""
-    found = [Fraction(0)]
-    for one in polynomial:
-        found.append(found[-1] * root + one)
-    return found[1:-1], found[-1]

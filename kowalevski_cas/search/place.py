@@ -79,7 +79,7 @@ class PointFinder:
         """A real point where elements vanish, nothing is divided by zero, and all is good.
 
         It is sought among points in general position, and if ``most`` is not 0 where all variables
-        vanish, and then where some do, as many as ``most``.
+        vanish, and then where some do, or all but some, as many as ``most``.
         """
         with suppress(Meaningless):
             divided = [*divided, *at.masses]
@@ -96,7 +96,7 @@ class PointFinder:
         return None
 
     def _sections(self, at: Evaluation, most: int) -> Iterator[Sequence[Element]]:
-        """Nothing more, then all variables, then some that vanish; powers are 1 where known."""
+        """What vanishes besides: nothing, all variables, some, all but some; known powers are 1."""
         setting = at.setting
         one = at.ring.one
         fixed: list[Element] = []
@@ -106,7 +106,9 @@ class PointFinder:
             assert base is not None
             fixed += [at.ring.generator(name) - one, at.scalar(base) - one]
         variables = [at.ring.generator(name) for name in setting.variables]
-        for size in (0, len(variables), *range(1, most + 1)) if most else (0,):
+        count = len(variables)
+        few = [0, count, *range(1, most + 1), *range(count - 1, max(count - 1 - most, 0), -1)]
+        for size in dict.fromkeys(few) if most else (0,):
             for chosen in combinations(variables, size):
                 yield [*fixed, *chosen]
 

@@ -41,7 +41,7 @@ def proof_by_cases(
     if best is None or not depth:
         return None
     _, groups, power = best
-    rows = combinations.rows_of([reduce(mul, map(value_of, groups))], power)
+    rows = combinations.rows([reduce(mul, map(value_of, groups))], power)
     cases = complete(proof_by_cases(conclusions, [*known, *one], depth - 1) for one in groups)
     if rows is None or cases is None:
         return None
@@ -69,7 +69,7 @@ def _products(
     The best ones have a sum of squares in them, and few terms.
     """
     ring = combinations.ring
-    for element in combinations.minimal():
+    for element in combinations.reduced():
         terms = element.terms()[0]
         factors = irreducible_factors(terms)
         groups = [

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from kowalevski_cas.algebra.linear import solve
-from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Quotient
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.evidence import Proof, Shown
-from kowalevski_cas.problem.fold import divisors_of
+from kowalevski_cas.problem.evidence import Shown
 from kowalevski_cas.problem.goals import Follows
-from kowalevski_cas.problem.space import Setting
-from kowalevski_cas.search.groebner import Combinations
-from kowalevski_cas.search.place import PointFinder
+from kowalevski_cas.search.in_turn import Names, Step, shown, steps_to
 
 Matrix = list[list[Element]]
 
@@ -25,50 +21,35 @@ def regular(
     functions: Sequence[Formula],
     multipliers: Sequence[str],
     conditions: Sequence[Element],
-    names: Callable[[Setting], Sequence[str]],
+    names: Names,
 ) -> Shown | None:
-    """A proof that multipliers vanish, and a point of the set, where they do.
+    """A proof that multipliers vanish one after another, and a point of the set, where they do.
 
-    They are those of the differentials of ``functions``. It may divide by what the set itself or
-    the scene does, and by few of the ``conditions``.
+    They are those of the differentials of ``functions``. It may divide by what the set itself does,
+    and by few of the ``conditions``.
     """
     known = at.differences(goal.given)
     (targets,) = map(at.differences, goal.conclusions)
-    units = [*map(at.scalar, at.setting.nonzero), *at.ring.divided_by(known)]
     sparse = _sparse([at.scalar(function) for function in functions], at)
     generators = [_changed(element, sparse, multipliers, at) for element in known]
-    rows = Combinations(targets, generators, multipliers, units, conditions).rows()
-    if rows is None:
+    found = steps_to(targets, generators, at.ring.divided_by(known), conditions, multipliers)
+    if found is None:
         return None
     one, zero, size = at.ring.one, at.ring.zero, len(multipliers)
     columns = [solve(sparse, [one if k == j else zero for k in range(size)]) for j in range(size)]
     back = [[column[k] for column in columns] for k in range(size)]
-    rows = [[_changed(entry, back, multipliers, at) for entry in row] for row in rows]
+    steps = []
+    for step in found[0]:
+        element, *row = (_changed(e, back, multipliers, at) for e in (step.element, *step.row))
+        steps.append(Step(element, row))
     rows = [
         [
-            sum((sparse[j][k] * row[n] for j, row in enumerate(rows)), zero)
-            for n in range(len(known))
+            sum((sparse[j][k] * row[n] for j, row in enumerate(found[1])), zero)
+            for n in range(len(found[1][0]))
         ]
         for k in range(size)
     ]
-    finder = PointFinder(lambda setting: at, names)
-    point = finder.point(at, [*known, *targets], [*known, *(e for row in rows for e in row)])
-    proof = Proof(tuple(tuple(map(_in_turn, row)) for row in rows))
-    return None if point is None else Shown(proof, point)
-
-
-def _in_turn(element: Element) -> Formula:
-    """The formula of an element that is divided by one factor after another.
-
-    Of a product of known divisors the checker knows each, but not each product of them.
-    """
-    formula = formula_in(element)
-    if isinstance(formula, Quotient):
-        divisors = [f for f, exponent in divisors_of(formula.denominator) for _ in range(exponent)]
-        formula = formula.numerator
-        for divisor in divisors:
-            formula = Quotient(formula, divisor)
-    return formula
+    return shown(steps, rows, [*known, *targets], conditions, at, names)
 
 
 def _changed(

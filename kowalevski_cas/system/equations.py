@@ -76,12 +76,8 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     others = [place for place in formulas if place not in laws]
     heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
     defined = {one for known, arguments in heads_of for one in (known, *arguments)} - {*moving}
-    names = [
-        one.name
-        for formula in formulas.values()
-        for one in formula.nodes()
-        if isinstance(one, Name)
-    ]
+    nodes = (node for formula in formulas.values() for node in formula.nodes())
+    names = [node.name for node in nodes if isinstance(node, Name)]
     _check(display, formulas, laws, moving, defined)
     variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
     fixed = [one for one in names if one not in defined and one not in words.matrices]
@@ -90,7 +86,7 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     _check_indices((*variables, *constants))
     _check_derivatives(constants, defined, moving)
     title, time = name or "the system", min(words.times)
-    scene = Scene(title, "the equations of motion", vectors, variables, constants, laws, time)
+    scene = Scene(title, vectors, variables, constants, laws, time)
     for place in others:
         scene = _with(scene, place, formulas[place])
     return rooted(scene, display)

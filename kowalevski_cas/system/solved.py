@@ -2,59 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from contextlib import suppress
 
-from kowalevski_cas.notation import (
-    Formula,
-    Name,
-    Negative,
-    Number,
-    Product,
-    Quotient,
-    Relation,
-    Sum,
-    to_latex,
-    total,
-)
+from kowalevski_cas.algebra.numbers import rational
+from kowalevski_cas.algebra.present import formula_of
+from kowalevski_cas.notation import to_latex
+from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Display, Texts
+from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.system.equations import rooted
 
 
-def solved(formula: Formula, constants: Collection[str]) -> str:
+def solved(relation: str, scene: Scene) -> str:
     r"""A constant by the others, as :math:`\alpha=2-\beta` for :math:`\alpha+\beta=2`.
 
-    It stands in one term, with a number before it; if there is none, the string is empty.
+    Its coefficient is a number; if there is none, or no equation, the string is empty.
     """
-    match formula:
-        case Relation((left, right), ("=",)):
-            terms = [*_terms(left), *map(_minus, _terms(right))]
-        case _:
-            return ""
-    for k, term in enumerate(terms):
-        factor, name = _multiple(term)
-        rest = [*terms[:k], *terms[k + 1 :]]
-        if name in constants and all(Name(name) not in one.nodes() for one in rest):
-            others = total(map(_minus, rest) if factor > 0 else rest)
-            value = others if abs(factor) == 1 else Quotient(others, Number(abs(factor)))
-            return f"{name}={to_latex(value)}"
+    space = Elaborations(Texts(vocabulary((scene,))))(rooted(scene, Display("", relation, "")))
+    at = space.finder
+    with suppress(Meaningless):
+        difference, *more = at.differences(space.equations((relation,)))
+        for name in () if more else scene.constants:
+            if rational(slope := at.partial(difference, name)):
+                value = at.ring.generator(name) - difference / slope
+                return f"{name}={to_latex(formula_of(value, space.texts.vocabulary))}"
     return ""
-
-
-def _terms(formula: Formula) -> tuple[Formula, ...]:
-    terms = formula.terms if isinstance(formula, Sum) else (formula,)
-    return tuple(term for term in terms if term != Number(0))
-
-
-def _minus(formula: Formula) -> Formula:
-    return formula.argument if isinstance(formula, Negative) else Negative(formula)
-
-
-def _multiple(formula: Formula) -> tuple[int, str]:
-    """The number before a name, and the name; an empty one for all else."""
-    match formula:
-        case Name(name):
-            return 1, name
-        case Product((Number(factor), Name(name))):
-            return factor, name
-        case Negative(argument):
-            factor, name = _multiple(argument)
-            return -factor, name
-    return 1, ""

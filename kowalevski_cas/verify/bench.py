@@ -46,7 +46,7 @@ class Bench:
         explain: bool = False,
         certificates: Mapping[str, Stored] | None = None,
         timeout: float | None = None,
-        sources: Mapping[str, str] | None = None,
+        texts: Texts | None = None,
         seed: int = 1,
         record: Mapping[str, Mapping[str, object]] | None = None,
     ) -> None:
@@ -57,7 +57,7 @@ class Bench:
         self.stored = certificates or {}
         self.record = record or {}
         self.points = {name: load_points(name, seed) for name in arithmetics if name in POINTS}
-        self.texts = derivation.texts(sources)
+        self.texts = texts or derivation.texts()
         self.elaborations = Elaborations(self.texts)
         self.evaluations: dict[tuple[str, Setting], Evaluation] = {}
         self.stages: dict[Setting, Sampled] = {}

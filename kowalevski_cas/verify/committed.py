@@ -167,6 +167,5 @@ class Expected:
             if not corrected:
                 return Statement(claim, on)
             near = recorded_correction(claim, on, str(self.record[id].get("correction")))
-            if near is not None:
-                return Statement(near.claim, on.under(near.texts))
+            return None if near is None else near[1]
         return None

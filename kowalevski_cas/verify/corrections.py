@@ -6,6 +6,7 @@ A correction is a proposal. It stands in for the print elsewhere only if the der
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.algebra.points import NoPoint
@@ -24,13 +25,24 @@ DECIDED = 400
 """How many candidates are decided in full, for claims that cannot be screened."""
 
 
-def recorded_correction(claim: Claim, on: Elaborations, recorded: str) -> Neighbour | None:
-    """The neighbour of a claim that a record has as its correction, in LaTeX."""
-    try:
+def recorded_correction(
+    claim: Claim, on: Elaborations, recorded: str
+) -> tuple[Neighbour, Statement] | None:
+    """The neighbour of a claim that a record has as its correction, in LaTeX, and what it says.
+
+    ``None`` if no neighbour prints that, or it says nothing.
+    """
+    with suppress(NotationError, Meaningless):
         wanted = on.texts.expression(recorded)
-    except NotationError:
-        return None
-    return next((n for n in claim.neighbours(on.texts) if _prints(n, wanted)), None)
+        for neighbour in claim.neighbours(on.texts):
+            if _prints(neighbour, wanted):
+                return neighbour, stated(neighbour, on)
+    return None
+
+
+def stated(neighbour: Neighbour, on: Elaborations) -> Statement:
+    """What a neighbour says; raises ``NotationError`` or ``Meaningless`` if it says nothing."""
+    return Statement(neighbour.claim, on.under(neighbour.texts))
 
 
 def _prints(neighbour: Neighbour, formula: Formula) -> bool:
@@ -39,13 +51,13 @@ def _prints(neighbour: Neighbour, formula: Formula) -> bool:
     return printed_of(neighbour) == (formula,)
 
 
-def corrections(claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
-    """The neighbours of a refuted claim that are true and say something, the likeliest first."""
-    printed = Statement(claim, on)
-    neighbours = sorted(claim.neighbours(on.texts), key=_unlikeliness)
-    for found in true_ones(neighbours, on):
-        if says_something(found, printed):
-            yield found
+def corrections(printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
+    """The neighbours of what is refuted that are true and say something, the likeliest first."""
+    neighbours = sorted(printed.claim.neighbours(printed.on.texts), key=_unlikeliness)
+    for neighbour in true_ones(neighbours, printed.on):
+        statement = stated(neighbour, printed.on)
+        if says_something(neighbour, statement, printed):
+            yield neighbour, statement
 
 
 def _unlikeliness(neighbour: Neighbour) -> tuple[bool, bool, bool]:
@@ -68,7 +80,7 @@ def true_ones(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Nei
     """
     for neighbour in _screened(neighbours, on):
         try:
-            if Statement(neighbour.claim, on.under(neighbour.texts)).holds():
+            if stated(neighbour, on).holds():
                 yield neighbour
         except (NotationError, Meaningless, ZeroDivisionError):
             continue

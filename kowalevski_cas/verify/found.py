@@ -41,7 +41,7 @@ class Finding:
 
         attributes = {name: placed(value) for name, value in self.attributes.items()}
         printed = None if self.tex == "" else place(self.tex)
-        return self.kind(id, self.on, printed, self.says, **attributes)
+        return self.kind(id, self.on, self.says, printed=printed, **attributes)
 
     def python(self, system: str, scene: Scene) -> str:
         """The line that claims it in a file, of a system with this name there and this scene.

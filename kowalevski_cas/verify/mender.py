@@ -12,7 +12,6 @@ from dataclasses import replace
 from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
-from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
@@ -30,22 +29,24 @@ from kowalevski_cas.verify.vacuous import says_something
 class Mender(Teller):
     """Corrections of claims, their acceptance, and certificates."""
 
-    def correct(self, claim: Claim, on: Elaborations) -> Correction | None:
+    def correct(self, printed: Statement) -> Correction | None:
         """The nearest true statement, decided in every arithmetic."""
-        found = (self.proposed(neighbour, on) for neighbour in self._candidates(claim, on))
+        found = (self.proposed(*candidate) for candidate in self._candidates(printed))
         return next((one for one in found if one is not None), None)
 
-    def _candidates(self, claim: Claim, on: Elaborations) -> Iterator[Neighbour]:
+    def _candidates(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
         """What the derivation accepts, what is recorded, and what is found; true, or not."""
-        accepted = self.derivation.accepted
+        claim, accepted = printed.claim, self.derivation.accepted
         known = [tex for place, tex in accepted.items() if place == claim.printed]
         known += [str(self.record.get(claim.id, {}).get("correction"))]
         for tex in known:
-            one = recorded_correction(claim, on, tex)
-            if one is not None and says_something(one, Statement(claim, on)):
-                if tex in accepted.values() or self._leaves_true(claim, one):
-                    yield one
-        yield from (one for one in corrections(claim, on) if self._leaves_true(claim, one))
+            found = recorded_correction(claim, printed.on, tex)
+            if found is not None and says_something(*found, printed):
+                if tex in accepted.values() or self._leaves_true(claim, found[0]):
+                    yield found
+        for found in corrections(printed):
+            if self._leaves_true(claim, found[0]):
+                yield found
 
     def _leaves_true(self, claim: Claim, neighbour: Neighbour) -> bool:
         """Whether the other claims that are true of a changed formula stay true."""
@@ -73,9 +74,9 @@ class Mender(Teller):
         except (NotationError, Meaningless, ZeroDivisionError):
             return False
 
-    def proposed(self, neighbour: Neighbour, on: Elaborations) -> Correction | None:
-        """A neighbour as a correction, if it is proved."""
-        mended = self.mended(neighbour.claim, on.under(neighbour.texts))
+    def proposed(self, neighbour: Neighbour, statement: Statement) -> Correction | None:
+        """A neighbour as a correction, if what it says is proved."""
+        mended = self.mended(statement)
         if mended is None:
             return None
         return Correction(
@@ -86,15 +87,9 @@ class Mender(Teller):
             neighbour.edit,
         )
 
-    def mended(
-        self, claim: Claim, on: Elaborations
-    ) -> tuple[Verdict, tuple[Condition, ...], str] | None:
+    def mended(self, statement: Statement) -> tuple[Verdict, tuple[Condition, ...], str] | None:
         """The verdict on a corrected claim, its conditions and its digest, if it is proved."""
-        try:
-            statement = Statement(claim, on)
-        except (NotationError, Meaningless):
-            return None
-        name = f"{CORRECTED}/{claim.id}"
+        name = f"{CORRECTED}/{statement.claim.id}"
         verdicts = self._evidence(statement, name)
         exact = dict.fromkeys(("flint", *(a for a in self.arithmetics if a not in POINTS)))
         decided = [self._judged(statement, verdicts, arithmetic) for arithmetic in exact]
@@ -146,10 +141,9 @@ class Mender(Teller):
         yield claim.id, self._certificate(decided, claim.id)
         if decided.verdict is not Verdict.REFUTED:
             return
-        for found in self._candidates(claim, statement.on):
-            on = statement.on.under(found.texts)
-            if self.mended(found.claim, on) is not None:
-                name, mended = f"{CORRECTED}/{claim.id}", Statement(found.claim, on)
+        for _, mended in self._candidates(statement):
+            if self.mended(mended) is not None:
+                name = f"{CORRECTED}/{claim.id}"
                 decided = self._judged(mended, self._evidence(mended, name), "flint")
                 yield name, self._certificate(decided, name)
                 return

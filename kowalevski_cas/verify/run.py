@@ -12,7 +12,7 @@ from kowalevski_cas.library import library
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
@@ -37,7 +37,7 @@ def verify(
     progress: Progress = lambda claim, done, total: None,
     certificates: Mapping[str, Stored] | None = None,
     timeout: float | None = None,
-    sources: Mapping[str, str] | None = None,
+    texts: Texts | None = None,
     seed: int = 1,
     record: Mapping[str, Mapping[str, object]] | None = None,
 ) -> Run:
@@ -46,13 +46,11 @@ def verify(
     With ``only``, those are decided, and the claims whose corrections they rest on. With
     ``explain``, outcomes tell their steps. ``certificates`` saves the
     searches whose results they hold. ``timeout`` is in seconds, for each claim; with one, the run
-    has a process of its own. ``sources`` holds displays, by id, that are to be read instead of
-    what the derivation prints. ``seed`` chooses the points of the arithmetics that only screen.
+    has a process of its own. ``texts`` are read instead of what the derivation prints, or are what
+    it prints. ``seed`` chooses the points of the arithmetics that only screen.
     ``record`` says which corrections are tried first.
     """
-    session = Session(
-        derivation, arithmetics, explain, certificates, timeout, sources, seed, record
-    )
+    session = Session(derivation, arithmetics, explain, certificates, timeout, texts, seed, record)
     if timeout is None or watched():
         return session.run(only, progress)
 
@@ -133,7 +131,8 @@ class Session(Mender):
         on, start = self.on(claim), perf_counter()
         try:
             with time_limit(self.timeout):
-                outcome = self._decided(claim, on)
+                statement = Statement(claim, on)
+                outcome = self._decided(statement, start)
         except TimeoutError:
             late = f"not decided within {self.timeout:g} s"
             return self.unread(claim, on, Verdict.TIMEOUT, late)
@@ -144,35 +143,31 @@ class Session(Mender):
             return self.unread(claim, on, Verdict.ERROR, said)
         if outcome.verdict is Verdict.REFUTED:
             correcting = perf_counter()
-            outcome = self._with_correction(claim, on, outcome, correcting - start)
+            outcome = self._with_correction(statement, outcome, correcting - start)
             outcome.seconds[self.arithmetics[0]] += perf_counter() - correcting
         return self.with_acceptance(claim, outcome)
 
-    def _decided(self, claim: Claim, on: Elaborations) -> Outcome:
+    def _decided(self, statement: Statement, start: float) -> Outcome:
         """The outcome for one claim, without a correction."""
-        start = perf_counter()
-        statement = Statement(claim, on)
-        verdicts = self._evidence(statement, claim.id)
+        verdicts = self._evidence(statement, statement.claim.id)
         found: dict[str, Decided | Screened] = {}
         seconds: dict[str, float] = {}
         for arithmetic in self.arithmetics:
             found[arithmetic] = self._decide(statement, verdicts, arithmetic)
             seconds[arithmetic] = perf_counter() - start
             start = perf_counter()
-        return replace(self._outcome(claim, on, statement, found), seconds=seconds)
+        return replace(self._outcome(statement, found), seconds=seconds)
 
-    def _with_correction(
-        self, claim: Claim, on: Elaborations, outcome: Outcome, spent: float
-    ) -> Outcome:
+    def _with_correction(self, statement: Statement, outcome: Outcome, spent: float) -> Outcome:
         """The outcome with the nearest true statement, if that is found in what time is left."""
         limits = [] if self.patience is None else [self.patience]
         limits += [] if self.timeout is None else [max(self.timeout - spent, LEAST)]
         try:
             with time_limit(min(limits, default=None)):
-                return replace(outcome, correction=self.correct(claim, on))
+                return replace(outcome, correction=self.correct(statement))
         except TimeoutError:
             late = "no correction was found within the time"
-            accepted = claim.printed in self.accepted
+            accepted = statement.claim.printed in self.accepted
             verdict = Verdict.TIMEOUT if accepted else outcome.verdict
             return replace(outcome, verdict=verdict, message=outcome.message or late)
         except (FormatError, Unproved, ProcessDied) as error:

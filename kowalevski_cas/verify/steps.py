@@ -25,7 +25,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.paper.claims import Claim, Dimension
 from kowalevski_cas.paper.claims.forms import ONE, ZERO
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, Roots, Shown
+from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, Roots, Row, Shown
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.verify.outcome import Step
@@ -110,10 +110,27 @@ def _derivative(formula: Derivative, at: Evaluation) -> Iterator[Step]:
 def _proof(claim: Claim, goal: Follows, proof: Proof) -> Iterator[Step]:
     """The combination that division found, or the cases."""
     at = finder_of(goal.space)
-    if proof.product:
+    if isinstance(claim, Dimension):
+        yield _independent(proof, at)
+    elif proof.product:
         yield _cases(proof, at)
     elif goal.given and proof.rows:
-        yield _combination(claim, goal, proof, at)
+        yield _combination(goal, proof, at)
+
+
+def _independent(proof: Proof, at: Evaluation) -> Step:
+    """At all points of the set, by how many identities."""
+    rows = [*_rows(proof)]
+    terms = size(at.scalar(entry) for row in rows for entry in row)
+    words = "At every point of the set that the hypotheses admit the differentials are independent"
+    return Step(f"{words}, by {len(rows)} identities whose coefficients have {terms} terms.")
+
+
+def _rows(proof: Proof) -> Iterator[Row]:
+    """The rows of a proof and of its cases."""
+    yield from proof.rows
+    for case in proof.cases:
+        yield from _rows(case)
 
 
 def _cases(proof: Proof, at: Evaluation) -> Step:
@@ -130,14 +147,9 @@ def _squares(group: Sequence[Formula]) -> Formula:
     return group[0] if len(group) == 1 else total(Power(one, Number(2)) for one in group)
 
 
-def _combination(claim: Claim, goal: Follows, proof: Proof, at: Evaluation) -> Step:
+def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
     rows = [[at.scalar(entry) for entry in row] for row in proof.rows]
     terms = size(entry for row in rows for entry in row)
-    if isinstance(claim, Dimension):
-        what = (
-            "At every point of the set that the hypotheses admit the differentials are independent"
-        )
-        return Step(f"{what}, by an identity whose coefficients have {terms} terms.")
     one = len(goal.conclusions) == 1
     what = "difference of the two sides" if one else "product of the differences of their sides"
     what = f"{'a power of ' * (proof.power > 1)}the {what} is a combination of the hypotheses"

@@ -26,13 +26,7 @@ def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
 class Teller(Bench):
     """Outcomes of claims that are decided, and of those that are not."""
 
-    def _outcome(
-        self,
-        claim: Claim,
-        on: Elaborations,
-        statement: Statement,
-        found: Mapping[str, Decided | Screened],
-    ) -> Outcome:
+    def _outcome(self, statement: Statement, found: Mapping[str, Decided | Screened]) -> Outcome:
         first = found[self.arithmetics[0]]
         verdicts = {name: one.verdict for name, one in found.items()}
         verdict, message = first.verdict, first.message
@@ -45,7 +39,7 @@ class Teller(Bench):
             if open_ones:
                 verdict, message = open_ones[0].verdict, open_ones[0].message
         outcome = replace(
-            self.unread(claim, on, verdict, message, statement),
+            self.unread(statement.claim, statement.on, verdict, message, statement),
             verdicts=verdicts,
             corrected=self.corrected(statement),
         )

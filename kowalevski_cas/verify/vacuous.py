@@ -33,15 +33,13 @@ def unlike(edit: Edit) -> bool:
     return closeness(old.name, new.name) < ALIKE
 
 
-def says_something(neighbour: Neighbour, printed: Statement) -> bool:
+def says_something(neighbour: Neighbour, statement: Statement, printed: Statement) -> bool:
     """Whether a true neighbour is a statement about what is printed, and not true of itself.
 
     It involves variables if the print does, and the function that the print is about; no equation
     that it supposes vanishes identically; its sides are not the same and have no function as a
     common factor that they do not have in print.
     """
-    on = printed.on.under(neighbour.texts)
-    statement = Statement(neighbour.claim, on)
     if _moves(printed) and not _moves(statement):
         return False
     if _empty(statement) > _empty(printed):

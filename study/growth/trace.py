@@ -7,7 +7,7 @@ list is then written out for python-flint, Singular or PARI/GP, and timed there.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
@@ -52,6 +52,16 @@ class Recorded:
     def __neg__(self) -> Recorded:
         return self._made("negate", neg)
 
+    def __bool__(self) -> bool:
+        if not self.value:
+            self.lines.append(("zero", self.number))
+        return bool(self.value)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Recorded) and bool(self.value == other.value)
+
+    __hash__ = None  # type: ignore[assignment]
+
 
 class Recording(Polynomials):
     """The arithmetic of FLINT, with a list of all that is done."""
@@ -77,11 +87,11 @@ class Recording(Polynomials):
         value = self.plain.derivative(polynomial.value, index)
         return Recorded(self.lines, value, "derive", polynomial.number, index)
 
-    def is_zero(self, polynomial: Recorded) -> bool:
-        found = self.plain.is_zero(polynomial.value)
-        if found:
-            self.lines.append(("zero", polynomial.number))
-        return found
+    def is_monomial(self, polynomial: Recorded) -> bool:
+        return self.plain.is_monomial(polynomial.value)
+
+    def occurring(self, polynomial: Recorded) -> Collection[int]:
+        return self.plain.occurring(polynomial.value)
 
     def terms(self, polynomial: Recorded) -> Terms:
         return self.plain.terms(polynomial.value)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from kowalevski_cas.algebra import EXACT, POINTS
-from kowalevski_cas.export import FORMATS, load
-from kowalevski_cas.tools import MissingTool
+from kowalevski_cas.export import load
+from kowalevski_cas.tools import TOOLS, MissingTool
 from study.methods.arithmetics import ExactArithmetic, PointArithmetic
 from study.methods.certificates import Checker, Program
 from study.methods.method import ACCEPTED, NONE, REJECTED, Method
@@ -17,7 +17,7 @@ SHARES = {"rocq": 24, "by hand": 80}
 def methods() -> list[Method]:
     """All arithmetics and all programs that are installed, those that prove first."""
     found: list[Method] = [*map(ExactArithmetic, EXACT), Checker("checker")]
-    for name in FORMATS:
+    for name in TOOLS:
         try:
             found.append(Program(name, load(name), SHARES.get(name)))
         except MissingTool:

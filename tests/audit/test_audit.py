@@ -21,9 +21,10 @@ def by_id(found):
 
 @pytest.mark.slow
 def test_an_audit_says_what_verify_says():
+    typed = {place.display.id: place.typed.tex for place in audited().places}
     run = verify(
         base().derivation, ["flint"], certificates=base().stored, record=base().record,
-        sources={place.display.id: place.typed.tex for place in audited().places},
+        texts=base().derivation.texts(typed),
     )  # fmt: skip
     said = {o.claim: (o.verdict, o.conditions, o.counterexample) for o in run.outcomes}
     found = {k: (o.verdict, o.conditions, o.counterexample) for k, o in audited().outcomes.items()}
@@ -169,12 +170,12 @@ def misprinted(tex: str) -> AuditSession:
     rate = section.display("rate", r"\dot E=0")
     value = section.display("value", "2E=x^2+y^2")
     scene = Scene(
-        "rotation", "a rotation", variables=("x", "y"), field=(motion[1], motion[2]),
+        "rotation", variables=("x", "y"), field=(motion[1], motion[2]),
         definitions={"E": energy[1]},
     )  # fmt: skip
     section.claim(
-        Identity("rate", scene, rate[1], "the energy is constant"),
-        Identity("value", scene, value[1], "the energy"),
+        Identity("rate", scene, "the energy is constant", printed=rate[1]),
+        Identity("value", scene, "the energy", printed=value[1]),
     )
     return AuditSession(Derivation("rotation", "A rotation", "", "", (section,)), patience=600)
 

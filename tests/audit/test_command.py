@@ -13,11 +13,10 @@ NAMED = ("--derivation", "kharlamov2002")
 
 
 @pytest.fixture(autouse=True)
-def decided(request, monkeypatch):
-    """The derivation is decided once for all tests, save for those that see the command do it."""
-    if request.node.name not in ("test_pretty", "test_mutants"):
-        base().outcomes  # noqa: B018
-        monkeypatch.setattr("kowalevski_cas.cli.audit.auditing", lambda *_: base())
+def decided(monkeypatch):
+    """The derivation is decided once for all tests."""
+    base().outcomes  # noqa: B018
+    monkeypatch.setattr("kowalevski_cas.cli.audit.auditing", lambda *_: base())
 
 
 @pytest.fixture

@@ -11,6 +11,8 @@ from kowalevski_cas.verify.committed import certificate_files
 from tests.problem.tampering import seal
 from tests.sample import sampled
 
+pytestmark = pytest.mark.usefixtures("here")
+
 PAPER = find("kharlamov2002")
 
 

@@ -18,6 +18,8 @@ from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import Session
 from tests.sample import sampled
 
+pytestmark = pytest.mark.usefixtures("here")
+
 ROOT = Path(__file__).parents[2]
 
 HEAD = r"""
@@ -26,18 +28,18 @@ from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.scene import Scene
 s = Section("1", "The oscillator")
 f = s.display("f", r"\dot x = v,\quad \dot v = -x")
-osc = Scene("oscillator", "", variables=("x", "v"), field=(f[1], f[2]))
+osc = Scene("oscillator", variables=("x", "v"), field=(f[1], f[2]))
 """
 TAIL = """
 derivation = Derivation("small", "A small derivation", "nobody", "nowhere", (s,))
 """
 TRUE = r"""
 t = s.display("t", r"x^2+v^2,\quad \dot x = v")
-s.claim(FirstIntegral("energy", osc, t[1], "energy"), Identity("speed", osc, t[2], "speed"))
+s.claim(FirstIntegral("energy", osc, "energy", printed=t[1]), Identity("speed", osc, "speed", printed=t[2]))
 """
 WRONG = r"""
 w = s.display("w", r"\dot x = -v")
-s.claim(Identity("wrong", osc, w[1], "a misprint, 100%: yes"))
+s.claim(Identity("wrong", osc, "a misprint, 100%: yes", printed=w[1]))
 """
 
 
@@ -157,18 +159,17 @@ def test_2_no_such_derivation(cli, tmp_path):
 
 
 def test_3_undecided(cli, write):
-    relations = (
-        's.claim(Dimension("d", osc, None, "", levels=(), equations=(e[1], e[2]), dimension=1))'
-    )
+    relations = 's.claim(Dimension("d", osc, "", levels=(), equations=(e[1], e[2]), dimension=1))'
     code, out, _ = cli("verify", write(f's_ = None\ne = s.display("e", "x=v, 2x=2v")\n{relations}'))
     assert code == 3
     assert "One open statement" in out
     assert "would prove it is false, which does not refute it" in " ".join(out.split())
 
 
-def test_3_timed_out(cli, write):
+def test_3_timed_out(cli, write, monkeypatch):
+    monkeypatch.undo()
     slow = "class Slow(Identity):\n    def search(self, *_):\n        import time\n        time.sleep(3)\n"
-    code, out, _ = cli("verify", write(f'{slow}t = s.display("t", "x=x")\ns.claim(Slow("slow", osc, t[1], ""))'), "--timeout", "0.05")  # fmt: skip
+    code, out, _ = cli("verify", write(f'{slow}t = s.display("t", "x=x")\ns.claim(Slow("slow", osc, "", printed=t[1]))'), "--timeout", "0.05")  # fmt: skip
     assert code == 3
     assert "slow: Not decided within 0.05 s" in out
 
@@ -271,7 +272,7 @@ def test_junit_is_xml_with_a_case_for_each_claim(cli, write):
 
 
 def test_junit_counts_errors(cli, write):
-    code, out, _ = cli("verify", write('t = s.display("t", "x = (")\ns.claim(Identity("bad", osc, t[1], ""))'), "--format", "junit")  # fmt: skip
+    code, out, _ = cli("verify", write('t = s.display("t", "x = (")\ns.claim(Identity("bad", osc, "", printed=t[1]))'), "--format", "junit")  # fmt: skip
     assert code == 2
     suite = ElementTree.fromstring(out).find("testsuite")
     assert suite.get("errors") == "1"
@@ -341,7 +342,7 @@ def test_claim_by_claim(cli, monkeypatch):
 
 
 def claim(tex):
-    return f't = s.display("t", {tex})\ns.claim(Identity("bad", osc, t[1], ""))'
+    return f't = s.display("t", {tex})\ns.claim(Identity("bad", osc, "", printed=t[1]))'
 
 
 @pytest.mark.parametrize(
@@ -412,10 +413,10 @@ def test_seconds_are_a_finite_number(cli, write, seconds):
 @pytest.mark.parametrize(
     "body",
     [
-        's.claim(Identity("bad", osc, None, ""))',
+        's.claim(Identity("bad", osc, ""))',
         "s.claim(7)",
-        't = s.display("t", "x=v")\ns.claim(FirstIntegral("bad", osc, t[1], ""))',
-        't = s.display("t", "x")\ns.claim(Coefficient("bad", osc, t[1], "", variable="x"))',
+        't = s.display("t", "x=v")\ns.claim(FirstIntegral("bad", osc, "", printed=t[1]))',
+        't = s.display("t", "x")\ns.claim(Coefficient("bad", osc, "", variable="x", printed=t[1]))',
         claim('"x = 5^{100000}"'),
     ],
 )

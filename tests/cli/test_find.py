@@ -8,6 +8,8 @@ import pytest
 from kowalevski_cas.cli import main
 from tests.sample import sampled
 
+pytestmark = pytest.mark.usefixtures("here")
+
 CLOSURE = ["find", "closure", "kharlamov2002", "--scene"]
 CASE = ["find", "integrals", "kharlamov2002", "--scene", "Kowalevski case"]
 
@@ -112,8 +114,9 @@ def test_cases_that_only_real_numbers_exclude(capsys, tmp_path):
 
 
 def test_a_large_question_is_said_to_be_large_beforehand_and_what_was_found_in_time_is_kept(
-    tmp_path, capsys
+    tmp_path, capsys, monkeypatch
 ):
+    monkeypatch.undo()
     file = tmp_path / "nahm.py"
     field = r"\dot x=yz,\quad \dot y=zx,\quad \dot z=xy"
     file.write_text(f"from kowalevski_cas import System\nnahm = System(r'{field}')\n")
@@ -146,7 +149,7 @@ section = Section("1", "The field")
 motion = section.display(
     "motion", r"\dot x=\sigma(y-x),\quad \dot y=\rho x-y-xz,\quad \dot z=xy-bz"
 )
-scene = Scene("Lorenz", "").having(variables=("x", "y", "z"), constants=(r"\sigma", r"\rho", "b"))
+scene = Scene("Lorenz").having(variables=("x", "y", "z"), constants=(r"\sigma", r"\rho", "b"))
 section.states(Identity, motion[1], on=scene.moving(motion), says="the motion")
 derivation = Derivation("lorenz", "Lorenz", "", "", (section,))
 """
@@ -228,7 +231,8 @@ def test_an_integral_with_an_exponential_factor(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("question", sampled(["integrals", "darboux"], 1))
-def test_several_processes_print_what_one_does(tmp_path, capsys, question):
+def test_several_processes_print_what_one_does(tmp_path, capsys, monkeypatch, question):
+    monkeypatch.undo()
     file = tmp_path / "volterra.py"
     field = r"\dot x=x(y-cz),\quad \dot y=y(z-x),\quad \dot z=z(cx-y)"
     file.write_text(f"from kowalevski_cas import System\nchain = System(r'{field}')\n")

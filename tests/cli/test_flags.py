@@ -64,8 +64,8 @@ class Hangs(Identity):
         yield 7 ** 7 ** 11
 s = Section("1", "")
 f = s.display("f", r"\dot x = v,\quad \dot v = -x")
-osc = Scene("oscillator", "", variables=("x", "v"), field=(f[1], f[2]))
-s.claim(Hangs("hangs", osc, f[1], ""), Identity("t", osc, f[2], ""))
+osc = Scene("oscillator", variables=("x", "v"), field=(f[1], f[2]))
+s.claim(Hangs("hangs", osc, "", printed=f[1]), Identity("t", osc, "", printed=f[2]))
 derivation = Derivation("hangs", "", "", "", (s,))
 """
 KOWALEVSKI = (sys.executable, "-m", "kowalevski_cas")

@@ -16,6 +16,8 @@ from kowalevski_cas.motion import METHODS, Motion
 from kowalevski_cas.motion.methods.ball import enclosures
 from tests.sample import sampled
 
+pytestmark = pytest.mark.usefixtures("here")
+
 FIELDS = ["--a", "1", "--b", "0.4"]
 USUAL = [*FIELDS, "--m", "0.8", "--l", "0.9", "--until", "2", "--samples", "5"]
 
@@ -241,8 +243,6 @@ def test_wrong_use_gets_a_message(cli, arguments, words):
 
 
 def test_following_a_motion_imports_no_pictures_and_the_command_line_no_arrays(cli):
-    import subprocess
-
     script = (
         "import sys; from kowalevski_cas.cli import main; main([]); "
         "assert 'numpy' not in sys.modules; "
@@ -255,7 +255,8 @@ def test_following_a_motion_imports_no_pictures_and_the_command_line_no_arrays(c
 
 @pytest.mark.parametrize("method", sampled(["radau", "lsoda", "dop853"], 1))
 @pytest.mark.parametrize("until", sampled(["1e6", "1e300", "-1e308"], 1))
-def test_a_method_that_comes_to_no_end_ends(cli, method, until):
+def test_a_method_that_comes_to_no_end_ends(cli, monkeypatch, method, until):
+    monkeypatch.undo()
     code, out, err = cli(*USUAL, "--method", method, "--until", until, "--timeout", 0.2)
     assert code == 3 and out == ""
     assert f"{method} has not come to t = {float(until):g} within 0.2 s; --timeout" in err

@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.export import FORMATS, Inexpressible, load
+from kowalevski_cas.export import Inexpressible, load
+from kowalevski_cas.tools import TOOLS
 
 PAPER = "bobenko_reyman_semenov1989"
 """A paper whose certificates have several roots of numbers."""
@@ -52,7 +53,7 @@ def test_an_export_is_the_same_whatever_the_order_of_sets(tmp_path):
     assert found[0] == found[1]
 
 
-@pytest.mark.parametrize("name", FORMATS)
+@pytest.mark.parametrize("name", TOOLS)
 @pytest.mark.parametrize("file", ["kernel", "denied-kernel"])
 def test_ranks_modulo_a_prime_are_left_out_by_all(name, file):
     text = (HANDWRITTEN / f"{file}.json").read_text(encoding="utf-8")

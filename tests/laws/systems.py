@@ -61,7 +61,7 @@ class System:
         """A derivation with a claim for each statement, called s0, s1, …"""
         section = Section("1", self.name)
         motion = section.display("motion", r",\quad ".join(self.motion))
-        scene = Scene(self.name, "").having(
+        scene = Scene(self.name).having(
             variables=self.variables, constants=self.constants, nonzero=self.nonzero
         )
         scene = scene.moving(motion)
@@ -98,23 +98,21 @@ def _claim(section: Section, scene: Scene, id: str, stated: Stated) -> None:
     given = section.display(f"given-{id}", r",\quad ".join(stated.given)) if stated.given else ()
     match stated.about:
         case "identity":
-            section.claim(Identity(id, scene, tex[1], ""))
+            section.claim(Identity(id, scene, "", printed=tex[1]))
         case "integral":
-            section.claim(FirstIntegral(id, scene, tex[1], "", given=(*given,)))
+            section.claim(FirstIntegral(id, scene, "", printed=tex[1], given=(*given,)))
         case "invariant":
-            section.claim(InvariantRelations(id, scene, None, "", relations=(*tex,)))
+            section.claim(InvariantRelations(id, scene, "", relations=(*tex,)))
         case "implication":
-            section.claim(Implication(id, scene, tex[1], "", given=(*given,)))
+            section.claim(Implication(id, scene, "", printed=tex[1], given=(*given,)))
         case "dimension":
             section.claim(
-                Dimension(
-                    id, scene, None, "", levels=(), equations=(*tex,), dimension=stated.number
-                )
+                Dimension(id, scene, "", levels=(), equations=(*tex,), dimension=stated.number)
             )
         case "independence":
             scene = scene.defining(tex)
             section.claim(
-                Independence(id, scene, None, "", levels=(), equations=(*given,), functions=(*tex,))
+                Independence(id, scene, "", levels=(), equations=(*given,), functions=(*tex,))
             )
 
 

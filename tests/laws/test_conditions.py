@@ -1,11 +1,14 @@
 """What is printed below a line is a condition wherever it stands, also where it cancels."""
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas import System
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.verify.outcome import Verdict
+
+pytestmark = pytest.mark.usefixtures("here")
 
 SYSTEM = System(r"\dot x=y,\quad \dot y=z+c,\quad \dot z=x")
 for definition in (

@@ -8,7 +8,7 @@ from kowalevski_cas import System
 from kowalevski_cas.paper.claims import AllIntegrals
 from tests.laws.falsehoods import NAMES, Maker, Polynomial
 
-pytestmark = pytest.mark.usefixtures("uncorrected")
+pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
 FEW, MANY = 2, 100
 

@@ -10,7 +10,7 @@ from kowalevski_cas.verify.run import verify
 from tests.laws.falsehoods import KINDS, NAMES, Maker
 from tests.laws.systems import Stated, System
 
-pytestmark = pytest.mark.usefixtures("uncorrected")
+pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
 FEW, MANY = 2, 200
 

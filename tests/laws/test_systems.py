@@ -13,7 +13,7 @@ from kowalevski_cas.verify.run import Session, verify
 from tests.laws.systems import NAME, SYSTEMS, System
 from tests.sample import sampled
 
-pytestmark = pytest.mark.usefixtures("uncorrected")
+pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
 GREEN = ("proved", "conditional")
 

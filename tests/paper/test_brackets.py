@@ -17,7 +17,7 @@ class FreeTop:
         inline = self.section.inline
         omega = ("\\omega_1", "\\omega_2", "\\omega_3")
         self.scene = Scene(
-            "free top", "", variables=omega, constants=("a",),
+            "free top", variables=omega, constants=("a",),
             vectors={r"\mathbf{M}": AXES, r"\boldsymbol{\omega}": omega},
             field=(
                 inline("1", r"\dot\omega_1=(a-2)\omega_2\omega_3")[1],
@@ -33,7 +33,9 @@ class FreeTop:
 
     def decide(self, tex):
         display = self.section.inline(f"d{len(self.section.displays)}", tex)
-        (outcome,) = decide(self.section, Identity(display.id, self.scene, display[1], ""))[-1:]
+        (outcome,) = decide(self.section, Identity(display.id, self.scene, "", printed=display[1]))[
+            -1:
+        ]
         return str(outcome.verdict), outcome.message
 
 

@@ -25,7 +25,7 @@ from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement, finder_of
 from tests.paper.small import Oscillator, decide
 
-pytestmark = pytest.mark.usefixtures("uncorrected")
+pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
 NOTHING = "no real point is known that satisfies the hypotheses"
 
@@ -72,10 +72,10 @@ def claims(small, scene, given_ones, conclusion):
     places, own = printed(small, given_ones), small(conclusion)
     member = small("E=xv")
     return [
-        Implication("implication", scene, own, "", given=places),
-        FirstIntegral("integral", scene, member, "", given=places),
-        DoubleZero("double-zero", scene, small("x^2v^2"), "", given=places),
-        InvariantRelations("invariant", scene, None, "", relations=places),
+        Implication("implication", scene, "", printed=own, given=places),
+        FirstIntegral("integral", scene, "", printed=member, given=places),
+        DoubleZero("double-zero", scene, "", printed=small("x^2v^2"), given=places),
+        InvariantRelations("invariant", scene, "", relations=places),
     ]
 
 
@@ -98,7 +98,7 @@ def test_the_same_conclusions_are_decided_on_a_line_through_a_point(a, b, k, con
     scene = replace(small.scene, roots={})
     line = printed(small, [f"x={a}", f"{k}v={k * b}"])
     (outcome,) = decide(
-        small.section, Implication("implication", scene, small(conclusion), "", given=line)
+        small.section, Implication("implication", scene, "", printed=small(conclusion), given=line)
     )
     left, right = (side.replace("^2", "**2").replace("xv", "x*v").replace(r"\frac{x}{2}", "x/2")
                    for side in conclusion.split("="))  # fmt: skip
@@ -112,7 +112,9 @@ def test_an_identity_in_a_setting_without_a_real_point(p, q, n):
     small = Oscillator()
     root = small(f"R^2=-({p})^2-({q})^2-{n}")
     scene = replace(small.scene, roots={}).adjoining(root)
-    (outcome,) = decide(small.section, Identity("identity", scene, small("R^2+v=v+R^2"), ""))
+    (outcome,) = decide(
+        small.section, Identity("identity", scene, "", printed=small("R^2+v=v+R^2"))
+    )
     refused = outcome.verdict == "error" and "R is real" in outcome.message
     assert refused or (outcome.verdict, outcome.message) == ("undecided", NOTHING)
 
@@ -123,7 +125,7 @@ def test_a_root_is_real(sign):
     small = Oscillator()
     scene = replace(small.scene, roots={}).adjoining(small(f"R^2={sign}(x^2+v^2+1)"))
     (outcome,) = decide(
-        small.section, Identity("identity", scene, small(r"\frac{d}{dt}(R^2)=0"), "")
+        small.section, Identity("identity", scene, "", printed=small(r"\frac{d}{dt}(R^2)=0"))
     )
     assert outcome.verdict == ("error" if sign else "proved")
 
@@ -173,5 +175,7 @@ def test_a_root_of_a_root_of_what_is_complex():
     small = Oscillator()
     first, second = small("p^2=z_1"), small("q^2=p-1")
     scene = replace(small.new, definitions={}).adjoining(first, second)
-    (outcome,) = decide(small.section, Identity("identity", scene, small("q^4=z_1-2p+1"), ""))
+    (outcome,) = decide(
+        small.section, Identity("identity", scene, "", printed=small("q^4=z_1-2p+1"))
+    )
     assert outcome.verdict == "proved"

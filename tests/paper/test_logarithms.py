@@ -8,7 +8,7 @@ from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import verify
 from tests.sample import sampled
 
-pytestmark = pytest.mark.usefixtures("uncorrected")
+pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
 VOLTERRA = r"\dot x=\alpha x-\beta xy,\quad \dot y=\delta xy-\gamma y"
 INTEGRAL = r"\delta x-\gamma\ln x+\beta y-\alpha\ln y"

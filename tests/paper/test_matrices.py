@@ -17,7 +17,7 @@ def verdict(tex):
     section = Section("1", "Matrices", copied=False)
     matrices = section.lemma("matrices", ROTATION, "for the test")
     motion = section.lemma("motion", r"\dot x = -y, \quad \dot y = x", "for the test")
-    scene = Scene("plane", "the plane", variables=("x", "y"), constants=(r"\mu",))
+    scene = Scene("plane", variables=("x", "y"), constants=(r"\mu",))
     section.identity("claim", tex, on=scene.moving(motion).defining(matrices), says="it holds")
     derivation = Derivation("matrices", "matrices", "nobody", "none", (section,))
     (outcome,) = verify(derivation, ["flint"]).outcomes

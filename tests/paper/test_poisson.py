@@ -6,7 +6,7 @@ from kowalevski_cas import System
 from kowalevski_cas.verify.outcome import Verdict
 from tests.sample import sampled
 
-pytestmark = pytest.mark.usefixtures("uncorrected", "unlimited")
+pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
 PROVED, REFUTED = Verdict.PROVED, Verdict.REFUTED
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kowalevski_cas.paper.claims import FirstIntegral, Identity
+from kowalevski_cas.paper.claims import Equivalence, FirstIntegral, Identity
 from kowalevski_cas.paper.derivation import Derivation, Locus, Scene, Section
 
 section = Section("1", "")
@@ -14,11 +14,11 @@ tau = section.inline("tau", r"\tau=it")
 change = section.display("change", "z_1=x+iv, \\quad z_2=x-iv")
 root = section.display("root", r"r^2 = x^2+1, \quad \sqrt{x} = 1")
 at_rest = section.inline("at-rest", r"{\bs v} = 0")
-top = Scene("oscillator", "", variables=("x", "v")).moving(motion)
+top = Scene("oscillator", variables=("x", "v")).moving(motion)
 
 
 def test_each_verb_gives_a_new_scene_and_leaves_the_old_one():
-    derived = top.described("E", "with E").defining(energy).with_unit(unit[1], tau[1])
+    derived = top.called("E").defining(energy).with_unit(unit[1], tau[1])
     assert derived.definitions == {"E": energy[1], "e": energy[1]}
     assert (derived.name, derived.unit, derived.clock) == ("E", unit[1], tau[1])
     assert derived.field == (motion[1], motion[2])
@@ -100,6 +100,16 @@ def test_ids_are_those_of_the_display_or_given():
         FirstIntegral, one.display("two", "x^2 = c, \\quad v"), on=top, says="", ids=("c", "v")
     )
     assert [claim.id for claim in one.claims] == ["E", "c", "v"]
+
+
+def test_two_displays_say_the_same_statement_by_statement():
+    one = Section("2", "")
+    old, new = one.display("old", r"x=0, \quad v=0"), one.display("new", r"2x=0, \quad 3v=0")
+    one.states(Equivalence, new, on=top, says="", to=old)
+    assert [(c.id, c.printed, c.to) for c in one.claims] == [
+        ("new.1", new[1], old[1]),
+        ("new.2", new[2], old[2]),
+    ]
 
 
 @pytest.mark.parametrize("given", [{"says": ("one",)}, {"says": "", "ids": ("a", "b", "c")}])

@@ -15,41 +15,23 @@ from kowalevski_cas.paper.claims import (
     LastMultiplier,
     Unit,
 )
-from kowalevski_cas.paper.derivation import Locus, Scene, Section
-from tests.paper.small import decide
+from kowalevski_cas.paper.derivation import Locus, Scene
+from tests.paper.small import Motion, Paper, verdicts
 
-pytestmark = pytest.mark.usefixtures("uncorrected")
+pytestmark = pytest.mark.usefixtures("uncorrected", "here")
 
-SPACE = Scene("space", "", variables=("x", "y", "z"))
-
-
-class Paper:
-    """A section that prints what it is asked for."""
-
-    def __init__(self):
-        self.section = Section("1", "")
-
-    def __call__(self, tex):
-        return (*self.section.display(f"d{len(self.section.displays)}", tex),)
-
-    def __getitem__(self, tex):
-        (place,) = self(tex)
-        return place
-
-    def outcome(self, kind, scene, printed=None, **attributes):
-        self.section.claims.clear()
-        claim = kind("t", scene, printed, "", **attributes)
-        (found,) = decide(self.section, claim, explain=True)
-        return found
-
-    def dimension(self, number, *equations, scene=SPACE):
-        places = tuple(self[tex] for tex in equations)
-        return self.outcome(Dimension, scene, levels=(), equations=places, dimension=number)
+CIRCLES = r"\dot x=y, \dot y=-x"
+SPACE = Scene("space", variables=("x", "y", "z"))
 
 
 @pytest.fixture
 def paper():
     return Paper()
+
+
+def dimension(paper, number, *equations, on=SPACE):
+    places = tuple(map(paper, equations))
+    return paper.outcome(Dimension, on=on, levels=(), equations=places, dimension=number)
 
 
 # -- dimension -----------------------------------------------------------------------
@@ -71,12 +53,12 @@ def paper():
     ],
 )
 def test_a_manifold_is_one_at_each_point(paper, equations, number, verdict):
-    assert paper.dimension(number, *equations).verdict == verdict
+    assert dimension(paper, number, *equations).verdict == verdict
 
 
 def test_a_declared_locus_is_the_condition_and_the_point_says_why(paper):
     axis = SPACE.having(loci=(Locus("$x=y=0$", ("x=0", "y=0"), "x^2+y^2"),))
-    outcome = paper.dimension(2, "xy=0", scene=axis)
+    outcome = dimension(paper, 2, "xy=0", on=axis)
     assert outcome.verdict == "conditional"
     (condition,) = outcome.conditions
     assert to_latex(condition.expression) == "x^2 + y^2"
@@ -84,11 +66,11 @@ def test_a_declared_locus_is_the_condition_and_the_point_says_why(paper):
 
 
 def test_complex_equations_count_twice(paper):
-    scene = Scene("s", "", variables=("x", "y"), conjugates=(("x", "y"),))
-    alone = paper.dimension(1, "x=0", scene=scene)
+    scene = Scene("s", variables=("x", "y"), conjugates=(("x", "y"),))
+    alone = dimension(paper, 1, "x=0", on=scene)
     assert alone.verdict == "error" and "conjugate" in alone.message
-    assert paper.dimension(0, "x=0", "y=0", scene=scene).verdict == "proved"
-    assert paper.dimension(1, "xy=1", scene=scene).verdict == "proved"
+    assert dimension(paper, 0, "x=0", "y=0", on=scene).verdict == "proved"
+    assert dimension(paper, 1, "xy=1", on=scene).verdict == "proved"
 
 
 @settings(max_examples=settings.default.max_examples // 2)
@@ -96,7 +78,7 @@ def test_complex_equations_count_twice(paper):
 def test_quadrics_are_manifolds_but_for_cones(squares, level):
     """a x^2 + b y^2 + c z^2 = d is regular exactly if it does not hold where the slope vanishes."""
     a, b, c = squares
-    outcome = Paper().dimension(2, f"{a}x^2{b:+d}y^2{c:+d}z^2={level}")
+    outcome = dimension(Paper(), 2, f"{a}x^2{b:+d}y^2{c:+d}z^2={level}")
     real = any(n * level > 0 for n in squares) or not level
     if level and real and any(squares):
         assert outcome.verdict == "proved"
@@ -109,10 +91,10 @@ def test_quadrics_are_manifolds_but_for_cones(squares, level):
 
 def test_functions_are_independent_on_a_set_that_is_a_graph(paper):
     def outcome(equations, graph, *functions):
-        places = tuple(paper[f"{tex}=1"] for tex in functions)
+        places = tuple(paper(f"{tex}=1") for tex in functions)
         return paper.outcome(
-            Independence, SPACE, levels=(), equations=paper(equations), functions=places,
-            graph=paper(graph),
+            Independence, on=SPACE, levels=(), equations=paper.all(equations), functions=places,
+            graph=paper.all(graph),
         )  # fmt: skip
 
     assert outcome("z-xy=0", "z=xy", "x", "z").verdict == "proved"
@@ -123,56 +105,44 @@ def test_functions_are_independent_on_a_set_that_is_a_graph(paper):
 
 
 def test_a_rank_at_a_point_is_none_of_a_set_that_may_fall_apart(paper):
-    root = SPACE.solving("r", paper["r^2=x^2"])
-    places = tuple(paper[f"{tex}=1"] for tex in ("r+x", "y"))
-    outcome = paper.outcome(Independence, root, levels=(), equations=(), functions=places)
+    root = SPACE.solving("r", paper("r^2=x^2"))
+    places = tuple(paper(f"{tex}=1") for tex in ("r+x", "y"))
+    outcome = paper.outcome(Independence, on=root, levels=(), equations=(), functions=places)
     assert outcome.verdict == "error" and "one piece" in outcome.message
 
 
 # -- integrals -----------------------------------------------------------------------
 
-FLOW = r"\dot x=1, \quad \dot y=x"
 
-
-def test_a_partial_integral_needs_an_invariant_set(paper):
-    scene = Scene("s", "", variables=("x", "y"), field=paper(FLOW))
-    for equation in ("x=0", "x^2=0"):
-        found = paper.outcome(FirstIntegral, scene, paper["y"], given=paper(equation))
-        assert not found.verdict.green
+@pytest.mark.parametrize("equation", ["x=0", "x^2=0"])
+def test_a_partial_integral_needs_an_invariant_set(equation):
+    flow = Motion(r"\dot x=1, \dot y=x", "x", "y")
+    assert not flow.outcome(FirstIntegral, "y", given=flow.all(equation)).verdict.green
 
 
 @pytest.mark.parametrize("tex", ["5", "k^2", "x-x", "x^2+y^2-x^2-y^2+k"])
-def test_a_constant_is_no_integral(paper, tex):
-    field = paper(r"\dot x=y, \quad \dot y=-x")
-    scene = Scene("s", "", variables=("x", "y"), constants=("k",), field=field)
-    outcome = paper.outcome(FirstIntegral, scene, paper[tex])
+def test_a_constant_is_no_integral(tex):
+    outcome = Motion(CIRCLES, "x", "y", constants=("k",)).outcome(FirstIntegral, tex)
     assert outcome.verdict == "refuted"
     assert outcome.message == "the differentials depend on each other everywhere"
 
 
-def test_what_vanishes_on_a_set_is_no_partial_integral(paper):
-    scene = Scene("s", "", variables=("x", "y"), field=paper(r"\dot x=x, \quad \dot y=1"))
-    outcome = paper.outcome(FirstIntegral, scene, paper["xy"], given=paper("x=0"))
-    assert not outcome.verdict.green
+def test_what_vanishes_on_a_set_is_no_partial_integral():
+    flow = Motion(r"\dot x=x, \dot y=1", "x", "y")
+    assert not flow.outcome(FirstIntegral, "xy", given=flow.all("x=0")).verdict.green
 
 
 @given(st.integers(1, 4), st.integers(1, 4))
 def test_all_members_of_a_chain_are_the_same_integral(first, second):
-    paper = Paper()
-    field = paper(r"\dot x=y, \quad \dot y=-x")
-    scene = Scene("s", "", variables=("x", "y"), constants=("e",), field=field)
     tex = rf"{first}(x^2+y^2)={second}x^2+{second}y^2 \equiv e"
-    verdict = paper.outcome(FirstIntegral, scene, paper[tex]).verdict
+    verdict = Motion(CIRCLES, "x", "y", constants=("e",)).verdict(FirstIntegral, tex)
     assert verdict == ("proved" if first == second else "refuted")
 
 
-def test_a_constant_root_is_made_of_constants(paper):
-    field = paper(r"\dot x=0, \quad \dot y=1")
-    scene = Scene("s", "", variables=("x", "y"), constants=("s",), field=field)
-    for name, verdict in (("x", "proved"), ("y", "refuted")):
-        root = paper[f"s^2={name}^2"]
-        found = paper.outcome(ConstantRoot, scene, root, unknown="s", basis=(name,))
-        assert found.verdict == verdict
+@pytest.mark.parametrize(("name", "verdict"), [("x", "proved"), ("y", "refuted")])
+def test_a_constant_root_is_made_of_constants(name, verdict):
+    flow = Motion(r"\dot x=0, \dot y=1", "x", "y", constants=("s",))
+    assert flow.verdict(ConstantRoot, f"s^2={name}^2", unknown="s", basis=(name,)) == verdict
 
 
 # -- equations, densities, units -----------------------------------------------------
@@ -182,15 +152,14 @@ def test_an_equivalence_does_not_exclude_its_set():
     """x^2 = 0 follows from x = 0, and the converse has no division by what vanishes there."""
     for own, to in (("x^2=0", "x=0"), (r"\frac{x^2}{x}=0", "x=0"), (r"\frac{1}{x}=y", "x=0")):
         paper = Paper()
-        assert not paper.outcome(Equivalence, SPACE, paper[own], to=paper[to]).verdict.green
+        assert not paper.outcome(Equivalence, own, SPACE, to=paper(to)).verdict.green
 
 
 @pytest.mark.parametrize("density", ["0", "x-x", "(x^2+y^2-1)"])
-def test_a_last_multiplier_vanishes_nowhere(paper, density):
-    scene = Scene("s", "", variables=("x", "y"), field=paper(r"\dot x=y, \quad \dot y=-x"))
-    circle = InvariantRelations("circle", scene, None, "", relations=paper("x^2+y^2=1"))
-    found = paper.outcome(LastMultiplier, scene, relations=circle, density=density)
-    assert found.verdict == "refuted"
+def test_a_last_multiplier_vanishes_nowhere(density):
+    flow = Motion(CIRCLES, "x", "y")
+    circle = InvariantRelations("circle", flow.scene, "", relations=flow.all("x^2+y^2=1"))
+    assert flow.verdict(LastMultiplier, relations=circle, density=density) == "refuted"
 
 
 @pytest.mark.parametrize(
@@ -205,7 +174,7 @@ def test_a_last_multiplier_vanishes_nowhere(paper, density):
     ],
 )
 def test_rows_vote_for_a_unit_that_they_see(paper, rows, verdict):
-    unit = paper["i^2=1"]
-    scene = SPACE.with_unit(unit).defining(*paper("u=x+iy, w=x-iy"))
-    places = tuple(paper[row] for row in rows)
-    assert paper.outcome(Unit, scene, unit, rows=places).verdict == verdict
+    unit = paper("i^2=1")
+    scene = SPACE.with_unit(unit).defining(*paper.all("u=x+iy, w=x-iy"))
+    claim = Unit("t", scene, "", printed=unit, rows=tuple(map(paper, rows)))
+    assert verdicts(paper.section, claim) == [verdict]

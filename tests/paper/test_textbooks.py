@@ -32,7 +32,7 @@ class Book:
 
     def scene(self, section):
         scene = Scene(
-            "textbook", "", vectors=self.vectors, variables=tuple(self.variables.split()),
+            "textbook", vectors=self.vectors, variables=tuple(self.variables.split()),
             constants=tuple(self.constants.split()),
         ).moving(section.display("motion", self.motion))  # fmt: skip
         for number, tex in enumerate(self.given):
@@ -50,7 +50,7 @@ class Book:
         false = [(FirstIntegral, tex) for tex in self.no_integrals]
         false += [(Identity, tex) for tex in self.no_identities]
         claims = [
-            kind(f"c{number}", scene, section.display(f"d{number}", tex)[1], "")
+            kind(f"c{number}", scene, "", printed=section.display(f"d{number}", tex)[1])
             for number, (kind, tex) in enumerate(true + false)
         ]
         found = [
@@ -236,9 +236,7 @@ def test_the_field_is_what_the_printed_equations_say(name):
 
 def test_velocities_are_variables():
     section = Section("1", "a textbook")
-    scene = Scene("", "", variables=("x_1",)).moving(
-        section.display("motion", r"\dddot x_1=-\dot x_1")
-    )
+    scene = Scene(variables=("x_1",)).moving(section.display("motion", r"\dddot x_1=-\dot x_1"))
     on = Elaborations(derivation(section).texts(None, scene))(scene)
     assert on.variables == ("x_1", r"\dot{x}_1", r"\ddot{x}_1")
     assert to_latex(on.formula(r"\ddot x_1+\dddot x_1")) == r"\ddot{x}_1 + \dot{\ddot{x}}_1"
@@ -258,10 +256,10 @@ def test_velocities_are_variables():
 )
 def test_what_is_no_field_is_an_error_that_says_so(motion, message):
     section = Section("1", "a textbook")
-    scene = Scene("", "", variables=("x", "y"), constants=("n",)).moving(
-        section.display("m", motion)
+    scene = Scene(variables=("x", "y"), constants=("n",)).moving(section.display("m", motion))
+    [outcome] = decide(
+        section, FirstIntegral("c", scene, "", printed=section.display("d", "x^2")[1])
     )
-    [outcome] = decide(section, FirstIntegral("c", scene, section.display("d", "x^2")[1], ""))
     assert str(outcome.verdict) == "error"
     assert message in outcome.message
 
@@ -294,8 +292,8 @@ def test_two_indices_of_one_sign_each_are_no_product():
 def _of_sums(equation):
     section = Section("1", "a textbook")
     names = ("x_1", "x_2", "x_3", "x_{20}", "x_{21}", "x_{22}", "x_{10}", "x_{11}")
-    scene = Scene("", "", variables=names)
-    [outcome] = decide(section, Identity("c", scene, section.display("d", equation)[1], ""))
+    scene = Scene(variables=names)
+    [outcome] = decide(section, Identity("c", scene, "", printed=section.display("d", equation)[1]))
     return outcome
 
 
@@ -312,8 +310,8 @@ def _of_sums(equation):
 def test_a_mass_that_may_vanish_is_a_condition_also_where_nothing_acts(motion, integral, mass):
     section = Section("1", "a textbook")
     names = ("x", "y") if "y" in motion else ("x",)
-    scene = Scene("", "", variables=names, constants=("m",)).moving(section.display("m", motion))
-    claim = FirstIntegral("c", scene, section.display("d", integral)[1], "")
+    scene = Scene(variables=names, constants=("m",)).moving(section.display("m", motion))
+    claim = FirstIntegral("c", scene, "", printed=section.display("d", integral)[1])
     [outcome] = decide(section, claim)
     assert str(outcome.verdict) == "conditional"
     assert [to_latex(one.expression) for one in outcome.conditions] == [mass]

@@ -19,7 +19,7 @@ MOTION = r"\dot x=\cos y+e^u,\quad\dot y=\sin x,\quad\dot u=v,\quad\dot v=e^u-x_
 
 
 def scene_of(section, motion=MOTION, variables="x y u v", constants="x_0"):
-    scene = Scene("", "", variables=tuple(variables.split()), constants=tuple(constants.split()))
+    scene = Scene(variables=tuple(variables.split()), constants=tuple(constants.split()))
     return scene.moving(section.display("motion", motion))
 
 
@@ -114,7 +114,7 @@ def test_rates_are_those_of_calculus(on, function, m, x, y, u):
 def test_what_is_not_known_is_an_error_that_says_so(tex, message):
     section = Section("1", "")
     scene = scene_of(section)
-    [outcome] = decide(section, FirstIntegral("c", scene, section.display("d", tex)[1], ""))
+    [outcome] = decide(section, FirstIntegral("c", scene, "", printed=section.display("d", tex)[1]))
     assert str(outcome.verdict) == "error"
     assert message in outcome.message
 
@@ -126,7 +126,9 @@ def test_nothing_follows_from_a_value_that_is_not_taken(given_tex):
     section = Section("1", "")
     scene = scene_of(section)
     given_place = section.display("given", given_tex)[1]
-    claim = Implication("c", scene, section.display("d", "v=0")[1], "", given=(given_place,))
+    claim = Implication(
+        "c", scene, "", printed=section.display("d", "v=0")[1], given=(given_place,)
+    )
     [outcome] = decide(section, claim)
     assert str(outcome.verdict) == "undecided"
 
@@ -137,10 +139,10 @@ def test_a_value_that_is_taken_refutes():
     scene = scene_of(section)
     given_place = section.display("given", r"\sin x=\frac12")[1]
     true = Implication(
-        "true", scene, section.display("d", r"\cos^2x=\frac34")[1], "", given=(given_place,)
+        "true", scene, "", printed=section.display("d", r"\cos^2x=\frac34")[1], given=(given_place,)
     )
     false = Implication(
-        "false", scene, section.display("e", r"\cos x=\frac34")[1], "", given=(given_place,)
+        "false", scene, "", printed=section.display("e", r"\cos x=\frac34")[1], given=(given_place,)
     )
     assert [str(one.verdict) for one in decide(section, true, false)] == ["proved", "refuted"]
 
@@ -153,6 +155,6 @@ def test_degrees_and_volumes_are_not_those_of_other_variables(on):
 def test_an_angle_in_a_sine_and_in_an_exponential_is_refused():
     section = Section("1", "")
     scene = scene_of(section, r"\dot x=\sin x+e^x", "x", "")
-    claim = Identity("c", scene, section.display("d", r"\dot x=\sin x+e^x")[1], "")
+    claim = Identity("c", scene, "", printed=section.display("d", r"\dot x=\sin x+e^x")[1])
     [outcome] = decide(section, claim)
     assert str(outcome.verdict) == "error"

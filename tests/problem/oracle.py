@@ -356,7 +356,8 @@ def settled(names, values, targets, known, proof):
     power = proof.get("power", 1)
     require(type(power) is int and power > 0, "power")
     if groups := proof.get("product"):
-        require(not names.units and not names.swap, "cases are for real numbers")
+        squares = any(len(group) > 1 for group in groups)
+        require(not squares or not (names.units or names.swap), "squares are for real numbers")
         require(len(groups) == len(proof["cases"]), "a case is missing")
         whole = number(1)
         for group, case in zip(groups, proof["cases"], strict=True):

@@ -1,4 +1,7 @@
-"""Certificates that somebody made to deceive the checker: none may be accepted."""
+"""Certificates that somebody made to deceive the checker: none may be accepted.
+
+Those in ``test_accept.py`` are put to it as well; here are such as only a file can be.
+"""
 
 import json
 import re
@@ -54,10 +57,6 @@ I = ["root", "i", ["-", 1]]  # noqa: E741
 
 
 class TestHypotheses:
-    def test_one_equals_zero(self):
-        goal = follows(["x", 0], given=[[1, 0]])
-        rejected([XY], [goal], [{"cofactors": [["x"]], "point": ORIGIN}], "not where it should be")
-
     @pytest.mark.parametrize("x", [0, 1])
     def test_a_condition_that_vanishes_wherever_the_hypotheses_hold(self, x):
         goal, entry = follows(["y", 0], given=[["x", 0]]), {"cofactors": [[["/", "y", "x"]]]}
@@ -66,24 +65,10 @@ class TestHypotheses:
         rejected([XY], [goal], [{**entry, "away": ["x"]}], "not where|condition fails")
         rejected([XY], [goal], [entry], "may be zero|not where")
 
-    def test_hypotheses_that_hold_at_no_real_point(self):
-        goal = follows(["y", 0], given=[[["+", ["*", "x", "x"], 1], 0], ["y", 0]])
-        entry = {"cofactors": [[0, 1]], "point": at(x="i", y=0, i="i")}
-        rejected([{**XY, "steps": [I]}], [goal], [entry], "not real")
-        rejected([XY], [goal], [{**entry, "point": at(x="i", y=0)}], "not real")
-
     def test_a_setting_without_a_real_point(self):
         for square in (["-", ["+", ["^", "x", 2], 1]], ["+", ["-", ["^", "x", 2]], -1]):
             space = {**XY, "steps": [["root", "r", square]]}
             rejected([space], [follows(["x", "x"])], [{"point": at(x=0, y=0, r="i")}], "not real")
-
-    def test_a_root_without_a_declared_conjugate_is_real(self):
-        space = {**XY, "steps": [["root", "q", "x"]], "conjugates": [["x", "y"]]}
-        point = at(x=["*", 2, "i"], y=["*", -2, "i"], q=["+", 1, "i"])
-        rejected(
-            [space], [follows(["q", 3])], [{"goal": 0, "point": point}], "q is not real", "denied"
-        )
-        accepted([space], [follows(["q", 3])], [{"goal": 0, "point": at(x=4, y=4, q=2)}], "denied")
 
     def test_what_is_assumed_before_a_change(self):
         """With u = x + y, v = x - y and x not zero there is nothing where u = -v."""
@@ -108,27 +93,11 @@ class TestHypotheses:
         with pytest.raises(Unproved, match="granted"):
             Judge(of).holds(problem.goals[0], read_evidence(entry, problem.goals[0]))
 
-    def test_hypotheses_without_a_point(self):
-        goal = follows(["x", 0], given=[["x", 0]])
-        rejected([XY], [goal], [{"cofactors": [[1]]}], "key is missing")
-        rejected([XY], [follows(["x", "x"])], [{}], "key is missing")
-        empty = {"goal": "follows", "space": 0, "given": [[1, 0]], "conclusions": []}
-        rejected([XY], [empty], [{"cofactors": [[1]]}], "key is missing")
-        accepted([XY], [empty], [{"cofactors": [[1]], "point": ORIGIN}])
-
     def test_emptiness_with_a_condition(self):
         goal = {"goal": "follows", "space": 0, "given": [["x", 0]], "conclusions": []}
         entry = {"cofactors": [[["/", 1, "x"]]], "point": at(x=1, y=0)}
         rejected([XY], [goal], [{**entry, "away": ["x"]}], "unknown")
         rejected([XY], [goal], [entry], "may be zero")
-
-    def test_emptiness_in_a_setting_that_is_empty(self):
-        space = {"variables": ["x"], "steps": [["root", "r", ["-", ["+", ["^", "x", 2], 1]]]]}
-        given = [[["^", "r", 2], ["+", ["-", ["^", "x", 2]], 4]]]
-        goal = {"goal": "follows", "space": 0, "given": given, "conclusions": []}
-        for r in (1, "i", ["-", "i"]):
-            entry = {"cofactors": [[["/", -1, 5]]], "point": at(x=0, r=r)}
-            rejected([space], [goal], [entry], "square|not real")
 
     def test_emptiness_of_nothing(self):
         goal = {"goal": "follows", "space": 0, "given": [], "conclusions": []}
@@ -153,11 +122,6 @@ class TestHypotheses:
     def test_roots_of_points(self, roots):
         point = {"roots": roots, "values": [["x", 0], ["y", 1]]}
         rejected([XY], [follows(["x", "x"])], [{"point": point}], ".")
-
-    def test_a_root_of_a_square_number_takes_no_side(self):
-        goal = follows(["x", 2])
-        point = at(4, x=["sqrt", 4], y=0)
-        rejected([XY], [goal], [{"goal": 0, "point": point}], "may be equal", "denied")
 
     def test_values_missing_unknown_or_given_twice(self):
         for values in ([["x", 0]], [["x", 0], ["y", 0], ["z", 0]], [["x", 0], ["y", 0], ["y", 0]]):
@@ -198,11 +162,6 @@ class TestDivisors:
         rejected([{**XY, "nonzero": [product]}], [goal], [entry], ".")
         rejected([XY], [goal], [{**entry, "away": [product]}], ".")
 
-    def test_a_zero_divisor_among_the_roots(self):
-        steps = [["root", "r", 2], ["root", "s", 8]]
-        goal = follows([["/", 1, ["+", "s", ["*", -2, "r"]]], "x"])
-        rejected([{**XY, "steps": steps}], [goal], [{"point": ORIGIN}], "by zero")
-
 
 class TestCases:
     GOAL = follows(["x", 0], ["y", 0], given=[[["+", ["^", "x", 2], ["^", "y", 2]], 0]])
@@ -217,29 +176,9 @@ class TestCases:
         (found,) = accepted([XY], [self.GOAL], [self.PROOF])
         assert found.words == "x = 0, y = 0 wherever x ^ 2 + y ^ 2 = 0"
 
-    def test_but_not_for_complex_names(self):
-        rejected([{**XY, "conjugates": [["x", "y"]]}], [self.GOAL], [self.PROOF], "real names")
-        proof = {**self.PROOF, "point": at(x=0, y=0, i="i")}
-        rejected([{**XY, "steps": [I]}], [self.GOAL], [proof], "real names")
-        proof["point"]["values"][-1][0] = "j"
-        proof["point"]["values"][-1][1] = ["*", 2, "i"]
-        space = {**XY, "steps": [["root", "j", -4]]}
-        rejected([space], [self.GOAL], [proof], "real names")
-
     def test_other_roots_are_real(self):
         space = {**XY, "steps": [["root", "r", ["+", "x", 1]]]}
         assert accepted([space], [self.GOAL], [{**self.PROOF, "point": at(x=0, y=0, r=1)}])
-
-    def test_a_difference_of_squares_is_none(self):
-        goal = {**self.GOAL, "given": [[["^", "x", 2], ["^", "y", 2]]]}
-        rejected([XY], [goal], [self.PROOF], "not equal")
-
-    def test_a_case_left_out(self):
-        goal = follows(["x", 0], given=[[["*", "x", "y"], 0]])
-        proof = {"point": ORIGIN, "product": [["x"], ["y"]], "cofactors": [[1]]}
-        rejected([XY], [goal], [{**proof, "cases": [{"cofactors": [[0, 1]]}]}], "length")
-        proof["product"] = [["x"]]
-        rejected([XY], [goal], [{**proof, "cases": [{"cofactors": [[0, 1]]}]}], "not equal")
 
     def test_cases_without_a_product(self):
         goal = follows(["x", 0], given=[["x", 0]])
@@ -339,11 +278,6 @@ class TestMotion:
         spaces = self.change(conjugates=[["u", "v"]])
         spaces[1]["steps"][1][2] = ["/", ["+", "u", "v"], 3]
         rejected(spaces, [follows(["u", "u"], space=1)], [{"point": at(u=2, v=2, i="i")}], "back")
-
-    def test_a_definition_at_zero_with_a_rate(self):
-        row = [["x", "z"], ["vector", 1, 1], ["vector", 1, 1]]
-        space = {"variables": ["x"], "steps": [["let", "z", 0]], "field": [row]}
-        rejected([space], [follows([["D", "x"], 1])], [{"point": at(x=0)}], "moves otherwise")
 
     def test_a_root_that_leaves_its_relation(self):
         row = [["x", "r"], ["vector", 1, 1], ["vector", 1, 1]]
@@ -449,11 +383,6 @@ class TestPowers:
 
 
 class TestExistence:
-    ROTATION: ClassVar = {
-        **XY,
-        "field": [[["x", "y"], ["vector", 1, 1], ["vector", "y", ["-", "x"]]]],
-    }
-
     def exists(self, *goals, numbers=(), expressions=()):
         return {
             "goal": "exists",
@@ -462,12 +391,6 @@ class TestExistence:
             "goals": [*goals],
         }
 
-    def test_a_number_that_is_none(self):
-        goal = self.exists(follows(["k", ["+", "x", "y"]]), numbers=["k"])
-        for value in (["+", "x", "y"], ["sqrt", 2], "k"):
-            entry = {"values": [["k", value]], "evidence": [{"point": ORIGIN}]}
-            rejected([XY], [goal], [entry], "not defined|not declared")
-
     def test_a_bound_name_that_is_taken_unused_or_without_a_value(self):
         point = {"point": ORIGIN}
         for names, used, values in ((["x"], "x", ["x"]), (["M", "N"], "M", ["M", "N"]),
@@ -475,39 +398,6 @@ class TestExistence:
             goal = self.exists(follows([used, 0]), expressions=names)
             entry = {"values": [[name, 0] for name in values], "evidence": [point]}
             rejected([XY], [goal], [entry], "another meaning|not used|other names|twice")
-
-    def test_expressions_that_are_not_defined_on_the_set(self):
-        """x' = M x with M = x'/x where x is not zero; but where x = 0 it may move away."""
-        relation = [["D", "x"], ["*", "M", "x"]]
-        goals = [follows(relation), follows(relation, given=[["x", 0]])]
-        entries = [
-            {"away": ["x"], "point": at(x=1, y=0)},
-            {"away": ["x"], "cofactors": [[0]], "point": at(x=0, y=1)},
-        ]
-        entry = {"values": [["M", ["/", "y", "x"]]], "evidence": entries}
-        rejected(
-            [self.ROTATION], [self.exists(*goals, expressions=["M"])], [entry], "condition fails"
-        )
-        del entries[1]["away"]
-        rejected([self.ROTATION], [self.exists(*goals, expressions=["M"])], [entry], "may be zero")
-
-    def test_denial_of_what_is_an_expression_under_a_derivative(self):
-        """D(e) = y is denied by no point, though it fails for every constant e."""
-        for equation in ([["D", "e"], "y"], [["d", "x", "e"], 1], [["conj", "e"], 1]):
-            goal = self.exists(follows(equation), expressions=["e"])
-            entry = {"goal": 0, "inner": 0, "points": [[1, at(x=0, y=1)]]}
-            rejected([self.ROTATION], [goal], [entry], "unknown|no value", "denied")
-
-    def test_denial_where_the_bound_name_counts(self):
-        for equation in (
-            ["M", 1],
-            [["*", "M", "y"], 1],
-            [["*", "M", ["+", "M", "x"]], 1],
-            [["/", "x", "M"], 1],
-        ):
-            goal = self.exists(follows(equation), expressions=["M"])
-            entry = {"goal": 0, "inner": 0, "points": [[1, at(x=0, y=1)]]}
-            rejected([self.ROTATION], [goal], [entry], "may be equal|no value|condition", "denied")
 
     def test_no_bound_name(self):
         goal = self.exists(follows(["x", "x"]))
@@ -548,18 +438,6 @@ class TestPositive:
         rejected([XY], [self.goal(["^", "x", 2])], [{**entry, "zero": {}}], "not equal")
         (found,) = accepted([XY], [self.goal(["^", "x", 2])], [{**entry, "away": ["x"]}])
         assert found.where == ["x"]
-
-    def test_squares_that_are_none(self):
-        point = at(x=1, y=0, i="i")
-        space = {**XY, "steps": [I]}
-        for square in ([-1, "x"], [1, ["*", "i", "x"]], [0, "x"]):
-            entry = {"point": point, "squares": [square], "cofactors": [[]], "away": ["x"]}
-            formula = ["-", ["^", "x", 2]] if square[0] else 0
-            rejected([space], [self.goal(formula)], [entry], "taken away|not real")
-
-    def test_a_denial_by_an_irrational_value(self):
-        point = at(2, x=["+", 1, ["-", ["sqrt", 2]]], y=0)
-        rejected([XY], [self.goal("x")], [{"goal": 0, "point": point}], "no rational", "denied")
 
 
 class TestCount:
@@ -619,19 +497,6 @@ class TestCount:
         rejected(
             [self.SPACE], [self.goal()], [{**self.ENTRY, "eliminant": ["s", 0]}], "not defined"
         )
-
-    def test_points_that_are_the_same_or_of_other_constants(self):
-        one, other, third = at(x=1, a=1), at(x=-1, a=1), at(x=2, a=2)
-        goal = self.goal(number=1)
-        assert accepted([self.SPACE], [goal], [{"goal": 0, "points": [one, other]}], "denied")
-        for points in ([one, one], [one, third], [one], [one, other, one]):
-            rejected(
-                [self.SPACE],
-                [goal],
-                [{"goal": 0, "points": points}],
-                "same|belong|length",
-                "denied",
-            )
 
 
 class TestNames:

@@ -26,7 +26,7 @@ ESTABLISHED = ["eq4.1", "eq6", "eq10.5", "eq12", "eq14", "eq16.1", "eq21"]
 
 
 def stated(derivation, id, sources=None, claim=None):
-    session = Session(derivation, ["flint"], sources=sources)
+    session = Session(derivation, ["flint"], texts=derivation.texts(sources))
     claim = claim or next(c for c in derivation.claims if c.id == id)
     return Statement(claim, session.on(claim))
 

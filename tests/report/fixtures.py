@@ -10,9 +10,9 @@ from typing import Any
 
 from kowalevski_cas.notation import Edit, Formula, NotationError, Vocabulary, read_display
 from kowalevski_cas.paper.texts import Display, Printed
-from kowalevski_cas.report import Item, Row, Section, Stated, contents
+from kowalevski_cas.report.contents import contents
 from kowalevski_cas.report.document import Document
-from kowalevski_cas.report.places import numbered
+from kowalevski_cas.report.places import Item, Row, Section, Stated, numbered
 from kowalevski_cas.verify.outcome import (
     Condition,
     Correction,

@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.notation import Formula, Name
-from kowalevski_cas.report import contents
 from kowalevski_cas.report.compare import unmarked
+from kowalevski_cas.report.contents import contents
 from kowalevski_cas.report.document import (
     Claim,
     Display,

@@ -6,8 +6,7 @@ import pytest
 
 from kowalevski_cas.library import available, load
 from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.report import Section, sections
-from kowalevski_cas.report.places import Name, names
+from kowalevski_cas.report.places import Name, Section, names, sections
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 from tests.sample import sampled
 

@@ -7,7 +7,8 @@ import pytest
 from pypdf import PdfReader
 
 from kowalevski_cas.pictures import new_figure, save, style
-from kowalevski_cas.report import contents, pdf
+from kowalevski_cas.report import pdf
+from kowalevski_cas.report.contents import contents
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.pdf import write_report

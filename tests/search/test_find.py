@@ -9,7 +9,7 @@ from flint import Ordering, fmpq, fmpq_mpoly_ctx
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from kowalevski_cas.algebra.weights import weights
+from kowalevski_cas.algebra.weights import gradings
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.search.cofactors import cofactors, pseudo_divide
 from kowalevski_cas.search.levels import value
@@ -126,15 +126,12 @@ def test_what_is_negative_somewhere_is_no_sum_of_squares():
     assert sum_of_squares({(1, 0): one}) is None
 
 
-def test_weights_make_polynomials_homogeneous():
+def test_gradings_make_polynomials_homogeneous():
     one = Fraction(1)
-    assert weights([{(2, 0, 0): one, (0, 1, 0): one}, {(1, 1, 0): one, (0, 0, 1): one}]) == (
-        1,
-        2,
-        3,
-    )
-    assert weights([{(1, 0): one}]) is None
-    assert weights([{(1, 0): one, (2, 0): one}]) is None
+    ((a, b, c),) = gradings([{(2, 0, 0): one, (0, 1, 0): one}, {(1, 1, 0): one, (0, 0, 1): one}])
+    assert abs(a) == 1 and (b, c) == (2 * a, 3 * a)
+    assert len(gradings([{(1, 0): one}])) == 2
+    assert gradings([{(1, 0): one, (2, 0): one}]) == [(0, 1)]
 
 
 def test_the_value_of_a_polynomial():
@@ -156,7 +153,7 @@ def test_the_value_of_a_polynomial():
 )
 def test_a_single_slip_is_mended(wrong, right):
     small = Oscillator()
-    (outcome,) = decide(small.section, Identity("t", small.scene, small(wrong), ""))
+    (outcome,) = decide(small.section, Identity("t", small.scene, "", printed=small(wrong)))
     assert outcome.verdict == "refuted"
     assert outcome.correction is not None and outcome.correction.verdict.green
     if right is not None:
@@ -165,5 +162,7 @@ def test_a_single_slip_is_mended(wrong, right):
 
 def test_a_hopeless_formula_has_no_correction():
     small = Oscillator()
-    (outcome,) = decide(small.section, Identity("t", small.scene, small("x^5+7=v^3-x+2"), ""))
+    (outcome,) = decide(
+        small.section, Identity("t", small.scene, "", printed=small("x^5+7=v^3-x+2"))
+    )
     assert outcome.verdict == "refuted" and outcome.correction is None

@@ -17,7 +17,7 @@ X, Y, P, Q = (AT.scalar(Name(name)) for name in NAMES)
 
 def combined(target, generators, **more):
     """The row of a target, which is checked to combine it."""
-    rows = Combinations([target], generators, **({"unknowns": ("p", "q")} | more)).rows()
+    rows = Combinations([target], generators, **({"unknowns": ("p", "q")} | more)).rows([target])
     if rows is None:
         return None
     (row,) = rows

@@ -8,6 +8,8 @@ from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import Session
 from tests.paper.small import derivation
 
+pytestmark = pytest.mark.usefixtures("here")
+
 CHAPLYGIN = (
     r"4\dot p=3qr,\quad 4\dot q=-3pr-cn,\quad \dot r=cm,\quad "
     r"\dot l=rm-qn,\quad \dot m=pn-rl,\quad \dot n=ql-pm"

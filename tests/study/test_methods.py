@@ -20,7 +20,7 @@ def statements():
 
 
 @pytest.mark.parametrize(
-    "name", sampled([name for name in FOUND if name not in ("rocq", "floating")], 1)
+    "name", sampled([name for name in FOUND if name not in ("rocq", "floating")], 1, seed=3)
 )
 def test_a_method_accepts_what_is_true_and_rejects_what_is_not(statements, name):
     one = FOUND[name]

@@ -23,7 +23,6 @@ from kowalevski_cas.verify.committed import (
 from kowalevski_cas.verify.record import load_record
 from tests.problem.oracle import is_true
 from tests.problem.tampering import (
-    at,
     changed,
     doubled_key,
     names_in,
@@ -72,9 +71,12 @@ def test_all_are_accepted(many):
 
 @pytest.mark.parametrize("name", available())
 def test_every_recorded_claim_has_one(name):
-    record = load_record(find(name))
-    assert len(wanted(record)) == len(certificate_files(find(name)))
-    assert {*record} <= {*wanted(record)}
+    record, files = load_record(find(name)), certificate_files(find(name))
+    assert len(wanted(record)) == len(files) and {*record} <= {*wanted(record)}
+    for path in files:
+        if path.parent.name != "corrected":
+            digest = json.loads(path.read_text(encoding="utf-8"))["digest"]
+            assert digest == record[path.stem]["statement"]
 
 
 def test_words():
@@ -161,29 +163,31 @@ class TestRecord:
 class TestPrint:
     """A certificate is compared with what is printed, whatever it and the record say."""
 
-    def checked(self, paper, data, where="certificates", **entry):
-        (paper / where).mkdir(parents=True, exist_ok=True)
-        text = seal(data)
-        (paper / where / f"{data['claim']}.json").write_text(text, encoding="utf-8")
-        recorded = load_record(paper)[data["claim"]]
-        record = {data["claim"]: {**recorded, "statement": json.loads(text)["digest"], **entry}}
-        return check_files(certificate_files(paper), Expected(paper, record))
+    PAPER = Expected(FIRST.parent, load_record(FIRST.parent))
+
+    def checked(self, folder, data, where="certificates", **entry):
+        (folder / where).mkdir(parents=True, exist_ok=True)
+        text, claim = seal(data), data["claim"]
+        (folder / where / f"{claim}.json").write_text(text, encoding="utf-8")
+        recorded = load_record(FIRST.parent)[claim]
+        self.PAPER.record[claim] = {**recorded, "statement": json.loads(text)["digest"], **entry}
+        return check_files(certificate_files(folder), self.PAPER)
 
     @pytest.mark.parametrize(
         "claim", sampled(["eq14", "eq6", "M4-dimension", "limit", "critical-set"], 1)
     )
-    def test_a_triviality_under_the_name_of_a_claim(self, paper, claim):
+    def test_a_triviality_under_the_name_of_a_claim(self, tmp_path, claim):
         goal = {"goal": "follows", "space": 0, "given": [], "conclusions": [[["x", "x"]]]}
         trivial = {"spaces": [{"variables": ["x"]}], "goals": [goal], "sign": "holds"}
         evidence = [{"point": {"roots": [], "values": [["x", 0]]}}]
         data = {**certificate(claim), **trivial, "evidence": evidence}
         assert checker.check(seal(data)).summary() == f"{claim}: x = x"
-        found = self.checked(paper, data, verdict="proved")
+        found = self.checked(tmp_path, data, verdict="proved")
         assert not found.accepted
         (why,) = found.rejected.values()
         assert "prints another statement" in why
 
-    @pytest.mark.parametrize("name", available())
+    @pytest.mark.parametrize("name", sampled(available(), 1, seed=1))
     def test_each_certificate_is_about_what_is_printed(self, name):
         folder = find(name)
         about = Expected(folder, load_record(folder))
@@ -208,26 +212,26 @@ class TestPrint:
         record["eq6"] = {**record["eq6"], "statement": wrong}
         assert not check_committed(paper, record, {"eq6": wrong}).accepted
 
-    def test_another_goal_that_fails_where_a_condition_is_violated(self, paper):
+    def test_another_goal_that_fails_where_a_condition_is_violated(self, tmp_path):
         data, other = certificate("limit"), certificate("eq16.invariance")["failures"]
-        found = self.checked(paper, {**data, "failures": other})
+        found = self.checked(tmp_path, {**data, "failures": other})
         assert not found.accepted
         assert "what fails for a condition is something else" in "".join(found.rejected.values())
-        assert "limit" in self.checked(paper, data).accepted
+        assert "limit" in self.checked(tmp_path, data).accepted
 
-    def test_the_statement_of_another_claim(self, paper):
+    def test_the_statement_of_another_claim(self, tmp_path):
         data = {**certificate("eq7"), "claim": "eq6"}
-        found = self.checked(paper, data)
+        found = self.checked(tmp_path, data)
         assert not found.accepted and "prints another" in "".join(found.rejected.values())
 
-    def test_the_correction_of_another_claim(self, paper):
+    def test_the_correction_of_another_claim(self, tmp_path):
         data = {**certificate("corrected/eq10.1"), "claim": "eq10.2"}
-        found = self.checked(paper, data, "certificates/corrected")
+        found = self.checked(tmp_path, data, "certificates/corrected")
         assert not found.accepted and "prints another" in "".join(found.rejected.values())
 
-    def test_a_correction_that_is_no_edit_of_the_print(self, paper):
+    def test_a_correction_that_is_no_edit_of_the_print(self, tmp_path):
         data = {**certificate("eq6"), "claim": "eq14"}
-        found = self.checked(paper, data, "certificates/corrected", correction="x_1 = x_1")
+        found = self.checked(tmp_path, data, "certificates/corrected", correction="x_1 = x_1")
         assert not found.accepted and "prints another" in "".join(found.rejected.values())
 
     def test_a_print_that_has_changed(self, paper):
@@ -316,16 +320,13 @@ class TestStatements:
         )
 
     def test_a_case_left_out(self):
-        data = json.loads(TEXTS["corrected/critical-set"])
-        paths = [p for p in places(data["evidence"]) if p[-1] in ("product", "cases")]
-        assert paths
-        for path in paths:
-            if len(at(data["evidence"], path)) == 1:
-                continue
-            other = json.loads(TEXTS["corrected/critical-set"])
-            proof = at(other["evidence"], path[:-1])
-            proof["product"], proof["cases"] = proof["product"][:1], proof["cases"][:1]
-            rejected(other, "not equal|length|empty|odd|may be")
+        data = json.loads(TEXTS["redundant-integral"])
+        (entry,) = data["evidence"]
+        assert len(entry["product"]) == len(entry["cases"]) == 2
+        for k in range(2):
+            keys = ("product", "cases")
+            left = {**entry, **{key: entry[key][k : k + 1] for key in keys}}
+            rejected({**data, "evidence": [left]}, "not equal|length|empty|odd|may be")
 
 
 # -- tampering ---------------------------------------------------------------------

@@ -1,6 +1,5 @@
 """Corrections are proposals: nothing rests on one that the derivation does not accept."""
 
-from dataclasses import dataclass
 from time import sleep
 
 import pytest
@@ -15,7 +14,6 @@ from tests.paper.small import Oscillator, decide, derivation
 from tests.sample import sampled
 
 
-@dataclass(frozen=True, eq=False)
 class Slow(Definition):
     """A definition of which the corrections come late."""
 
@@ -31,7 +29,9 @@ def small():
 
 def claims(small):
     wrong, right = small(r"v=-\dot x"), small(r"\dot v=-x")
-    return Identity("wrong", small.scene, wrong, ""), Identity("right", small.scene, right, "")
+    return Identity("wrong", small.scene, "", printed=wrong), Identity(
+        "right", small.scene, "", printed=right
+    )
 
 
 def test_a_correction_is_proposed_and_proved(small):
@@ -48,10 +48,10 @@ def scene_with(tex):
     printed, rate = section.inline("D", tex), section.inline("rate", r"\dot D = 2xv")
     use = section.inline("use", "D - x^2 = 0")
     scene = Scene(
-        "D", "", variables=("x", "v"), field=(motion[1], motion[2]), definitions={"D": printed[1]}
+        "D", variables=("x", "v"), field=(motion[1], motion[2]), definitions={"D": printed[1]}
     )
-    own = Definition("own", scene, printed[1], "", equation=rate[1])
-    return section, printed, (own, Identity("use", scene, use[1], ""))
+    own = Definition("own", scene, "", printed=printed[1], equation=rate[1])
+    return section, printed, (own, Identity("use", scene, "", printed=use[1]))
 
 
 def test_without_acceptance_the_print_stands():
@@ -86,7 +86,7 @@ def test_a_recorded_correction_leaves_true_what_was_true():
     own, _ = decide(section, *both, record=recorded)
     assert in_latex(own.correction.formulas) == "D = x^2"
     cube = section.inline("cube", "D - x^3 = 0")
-    section.claim(Identity("cube", both[0].scene, cube[1], ""))
+    section.claim(Identity("cube", both[0].scene, "", printed=cube[1]))
     own, _, other = verify(derivation(section), ["flint"], record=recorded).outcomes
     assert (own.verdict, own.correction, other.verdict) == ("refuted", None, "proved")
 
@@ -128,7 +128,7 @@ def test_what_another_derivation_accepts_is_said_and_has_to_be_proved_there(
     base = Derivation("base", "", "", "", (section,))
     later = Section("1", "")
     side = later.inline("side", f"D = {accepted.partition('=')[2]}")
-    later.claim(Identity("use", use.scene, side[1], ""))
+    later.claim(Identity("use", use.scene, "", printed=side[1]))
     (found,) = verify(Derivation("later", "", "", "", (later,), (base,)), ["flint"]).outcomes
     name = "own" if claimed else "D.1"
     assert found.corrected == (f"base/{name}",)
@@ -150,7 +150,7 @@ def test_a_claim_by_itself_is_decided_with_what_it_rests_on():
 def test_what_rests_on_a_correction_for_which_there_was_no_time_is_undecided():
     section, printed, (own, use) = scene_with("D = x^3")
     section.accept(printed[1], "D = x^2")
-    own = Slow(own.id, own.scene, own.printed, own.words, own.equation)
+    own = Slow(own.id, own.scene, own.words, own.equation, printed=own.printed)
     own, use = decide(section, own, use, timeout=0.5)
     assert (own.verdict, own.message) == ("timeout", "no correction was found within the time")
     assert (use.verdict, use.message) == ("undecided", "rests on own")
@@ -158,7 +158,7 @@ def test_what_rests_on_a_correction_for_which_there_was_no_time_is_undecided():
 
 
 def test_a_hopeless_formula_has_none(small):
-    claim = Identity("t", small.scene, small("x^5+7=v^3-x+2"), "")
+    claim = Identity("t", small.scene, "", printed=small("x^5+7=v^3-x+2"))
     (outcome,) = decide(small.section, claim)
     assert outcome.verdict == "refuted" and outcome.correction is None
 
@@ -171,12 +171,12 @@ def test_what_does_not_move_is_no_correction_of_what_does(name):
         "motion", r"\dot x=\sigma(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-bz"
     )
     scene = Scene(
-        "Lorenz", "", variables=("x", "y", "z"), constants=(r"\sigma", "r", "b"),
+        "Lorenz", variables=("x", "y", "z"), constants=(r"\sigma", "r", "b"),
         field=(motion[1], motion[2], motion[3]),
     )  # fmt: skip
     scene = scene.defining(section.display("function", rf"{name}=x^2-2\sigma z"))
     zeros = section.inline("zeros", f"{name}=0")
-    claim = InvariantRelations("t", scene, None, "", relations=(zeros[1],))
+    claim = InvariantRelations("t", scene, "", relations=(zeros[1],))
     assert r"\sigma = 0" in true_neighbours(section, claim)
     (outcome,) = decide(section, claim)
     assert outcome.verdict == "refuted" and outcome.correction is None
@@ -200,7 +200,7 @@ VACUOUS = {
 @pytest.mark.parametrize(("printed", "proposed"), sampled(VACUOUS.values(), 1, seed=4))
 def test_what_is_true_of_itself_is_not_proposed(small, printed, proposed):
     level = small.section.inline("level", "E=0")
-    claim = Implication("t", small.scene, small(printed), "", given=(level[1],))
+    claim = Implication("t", small.scene, "", printed=small(printed), given=(level[1],))
     assert proposed in true_neighbours(small.section, claim)
     (outcome,) = decide(small.section, claim)
     assert outcome.correction is None or in_latex(outcome.correction.formulas) != proposed
@@ -209,7 +209,7 @@ def test_what_is_true_of_itself_is_not_proposed(small, printed, proposed):
 def test_a_correction_leaves_true_what_was_true():
     section, _, (own, _) = scene_with("D = x^3")
     keeps = section.inline("keeps", "xD = x^4")
-    keeping = Identity("keeps", own.scene, keeps[1], "")
+    keeping = Identity("keeps", own.scene, "", printed=keeps[1])
     own, keeping = decide(section, own, keeping)
     assert (own.verdict, own.correction) == ("refuted", None)
     assert keeping.verdict == "proved"

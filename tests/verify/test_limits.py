@@ -8,7 +8,7 @@ from kowalevski_cas.verify.run import verify
 from tests.sample import sampled
 
 
-@pytest.mark.parametrize("seed", sampled(range(12), 1))
+@pytest.mark.parametrize("seed", sampled(range(12), 1, seed=4))
 def test_a_run_with_limits_says_what_one_without_says_or_nothing(
     derivation, certificates, record, outcomes, seed
 ):

@@ -35,7 +35,7 @@ def test_integrals_and_invariant_relations_of_a_top(kind, attributes):
     top = Top()
     own = {key: (top(attributes[key]),) for key in ("given", "relations") if key in attributes}
     place = top(attributes["tex"]) if "tex" in attributes else None
-    claim = kind("t", top.scene, place, "", **own)
+    claim = kind("t", top.scene, "", printed=place, **own)
     top.section.claim(claim)
     session = Session(derivation(top.section), ["flint"])
     assert session.decide(claim).verdict == "refuted"

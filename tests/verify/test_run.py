@@ -2,7 +2,6 @@
 
 import sys
 import time
-from dataclasses import dataclass
 from typing import ClassVar
 
 import pytest
@@ -38,7 +37,6 @@ class Slow(Session):
         return super()._judged(statement, verdicts, arithmetic)
 
 
-@dataclass(frozen=True, eq=False)
 class LongSearch(Identity):
     def search(self, goals, on, names):
         time.sleep(5)
@@ -57,35 +55,35 @@ def one(kind, small, claim, **options):
 
 
 def test_arithmetics_that_disagree_are_an_error(small):
-    outcome = one(Fickle, small, Identity("t", small.scene, small("x=x"), ""))
+    outcome = one(Fickle, small, Identity("t", small.scene, "", printed=small("x=x")))
     assert outcome.verdict == "error"
     said = "flint: proved, symengine: refuted, sympy: proved"
     assert outcome.message == f"the arithmetics disagree ({said})"
 
 
 def test_a_claim_whose_evidence_is_not_found_in_time_is_a_timeout(small):
-    claim = LongSearch("t", small.scene, small("x=x"), "")
+    claim = LongSearch("t", small.scene, "", printed=small("x=x"))
     (outcome,) = decide(small.section, claim, timeout=0.05)
     assert outcome.verdict == "timeout"
     assert outcome.message == "not decided within 0.05 s"
 
 
 def test_a_timeout_in_one_arithmetic_is_a_timeout(small):
-    outcome = one(Slow, small, Identity("t", small.scene, small("x=x"), ""), timeout=600)
+    outcome = one(Slow, small, Identity("t", small.scene, "", printed=small("x=x")), timeout=600)
     assert outcome.verdict == "timeout"
     assert outcome.message == "not decided within 600 s"
 
 
 def test_a_formula_that_cannot_be_read_is_an_error_of_its_claim_only(small):
-    bad = Identity("bad", small.scene, small("x = ("), "")
-    good = Identity("good", small.scene, small(r"\dot x = v"), "")
+    bad = Identity("bad", small.scene, "", printed=small("x = ("))
+    good = Identity("good", small.scene, "", printed=small(r"\dot x = v"))
     bad, good = decide(small.section, bad, good)
     assert (bad.verdict, good.verdict) == ("error", "proved")
     assert "x = (" in bad.message and bad.digest == "" and bad.rests_on == ()
 
 
 def test_a_statement_that_is_not_there_is_an_error(small):
-    (outcome,) = decide(small.section, Identity("t", small.scene, small("x=x", 3), ""))
+    (outcome,) = decide(small.section, Identity("t", small.scene, "", printed=small("x=x", 3)))
     assert outcome.verdict == "error"
     assert "statement 3 is asked for, there are 1" in outcome.message
 
@@ -93,15 +91,15 @@ def test_a_statement_that_is_not_there_is_an_error(small):
 def test_a_name_without_meaning_on_the_scene_is_an_error(small):
     (outcome,) = decide(
         small.section,
-        Identity("t", small.old, small("x=k"), ""),
-        Identity("u", small.scene, small("k=k"), ""),
+        Identity("t", small.old, "", printed=small("x=k")),
+        Identity("u", small.scene, "", printed=small("k=k")),
     )[:1]
     assert outcome.verdict == "error"
     assert "k has no meaning on the scene “oscillator with the unit”" in outcome.message
 
 
 def test_an_undeclared_name_is_an_error_with_a_caret(small):
-    (outcome,) = decide(small.section, Identity("t", small.scene, small("y = x"), ""))
+    (outcome,) = decide(small.section, Identity("t", small.scene, "", printed=small("y = x")))
     lines = outcome.message.splitlines()
     assert lines[-2].strip() == "y = x" and lines[-1].strip() == "^"
 
@@ -109,7 +107,7 @@ def test_an_undeclared_name_is_an_error_with_a_caret(small):
 def test_sources_are_read_instead_of_what_is_printed(small):
     tex = small("x=v")
     assert verdicts(
-        small.section, Identity("t", small.scene, tex, ""), sources={tex.display.id: "x=x"}
+        small.section, Identity("t", small.scene, "", printed=tex), sources={tex.display.id: "x=x"}
     ) == ["proved"]
 
 
@@ -119,14 +117,14 @@ def test_every_arithmetic_decides_and_tells_what_it_costs(run):
 
 def test_an_id_is_given_once(small):
     claims = [
-        Identity("t", small.scene, small("x=x"), ""),
-        Identity("t", small.scene, small("x=v"), ""),
+        Identity("t", small.scene, "", printed=small("x=x")),
+        Identity("t", small.scene, "", printed=small("x=v")),
     ]
     with pytest.raises(ValueError):
         decide(small.section, *claims)
 
 
-@pytest.mark.parametrize("name", sampled(available(), 2))
+@pytest.mark.parametrize("name", sampled(available(), 1, seed=8))
 def test_what_has_a_certificate_is_searched_for_no_more(name, monkeypatch):
     """That goes for the corrections of other derivations as well on which one rests."""
     monkeypatch.setitem(sys.modules, "kowalevski_cas.search.find", None)

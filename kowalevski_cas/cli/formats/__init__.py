@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from kowalevski_cas.report import Section
+from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.report.places import Section, sections
 from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import Difference
 
@@ -20,20 +23,24 @@ FORMATS, OF_AUDITS = ("pretty", "json", "junit", "github"), ("pretty", "json", "
 class Result:
     """A run, and how it differs from the record, or from what is expected where there is none.
 
-    ``paper`` has the outcomes in the order of the paper, ``lines`` the file and the line in which
-    each claim is stated.
+    ``texts`` are those in which the derivation was read.
     """
 
     folder: Path
+    derivation: Derivation
+    texts: Texts
     run: Run
-    paper: Sequence[Section]
     differences: list[Difference]
     recorded: bool
-    lines: dict[str, tuple[str, int]]
+
+    @cached_property
+    def paper(self) -> tuple[Section, ...]:
+        """The outcomes in the order of the paper."""
+        return sections(self.run, self.derivation, self.texts)
 
     def line(self, claim: str) -> tuple[str, int]:
         """Where a claim is stated; of a recorded one that is gone, where all the others are."""
-        file, line = self.lines.get(claim, (str(self.folder), 1))
+        file, line = self.derivation.lines.get(claim, (str(self.folder), 1))
         here = Path.cwd()
         return str(Path(file).relative_to(here) if Path(file).is_relative_to(here) else file), line
 

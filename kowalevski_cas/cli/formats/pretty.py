@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.report import Contents, Findings, Phrases
 from kowalevski_cas.report.document import Block, Display, Paragraph
+from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.places import names
+from kowalevski_cas.report.sentences import Phrases
 from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
 
 if TYPE_CHECKING:
@@ -28,11 +29,13 @@ def render(results: Sequence[Result]) -> str:
 
 def told(result: Result, claims: Iterable[str] = ()) -> str:
     """A derivation; lines on its ``claims`` stand before the summary."""
-    run, contents = result.run, contents_of(result)
+    run, phrases = result.run, phrases_of(result)
+    copied = any(section.copied for section in result.paper)
+    findings = Findings(phrases, run.outcomes, copied)
     named = filter(None, (run.author, run.title, run.source))
-    title = contents.phrases.words("".join(f"{part}. " for part in named))
-    wrong = *plain.lines(contents.findings.blocks()), *_errors(result), *claims
-    return _page(plain.text(title), contents.findings, wrong, _summary(result))
+    title = phrases.words("".join(f"{part}. " for part in named))
+    wrong = *plain.lines(findings.blocks()), *_errors(result), *claims
+    return _page(plain.text(title), findings, wrong, _summary(result))
 
 
 def _page(title: str, findings: Findings, wrong: Iterable[str], summary: Iterable[str]) -> str:
@@ -41,11 +44,11 @@ def _page(title: str, findings: Findings, wrong: Iterable[str], summary: Iterabl
     return "\n".join((*head, *wrong, "", *summary, ""))
 
 
-def contents_of(result: Result) -> Contents:
-    """What a report of the results would say, where claims without a number have their ids."""
+def phrases_of(result: Result) -> Phrases:
+    """How a report of the results would say it, where claims without a number have their ids."""
     known = names(result.paper).items()
     called = {claim: name for claim, name in known if name.near or name.number.startswith("(")}
-    return Contents(result.run, result.paper, called, {}, ())
+    return Phrases(result.run.vocabulary, called)
 
 
 def _errors(result: Result) -> Iterator[str]:

@@ -8,8 +8,9 @@ from kowalevski_cas.audit.audit import Audit
 from kowalevski_cas.audit.audited import GIVEN, MISSING, NEW, SUSPECT, UNREADABLE
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.formats import Result
-from kowalevski_cas.cli.formats.pretty import Told, contents_of, told
-from kowalevski_cas.report import Contents, Evidence, Phrases
+from kowalevski_cas.cli.formats.pretty import Told, phrases_of, told
+from kowalevski_cas.report.evidence import Evidence
+from kowalevski_cas.report.sentences import Phrases
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 
 
@@ -19,21 +20,21 @@ def render(results: Sequence[Result]) -> str:
 
 
 def _claims(result: Result) -> Iterator[str]:
-    contents = contents_of(result)
-    for section in contents.sections:
-        name = contents.phrases.words(f"{section.number}. {section.title}")
+    phrases = phrases_of(result)
+    for section in result.paper:
+        name = phrases.words(f"{section.number}. {section.title}")
         yield from ("", *plain.wrapped(plain.text(name)))
         for outcome in section.outcomes:
-            yield from _claim(outcome, contents)
+            yield from _claim(outcome, phrases)
 
 
-def _claim(outcome: Outcome, contents: Contents) -> Iterator[str]:
+def _claim(outcome: Outcome, phrases: Phrases) -> Iterator[str]:
     """A line with the time that it took, and what a reader has to know of it."""
     time = f"{1000 * sum(outcome.seconds.values()):8.1f} ms"
     first = f"{plain.sign(outcome.verdict, f'{outcome.claim:<22}')} {time}  "
-    yield from plain.wrapped("; ".join(_notes(outcome, contents.phrases)), first, 4)
+    yield from plain.wrapped("; ".join(_notes(outcome, phrases)), first, 4)
     if outcome.verdict is not Verdict.ERROR:
-        yield from plain.lines(Evidence(contents.phrases, (outcome,)).first(), 8)
+        yield from plain.lines(Evidence(phrases, (outcome,)).first(), 8)
 
 
 def _notes(outcome: Outcome, phrases: Phrases) -> Iterator[str]:

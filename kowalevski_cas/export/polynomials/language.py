@@ -5,47 +5,35 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
+from typing import ClassVar
 
 
 class Language(ABC):
-    """The words; sums, products and powers are written as usual."""
+    """The words, with braces for what stands in them; sums, products and powers are as usual."""
 
-    def holds(self, words: str, text: str, divisors: str) -> str:
-        """Say the words if the expression vanishes wherever the divisors do not."""
-        return f'holds("{words}", {text}, {divisors});'
+    comment: ClassVar[str]
+    """Words for a reader."""
+    holds: ClassVar[str] = 'holds("{}", {}, {});'
+    """Say the words if the expression vanishes wherever the divisors do not."""
+    define: ClassVar[str]
+    """A name for an expression, in which roots are reduced by their squares."""
+    relation: ClassVar[str]
+    """From here on a generator is a root, and this expression its square."""
+    divisors: ClassVar[str]
+    """A name for a list of pairs."""
+    pair: ClassVar[str] = "[{}, {}]"
+    """A generator, and the expression whose inverse it is."""
+    derivative: ClassVar[str] = "diff({}, {})"
+    """The partial derivative of an expression by a generator."""
 
     @abstractmethod
     def frame(self, generators: Sequence[str], body: str) -> str:
         """The whole file."""
-
-    @abstractmethod
-    def comment(self, words: str) -> str:
-        """Words for a reader."""
 
     def number(self, value: Fraction) -> str:
         """A rational number."""
         return f"({value})"
 
     @abstractmethod
-    def define(self, name: str, text: str) -> str:
-        """A name for an expression, in which roots are reduced by their squares."""
-
-    @abstractmethod
-    def relation(self, root: str, square: str) -> str:
-        """From here on this expression is the square of that generator."""
-
-    @abstractmethod
-    def divisors(self, name: str, pairs: Sequence[tuple[str, str]]) -> str:
-        """A name for pairs: a generator, and the expression whose inverse it is."""
-
-    def derivative(self, text: str, generator: str) -> str:
-        """The partial derivative of an expression."""
-        return f"diff({text}, {generator})"
-
-    @abstractmethod
     def substitution(self, name: str, images: Mapping[str, str], generators: Sequence[str]) -> str:
         """A name for the map that takes generators to expressions, all at once."""
-
-    @abstractmethod
-    def determinant(self, rows: Sequence[Sequence[str]]) -> str:
-        """The determinant of a square matrix of expressions."""

@@ -49,17 +49,18 @@ class Writer:
 
     def comment(self, words: str) -> None:
         """Write words for a reader."""
-        self.say(self.language.comment(words))
+        self.say(self.language.comment.format(words))
 
     def define(self, text: str, wish: str = "") -> str:
         """A name for an expression."""
         name = self.fresh(wish or f"t{len(self._lines)}")
-        self.say(self.language.define(name, text))
+        self.say(self.language.define.format(name, text))
         return name
 
     def holds(self, words: str, text: str, divisors: str) -> None:
         """Ask whether an expression vanishes wherever the divisors do not."""
-        self.say(self.language.holds(f"{next(self._checks)} {words}", text, divisors))
+        said = f"{next(self._checks)} {words}"
+        self.say(self.language.holds.format(said, text, divisors))
 
     def substitution(self, images: Mapping[str, str]) -> str:
         """The name of a map of generators to expressions; the other generators stay."""
@@ -95,11 +96,14 @@ class Traced(checker.Ring):
         own = self.texts[name]
         self.writer.plain.remove(own)
         self.writer.roots.append(own)
-        self.writer.say(self.writer.language.relation(own, self.named(square, f"{own}_squared")))
+        shown = self.named(square, f"{own}_squared")
+        self.writer.say(self.writer.language.relation.format(own, shown))
 
     def _divisors(self) -> str:
         name = self.writer.fresh(f"{self.prefix}_divisors")
-        self.writer.say(self.writer.language.divisors(name, [*self.over.items()]))
+        language = self.writer.language
+        pairs = ", ".join(language.pair.format(*both) for both in self.over.items())
+        self.writer.say(language.divisors.format(name, pairs))
         return name
 
     def enter_divisors(self) -> None:
@@ -181,8 +185,8 @@ class Element(checker.Element):
         return Element(super().__pow__(exponent), f"({self.text}^{exponent})")
 
     def partial(self, name: str) -> checker.Element:
-        text = self.ring.writer.language.derivative(self.ring.named(self), self.ring.texts[name])
-        return Element(super().partial(name), text)
+        words, own = self.ring.writer.language.derivative, self.ring.named(self)
+        return Element(super().partial(name), words.format(own, self.ring.texts[name]))
 
     def split(self, name: str) -> dict[int, checker.Element]:
         own = self.ring.generator(name)

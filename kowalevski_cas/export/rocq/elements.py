@@ -5,9 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from math import lcm, prod
+
+from flint import fmpz
 
 from kowalevski_cas.problem.checker import Element, Ring
 from kowalevski_cas.problem.trees import Tree
+
+SMALL = 168
+"""So many primes, those below 1000, are looked for in denominators."""
 
 
 @dataclass(frozen=True)
@@ -124,16 +130,8 @@ def undivided(terms: Iterable[Term], number: int) -> Tree:
 
 def number(terms: Iterable[Term]) -> int:
     """The product of the primes in the denominators of terms, as far as they are small."""
-    found = 1
-    for term in terms:
-        rest = term.coefficient.denominator
-        for prime in range(2, min(rest, 1000) + 1):
-            if rest % prime == 0 and found % prime:
-                found *= prime
-            while rest % prime == 0:
-                rest //= prime
-        found *= rest
-    return found
+    below = fmpz(lcm(*(term.coefficient.denominator for term in terms)))
+    return prod(int(prime) for prime, _ in below.factor(trial_limit=SMALL))
 
 
 def _product(coefficient: int, term: Term, inverses: Iterable[Tree] = ()) -> Tree:

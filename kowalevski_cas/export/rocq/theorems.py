@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from itertools import combinations, product
 
 from kowalevski_cas.export.format import RANKS, Inexpressible, Json
@@ -35,32 +35,52 @@ class Theorems:
 
     def combined(self, name: str, given: list[Sides], pairs: list[Sides], proof: Json) -> None:
         """Where some equations hold others do: they are combinations of them, or their powers."""
-        if "product" in proof:
-            raise Inexpressible(REAL.format("a proof splits into cases"))
-        space, power = self.space, proof.get("power", 1)
+        known, lemmas = [*given], list[str]()
+        while "product" in proof:
+            (first, *more), *others = proof["product"]
+            if more or others or "power" in proof:
+                raise Inexpressible(REAL.format("a proof splits into cases"))
+            sides, rows = (self.space.say(first), "0"), proof.get("cofactors", [[]])
+            shown = self._shown(known, sides, rows[0])
+            lemmas.append(f"assert (G{len(known)} : val ({sides[0]}) = val (0)) by ({shown}).")
+            known.append(sides)
+            (proof,) = proof["cases"]
+        power = proof.get("power", 1)
         if power > 1:
             pairs = [(f"({a} - ({b})) ^ {power}", "0") for a, b in pairs]
-        steps = []
         rows = proof.get("cofactors", [[]] * len(pairs))
-        for (left, right), row in zip(pairs, rows, strict=True):
-            terms, holds = list[str](), "I"
-            for k in reversed(range(len(row))):
-                if row[k] != 0:
-                    a, b = given[k]
-                    terms.insert(0, f"({space.say(row[k])}, ({a}, {b}))")
-                    holds = f"(conj G{k} {holds})"
-            head = f"apply (combined {AT} [{'; '.join(terms)}] ({left}) ({right}) {holds})"
-            steps.append(f"{head}; by_known_{self.label}.")
-        self._theorem(name, given, pairs, steps)
+        both = zip(pairs, rows, strict=True)
+        steps = [f"{self._shown(known, sides, row)}." for sides, row in both]
+        self._theorem(name, given, pairs, steps, lemmas)
+
+    def _shown(self, known: list[Sides], sides: Sides, row: Sequence[Tree]) -> str:
+        """How both sides are equal: their difference is the combination that a row gives."""
+        terms, holds = list[str](), "I"
+        for k in reversed(range(len(row))):
+            if row[k] != 0:
+                a, b = known[k]
+                terms.insert(0, f"({self.space.say(row[k])}, ({a}, {b}))")
+                holds = f"(conj G{k} {holds})"
+        left, right = sides
+        combined = f"combined {AT} [{'; '.join(terms)}] ({left}) ({right}) {holds}"
+        return f"apply ({combined}); by_known_{self.label}"
 
     def computed(self, name: str, place: Place) -> None:
         """There is a point, where something is computed to be so."""
         self._add(name, place.statement, place.proof)
 
-    def _theorem(self, name: str, given: list[Sides], pairs: list[Sides], proof: list[str]) -> None:
+    def _theorem(
+        self,
+        name: str,
+        given: list[Sides],
+        pairs: list[Sides],
+        proof: list[str],
+        lemmas: Iterable[str] = (),
+    ) -> None:
         hypotheses = "".join(f"val ({a}) = val ({b}) ->\n  " for a, b in given)
         conclusion = " /\\\n  ".join(f"val ({a}) = val ({b})" for a, b in pairs)
         lines = [f"intros {' '.join(f'G{k}' for k in range(len(given)))}."] if given else []
+        lines += lemmas
         if len(proof) > 1:
             lines.append(f"refine {'(conj _ ' * (len(proof) - 1)}_{')' * (len(proof) - 1)}.")
             proof = [f"- {step}" for step in proof]

@@ -14,15 +14,14 @@ from kowalevski_cas.motion.parameters import ball, precision
 from kowalevski_cas.motion.phases import LARGEST
 from kowalevski_cas.motion.solution import PhasePoint, Solved, Variable
 
-BLOCK = 4096
-"""Times that are worked on at once, so that all arrays stay in the cache."""
-
 BITS = 256
 """The precision of the constants before they are rounded."""
 
 
 class Closed:
     """The closed form of one motion, for times up to ``largest``."""
+
+    block = 4096
 
     def __init__(self, motion: Motion, largest: float) -> None:
         # A phase of many turns needs so many more bits of the rate.
@@ -47,12 +46,8 @@ class Closed:
 
     def torus(self, first: Array, second: Array) -> Array:
         """The states (9, N) where each variable has a time (N,) of its own: points of the torus."""
-        states = np.empty((9, len(first)))
-        for start in range(0, len(first), BLOCK):
-            block = slice(start, start + BLOCK)
-            straight = self._point(*self.variables(first[block], second[block]), _select)
-            states[:, block] = turned(straight, self._cos, -self._sin) if self._sin else straight
-        return states
+        straight = self._point(*self.variables(first, second), _select)
+        return np.array(turned(straight, self._cos, -self._sin) if self._sin else straight)
 
     def variables(self, first: Array, second: Array) -> tuple[Solved, Solved]:
         """The two solved variables, each at times of its own."""
@@ -69,9 +64,13 @@ def states(motion: Motion | MotionO4, times: Array) -> Array:
     largest = float(np.max(np.abs(t), initial=0.0))
     if not largest <= LARGEST:
         raise ValueError(f"times have to be finite, up to {LARGEST:g}")
-    if isinstance(motion, MotionO4):
-        return ClosedO4(motion, largest)(t).T
-    return Closed(motion, largest)(t).T
+    closed: Closed | ClosedO4
+    closed = ClosedO4(motion, largest) if isinstance(motion, MotionO4) else Closed(motion, largest)
+    found = np.empty((9, len(t)))
+    for start in range(0, len(t), closed.block):  # so that all arrays stay in the cache
+        block = slice(start, start + closed.block)
+        found[:, block] = closed(t[block])
+    return found.T
 
 
 def _select(condition: Array, positive: Array, negative: Array) -> Array:

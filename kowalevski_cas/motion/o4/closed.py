@@ -15,15 +15,14 @@ from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.phases import Phase, parts_needed
 
-BLOCK = 1024
-"""Times that are worked on at once, so that all arrays stay in the cache."""
-
 BITS = 128
 """The precision of the means, for times below one."""
 
 
 class ClosedO4:
     """The closed form of one motion, for times up to ``largest``."""
+
+    block = 1024
 
     def __init__(self, motion: MotionO4, largest: float) -> None:
         known = motion.parameters
@@ -46,12 +45,8 @@ class ClosedO4:
 
     def __call__(self, t: Array) -> Array:
         """The states at times t of shape (N,), as an array of shape (9, N)."""
-        states = np.empty((9, len(t)))
-        for start in range(0, len(t), BLOCK):
-            block = slice(start, start + BLOCK)
-            quarters = np.array([sum(phase(t[block])) for phase in self._phases])
-            states[:, block] = self.torus(*self._quadratures.angles(np.pi * quarters))
-        return states
+        quarters = np.array([sum(phase(t)) for phase in self._phases])
+        return self.torus(*self._quadratures.angles(np.pi * quarters))
 
     def torus(self, first: Array, second: Array) -> Array:
         """The states (9, N) by the two angles: points of the torus."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula, Number
 from kowalevski_cas.paper.claims.claim import Claim
@@ -15,7 +14,6 @@ from kowalevski_cas.problem.goals import Goal, Kernel
 from kowalevski_cas.problem.space import Meaningless
 
 
-@dataclass(frozen=True, eq=False)
 class AllIntegrals(Claim):
     """The polynomial first integrals up to a degree are polynomials in those that are printed.
 
@@ -43,8 +41,7 @@ class AllIntegrals(Claim):
         yield from self.integrals
 
 
-@dataclass(frozen=True, eq=False, kw_only=True)
-class AllDarboux(AllIntegrals):
+class AllDarboux(AllIntegrals, kw_only=True):
     """The polynomials F up to a degree with F' = KF are known, for the ``cofactor`` K.
 
     They are combinations of those that are printed with coefficients that are polynomials in the

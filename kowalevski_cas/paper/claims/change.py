@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from kowalevski_cas.notation import Conjugate, Formula, Name, NotationError
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
@@ -16,7 +16,6 @@ from kowalevski_cas.problem.goals import Goal, Rank, identity
 from kowalevski_cas.problem.space import Meaningless
 
 
-@dataclass(frozen=True, eq=False)
 class ChangedEquation(Claim):
     """A printed equation of motion holds in the new variables, and in the old ones.
 
@@ -32,7 +31,6 @@ class ChangedEquation(Claim):
             yield identity(space, *chain(on, space, self.own))
 
 
-@dataclass(frozen=True, eq=False)
 class InvertibleChange(Claim):
     """The change to ``scene`` has an inverse, and ``pairs`` are conjugates of each other.
 
@@ -69,7 +67,6 @@ ONE, OTHER = [True, False], [False, True]
 """Holding with the printed unit and not with the other one, and the converse."""
 
 
-@dataclass(frozen=True, eq=False)
 class Unit(Claim):
     """The printed square of the imaginary unit makes the change lead to the printed ``rows``.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
-from typing import Any
+from typing import Any, dataclass_transform
 
 from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -40,6 +40,7 @@ class Neighbour:
         return self.base.edited(self.printed, self.edit)
 
 
+@dataclass_transform(eq_default=False, frozen_default=True)
 @dataclass(frozen=True, eq=False)
 class Claim(ABC):
     """One statement of the paper, on its scene.
@@ -47,14 +48,18 @@ class Claim(ABC):
     ``printed`` is the place of the formula, if the claim is one formula;
     ``words`` says what is claimed, and ``sentence`` is the author's sentence that claims it, word
     for word, where the formula alone does not. Whatever else a claim is about, its places, scenes
-    and neighbours, follows from the types of its attributes.
+    and neighbours, follows from the types of its attributes. A kind is a subclass with more
+    attributes; it is a dataclass like this one.
     """
 
     id: str
     scene: Scene
-    printed: Printed | None
+    printed: Printed | None = field(default=None, kw_only=True)
     words: str
     sentence: str = field(default="", kw_only=True)
+
+    def __init_subclass__(cls, kw_only: bool = False) -> None:
+        dataclass(frozen=True, eq=False, kw_only=kw_only)(cls)
 
     def __post_init__(self) -> None:
         """Refuse displays and single values where tuples are expected."""

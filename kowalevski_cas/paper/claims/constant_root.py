@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.notation import Name, substitute, times, total
 from kowalevski_cas.paper.claims.claim import Claim
@@ -12,7 +11,6 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Exists, Goal, identity
 
 
-@dataclass(frozen=True, eq=False)
 class ConstantRoot(Claim):
     """The printed equation for ``unknown`` has a root that is constant on the scene.
 

@@ -3,7 +3,7 @@ r"""Critical sets: where all derivatives of a function along a level surface van
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
 
 from kowalevski_cas.notation import (
@@ -26,7 +26,6 @@ from kowalevski_cas.problem.goals import Follows, Goal
 from kowalevski_cas.problem.space import Equation
 
 
-@dataclass(frozen=True, eq=False)
 class CriticalSet(Claim):
     r"""``equations`` define exactly the critical points of the printed function on a surface.
 
@@ -38,7 +37,6 @@ class CriticalSet(Claim):
 
     equations: tuple[Printed, ...]
     level: Printed
-    main: tuple[tuple[str, ...], ...] = ()
     zero_level: bool = False
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
@@ -46,7 +44,7 @@ class CriticalSet(Claim):
         level, goals = equation(on, space, self.level), equations(on, space, self.equations)
         value = expression(on, space, self.own)
         critical = self._critical(space, value, level[0])
-        yield Follows(space, (critical,), (*goals, level), self.main)
+        yield Follows(space, (critical,), (*goals, level))
         yield Follows(space, (goals,), (*critical, level))
         slopes = (vanishes(Partial(level[0], name)) for name in moving(space, level[0]))
         yield Follows(space, (), (level, *slopes))
@@ -54,21 +52,18 @@ class CriticalSet(Claim):
     def search(
         self, goals: Sequence[Goal], on: Elaborations, names: Names
     ) -> Mapping[int, Evidence]:
-        """Both directions by the homogeneous function (:mod:`kowalevski_cas.search.critical`)."""
-        from kowalevski_cas.search.critical import Critical
+        """A point off the loci where a direction fails, or that both hold there."""
+        from kowalevski_cas.search.follows import FollowsFinder
+        from kowalevski_cas.search.in_turn import in_turn
 
-        space = on(self.scene)
-        critical = Critical(
-            space.finder,
-            expression(on, space, self.own),
-            equation(on, space, self.level),
-            equations(on, space, self.equations),
-            [space.formula(locus.condition) for locus in self.scene.loci],
-            self.zero_level,
-            names(space),
-        )
-        found = {0: critical.forward(self.main), 1: critical.converse()}
-        return {place: evidence for place, evidence in found.items() if evidence is not None}
+        space, both = on(self.scene), [goal for goal in goals[:2] if isinstance(goal, Follows)]
+        finder = FollowsFinder(lambda setting: space.finder, names)
+        conditions = [space.finder.scalar(condition) for _, condition in space.loci]
+        for place, goal in enumerate(both):
+            if (point := finder.failure(goal, space.finder, conditions)) is not None:
+                return {place: point}
+        found = (in_turn(goal, space.finder, conditions, names) for goal in both)
+        return {place: shown for place, shown in enumerate(found) if shown is not None}
 
     def _critical(
         self, space: Elaboration, function: Formula, surface: Formula

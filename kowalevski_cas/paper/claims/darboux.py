@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula, times, to_latex
 from kowalevski_cas.paper.claims.claim import Claim
@@ -15,7 +14,6 @@ from kowalevski_cas.problem.goals import Goal, Rank, identity
 from kowalevski_cas.problem.space import Meaningless
 
 
-@dataclass(frozen=True, eq=False)
 class DarbouxPolynomial(Claim):
     """The printed polynomial F in the variables satisfies F' = KF with a polynomial K.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import chain
@@ -13,7 +12,6 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Goal, identity
 
 
-@dataclass(frozen=True, eq=False)
 class Definition(Claim):
     """With the printed definition, on which the scene rests, ``equation`` holds.
 

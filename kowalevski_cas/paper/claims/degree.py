@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula, Name, Partial
 from kowalevski_cas.paper.claims.claim import Claim
@@ -12,7 +11,6 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Goal, identity
 
 
-@dataclass(frozen=True, eq=False)
 class Degree(Claim):
     r"""The derivative of any expression free of ``variable`` has at most this degree in it.
 

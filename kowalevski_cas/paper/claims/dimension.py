@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 
 from kowalevski_cas.notation import Conjugate, Formula, Name, Partial, times, total
@@ -19,7 +19,6 @@ from kowalevski_cas.problem.prune import Reach
 from kowalevski_cas.problem.space import Meaningless
 
 
-@dataclass(frozen=True, eq=False)
 class Dimension(Claim):
     r"""The set is a manifold of this dimension, on each level of some integrals.
 
@@ -119,7 +118,6 @@ def _having(scene: Scene, multipliers: tuple[str, ...]) -> Scene:
     return scene.having(constants=(*multipliers, *bars), conjugates=pairs)
 
 
-@dataclass(frozen=True, eq=False)
 class Independence(Claim):
     """Functions are independent on a dense part of the set, on each level of some integrals.
 

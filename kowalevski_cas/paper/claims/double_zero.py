@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.notation import Partial
 from kowalevski_cas.paper.claims.claim import Claim
@@ -13,7 +12,6 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Follows, Goal
 
 
-@dataclass(frozen=True, eq=False)
 class DoubleZero(Claim):
     """The printed expression vanishes with all its partial derivatives where ``given`` hold."""
 

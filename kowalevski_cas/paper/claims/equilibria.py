@@ -3,7 +3,6 @@ r"""Equilibria: how many states of rest there are for given values of the integr
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.notation import Name
 from kowalevski_cas.paper.claims.claim import Claim
@@ -13,7 +12,6 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Count, Goal
 
 
-@dataclass(frozen=True, eq=False)
 class Equilibria(Claim):
     r"""For given values of the ``levels`` there are exactly ``count`` states of rest.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import equation
@@ -12,7 +11,6 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Follows, Goal
 
 
-@dataclass(frozen=True, eq=False)
 class Equivalence(Claim):
     """The printed equation says the same as the equation ``to``."""
 

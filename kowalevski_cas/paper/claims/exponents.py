@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from math import gcd
@@ -19,7 +18,6 @@ from kowalevski_cas.problem.goals import Fails, Follows, Goal
 from kowalevski_cas.problem.space import Equation, Meaningless
 
 
-@dataclass(frozen=True, eq=False)
 class SolvedExponents(Claim):
     r"""A coefficient vanishes for the printed exponents and for no others.
 

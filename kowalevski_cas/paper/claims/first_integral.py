@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
 
@@ -21,7 +20,6 @@ from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Equation, Meaningless
 
 
-@dataclass(frozen=True, eq=False)
 class FirstIntegral(Claim):
     """The printed expression is constant along every motion on the invariant set ``given``.
 
@@ -57,7 +55,7 @@ class FirstIntegral(Claim):
         yield Follows(space, ((*still, *pairwise(same)),), given, self.main)
         if self.given:
             yield Fails(space, (still,))
-            invariant = InvariantRelations(self.id, self.scene, None, "", self.given, self.main)
+            invariant = InvariantRelations(self.id, self.scene, "", self.given, self.main)
             yield from invariant.goals(on)
         yield Rank(space, (same[-1],), given, 1 + len(space.finder.differences(given)))
 

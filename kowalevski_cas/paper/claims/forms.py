@@ -15,8 +15,6 @@ from kowalevski_cas.notation import (
     Relation,
     Sum,
     Vector,
-    times,
-    total,
 )
 from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -58,7 +56,7 @@ def chain(on: Elaborations, space: Elaboration, printed: Printed) -> list[Equati
     """
     relation = on.texts.relation(printed)
     if any(is_matrix(member, space) for member in relation.members):
-        return [*_entries(alike(relation.members, space, only_zero=True))]
+        return [*entries(alike(relation.members, space, only_zero=True))]
     found = sides(members(relation), space)
     equations = list(pairwise(found))
     if isinstance(relation.members[-1], Constant):
@@ -66,7 +64,7 @@ def chain(on: Elaborations, space: Elaboration, printed: Printed) -> list[Equati
     return equations
 
 
-def _entries(matrices: Sequence[Rows]) -> Iterator[Equation]:
+def entries(matrices: Sequence[Rows]) -> Iterator[Equation]:
     """The equations between the entries of matrices that are equal."""
     for left, right in pairwise(matrices):
         if sizes(left) != sizes(right):
@@ -139,27 +137,12 @@ def moving(space: Elaboration, formula: Formula) -> list[str]:
     return [name for name in space.variables if name in reach.names]
 
 
-Matrix = list[list[Formula]]
+def matrix(letter: str, size: int) -> Rows:
+    """A square matrix of names, ``M_{11}``, ``M_{12}`` and so on."""
+    places = range(1, size + 1)
+    return tuple(tuple(Name(f"{letter}_{{{i}{j}}}") for j in places) for i in places)
 
 
-def matrix(letter: str, rows: int, columns: int) -> Matrix:
-    """A matrix of names, ``M_{11}``, ``M_{12}`` and so on."""
-    return [
-        [Name(f"{letter}_{{{i}{j}}}") for j in range(1, columns + 1)] for i in range(1, rows + 1)
-    ]
-
-
-def names_in(rows: Matrix) -> tuple[str, ...]:
+def names_in(rows: Rows) -> tuple[str, ...]:
     """The names of a matrix of names."""
     return tuple(entry.name for row in rows for entry in row if isinstance(entry, Name))
-
-
-def applied(rows: Matrix, column: Sequence[Formula]) -> list[Formula]:
-    """A matrix times a column."""
-    return [total(times(a, b) for a, b in zip(row, column, strict=True)) for row in rows]
-
-
-def product(left: Matrix, right: Matrix) -> Matrix:
-    """The product of two matrices."""
-    columns = [applied(left, [row[j] for row in right]) for j in range(len(right[0]))]
-    return [[column[i] for column in columns] for i in range(len(left))]

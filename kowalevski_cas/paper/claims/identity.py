@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import chain
@@ -11,7 +10,6 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Goal, identity
 
 
-@dataclass(frozen=True, eq=False)
 class Identity(Claim):
     """All members of a printed chain are equal; ``= const`` says that they do not move."""
 

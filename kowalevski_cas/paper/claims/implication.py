@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula, Negative, Relation
 from kowalevski_cas.paper.claims.claim import Claim
@@ -13,7 +12,6 @@ from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Follows, Goal
 
 
-@dataclass(frozen=True, eq=False)
 class Implication(Claim):
     """The printed equation (or expression, equal to zero) follows from the ``given`` ones.
 

@@ -3,25 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.claims.claim import Claim
-from kowalevski_cas.paper.claims.forms import (
-    Matrix,
-    applied,
-    equations,
-    matrix,
-    minus,
-    names_in,
-    rate,
-)
+from kowalevski_cas.paper.claims.forms import equations, matrix, minus, names_in, rate
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.matrices import Rows, applied
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Exists, Follows, Goal
 
 
-@dataclass(frozen=True, eq=False)
 class InvariantRelations(Claim):
     """The printed equations define an invariant set: (F)' = M F with a matrix M that is found.
 
@@ -32,8 +24,7 @@ class InvariantRelations(Claim):
     main: tuple[tuple[str, ...], ...] = ()
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        number = len(self.functions(on))
-        cofactors = matrix("M", number, number)
+        cofactors = matrix("M", len(self.functions(on)))
         moves = self.moves_by(cofactors, on)
         there = replace(moves, given=equations(on, on(self.scene), self.relations))
         yield Exists((moves, there), names_in(cofactors))
@@ -42,7 +33,7 @@ class InvariantRelations(Claim):
         """The left minus the right sides of the equations."""
         return [minus(sides) for sides in equations(on, on(self.scene), self.relations)]
 
-    def moves_by(self, cofactors: Matrix, on: Elaborations) -> Follows:
+    def moves_by(self, cofactors: Rows, on: Elaborations) -> Follows:
         """The goal that the functions move by this matrix."""
         functions = self.functions(on)
         right = applied(cofactors, functions)

@@ -3,30 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
-from kowalevski_cas.notation import Negative, edits, times, total
+from kowalevski_cas.notation import Formula, Negative, edits, times, total
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.forms import (
     ONE,
-    ZERO,
-    Matrix,
-    applied,
+    entries,
     equations,
     matrix,
     minus,
     names_in,
-    product,
     rate,
     vanishes,
 )
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.matrices import Rows, applied, diagonal, product
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.goals import Exists, Follows, Goal, identity
 
 
-@dataclass(frozen=True, eq=False)
 class Limit(Claim):
     r"""The cofactor matrix of ``general`` goes over into the one of ``special``.
 
@@ -41,17 +37,13 @@ class Limit(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         size = len(self.special.relations)
-        m, n, t, s = (matrix(letter, size, size) for letter in "MNTS")
+        m, n, t, s = (matrix(letter, size) for letter in "MNTS")
         space = on(self.scene)
         special = equations(on, space, self.special.relations)
         general = [minus(sides) for sides in equations(on, space, self.general.relations)]
         through = applied(t, [minus(sides) for sides in special])
-        inverse = [
-            (entry, ONE if i == j else ZERO)
-            for i, row in enumerate(product(t, s))
-            for j, entry in enumerate(row)
-        ]
-        same = tuple(vanishes(entry) for row in self._rest(on, m, n, t) for entry in row)
+        inverse = entries((product(t, s), diagonal([ONE] * size)))
+        same = tuple(map(vanishes, self._rest(on, m, n, t)))
         goals = (
             self.general.moves_by(m, on),
             self.special.moves_by(n, on),
@@ -61,15 +53,14 @@ class Limit(Claim):
         )
         yield Exists(goals, tuple(name for one in (m, n, t, s) for name in names_in(one)))
 
-    def _rest(self, on: Elaborations, m: Matrix, n: Matrix, t: Matrix) -> Matrix:
+    def _rest(self, on: Elaborations, m: Rows, n: Rows, t: Rows) -> Iterator[Formula]:
+        """The entries of the difference."""
         space = on(self.scene)
         assert self.scene.clock is not None
         scale = space.plain(on.texts.time_scale(self.scene.clock))
-        left, right = product(t, n), product(m, t)
-        return [
-            [total((rate(a), b, Negative(times(scale, c)))) for a, b, c in zip(*rows, strict=True)]
-            for rows in zip(t, left, right, strict=True)
-        ]
+        for rows in zip(t, product(t, n), product(m, t), strict=True):
+            for a, b, c in zip(*rows, strict=True):
+                yield total((rate(a), b, Negative(times(scale, c))))
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
         for printed in self.special.relations:

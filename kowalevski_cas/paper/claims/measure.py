@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from kowalevski_cas.notation import Name, Partial, times, total
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.forms import equations, matrix, names_in, rate, vanishes
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.matrices import trace
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.goals import Exists, Follows, Goal, identity
 
 
-@dataclass(frozen=True, eq=False)
 class LastMultiplier(Claim):
     r"""``density`` is a last multiplier, on the whole space and on an invariant set.
 
@@ -32,11 +32,10 @@ class LastMultiplier(Claim):
         divergence = total(Partial(rate(Name(name)), name) for name in space.own_variables)
         yield identity(space, vanishes(total((rate(density), times(density, divergence)))))
         yield Follows(space, (), (vanishes(density),))
-        size = len(self.relations.relations)
-        cofactors = matrix("M", size, size)
-        trace = vanishes(total(cofactors[k][k] for k in range(size)))
+        cofactors = matrix("M", len(self.relations.relations))
         there = on(self.relations.scene)
-        on_set = Follows(there, ((trace,),), equations(on, there, self.relations.relations))
+        given = equations(on, there, self.relations.relations)
+        on_set = Follows(there, ((vanishes(trace(cofactors)),),), given)
         yield Exists((self.relations.moves_by(cofactors, on), on_set), names_in(cofactors))
 
     def neighbours(self, texts: Texts) -> Iterator[Neighbour]:

@@ -6,7 +6,6 @@ The bracket is the one that the scene prints for its variables.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 from kowalevski_cas.notation import (
@@ -28,7 +27,6 @@ from kowalevski_cas.problem.goals import Fails, Goal, Rank, identity
 from kowalevski_cas.problem.space import Equation, Meaningless
 
 
-@dataclass(frozen=True, eq=False)
 class Jacobi(Claim):
     """The printed bracket satisfies Jacobi's identity."""
 
@@ -41,7 +39,6 @@ class Jacobi(Claim):
                 yield place
 
 
-@dataclass(frozen=True, eq=False)
 class Casimir(Claim):
     """The bracket of the printed function with every function vanishes; it is not constant."""
 
@@ -52,7 +49,6 @@ class Casimir(Claim):
         yield Rank(space, (space.plain(own),), (), 1)
 
 
-@dataclass(frozen=True, eq=False)
 class Involution(Claim):
     """The brackets of the printed functions with each other vanish."""
 
@@ -69,7 +65,6 @@ class Involution(Claim):
         yield from self.functions
 
 
-@dataclass(frozen=True, eq=False)
 class LiouvilleIntegrable(Claim):
     """The motion is integrable in the sense of Liouville, by ``integrals`` and ``casimirs``.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from kowalevski_cas.notation import Conjugate, Negative
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
@@ -12,7 +12,6 @@ from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.goals import Goal, identity
 
 
-@dataclass(frozen=True, eq=False)
 class Reality(Claim):
     """Some expressions equal their conjugates, others are the negatives of theirs."""
 

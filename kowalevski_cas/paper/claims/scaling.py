@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula, Name, Quotient, times
 from kowalevski_cas.paper.claims.claim import Claim
@@ -18,7 +17,6 @@ Measure = tuple[tuple[str, ...], int, str]
 """Variables, the power of the unit of time in their unit, and the rest of that unit."""
 
 
-@dataclass(frozen=True, eq=False)
 class Scaling(Claim):
     """In units built on the printed unit of time the equations become those of ``simple``.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.forms import equations
@@ -12,7 +12,6 @@ from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.goals import Follows, Goal
 
 
-@dataclass(frozen=True, eq=False)
 class Union(Claim):
     """Where the ``given`` equations hold all those of one of the ``sets`` do."""
 

@@ -70,9 +70,10 @@ def settle(space: Space, goals: list[Element], known: list[Element], proof: Json
     record(proof, "", PROOF)
     need(("product" in proof) == ("cases" in proof), "cases belong to a product")
     if "product" in proof:
-        need(space.all_real(), "cases are for real names")
         groups = [[*map(space.scalar, items(group))] for group in items(proof["product"])]
         need(groups and all(groups), "a product is empty")
+        squares = any(group[1:] for group in groups)
+        need(not squares or space.all_real(), "sums of squares are for real names")
         for group, case in zip(groups, items(proof["cases"], len(groups)), strict=True):
             settle(space, goals, known + group, case)
         whole = space.ring.number(1)

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from graphlib import TopologicalSorter
 from itertools import pairwise
 from typing import Final
-
-from kowalevski_cas.report.graph.dependencies import upwards
 
 WIDTH: Final = 155.0
 """The width of the page, which no layer of boxes exceeds, in mm."""
@@ -45,7 +44,7 @@ def _levels(rests: dict[str, list[str]], widths: dict[str, float]) -> dict[str, 
     """The layer of each name: under what it rests on, and no layer wider than the page."""
     level: dict[str, int] = {}
     used: dict[int, float] = {}
-    for name in upwards(rests):
+    for name in TopologicalSorter(rests).static_order():
         at = max((level[b] + 1 for b in rests[name]), default=0)
         wide = widths[name] + _BESIDE
         while used.get(at, 0.0) and used[at] + wide > WIDTH:

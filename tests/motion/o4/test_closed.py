@@ -102,7 +102,7 @@ def printed(ids, arguments):
     """The right-hand sides of displays of the section on the phase point, as a function."""
     derivation = formulas.source(HyperellipticForm)
     displays = {d.id: d for section in derivation.sections for d in section.displays}
-    scene = Scene("printed", "all names as variables", variables=(*names, *RADICALS, *PARTS))
+    scene = Scene("printed", variables=(*names, *RADICALS, *PARTS))
     sides = tuple(Member(member, 1) for id in ids for member in displays[id])
     return formulas.compiled(Values(scene, sides, arguments), HyperellipticForm)
 

@@ -1,0 +1,157 @@
+"""Proofs in steps: what is shown to vanish is known from there on, so that rows stay short."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from kowalevski_cas.algebra.present import formula_in, written
+from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.notation import Formula, Quotient
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.evidence import Proof, Shown
+from kowalevski_cas.problem.fold import divisors_of
+from kowalevski_cas.problem.goals import Follows
+from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.search.groebner import Combinations
+from kowalevski_cas.search.place import PointFinder
+
+Names = Callable[[Setting], Sequence[str]]
+
+LARGEST_POWER = 3
+"""The largest power of an element that is combined."""
+
+
+class Step(NamedTuple):
+    """What vanishes: the row combines a power of it from what is known before it."""
+
+    element: Element
+    row: list[Element]
+    power: int = 1
+
+
+def steps_to(
+    targets: Sequence[Element],
+    generators: Sequence[Element],
+    units: Sequence[Element],
+    conditions: Sequence[Element],
+    unknowns: Sequence[str] = (),
+) -> tuple[list[Step], list[list[Element]]] | None:
+    """Steps after which all targets are combined, and the rows for these.
+
+    Next comes what divides by no condition, and has the shortest row. A target that is longer than
+    what is given is no step, for it would make no other row shorter. Where there are ``unknowns``,
+    all is linear in them.
+    """
+    left, steps, rows = [*targets], list[Step](), dict[Element, list[Element]]()
+    longest, one = max(map(_length, generators)), generators[0].ring.one
+    powers = range(1, 2 if unknowns else LARGEST_POWER + 1)
+    made = None
+    while left:
+        known = [*generators, *(step.element for step in steps)]
+        made = made or Combinations(left, known, unknowns, units, conditions)
+        tried = (_combined(target, made, powers) for target in left)
+        found = [step for step in tried if step is not None]
+        if not found:
+            return None
+        step = min(found, key=_effort)
+        left.remove(step.element)
+        rows[step.element] = step.row
+        if step.power > 1 or _length(step.element) <= longest:
+            made, more = None, _undivided(step)
+            steps += more
+            rows[step.element] = [*(one - one for _ in (*known, *more[1:])), one]
+    size = len(generators) + len(steps)
+    return steps, [(rows[target] + [one - one] * size)[:size] for target in targets]
+
+
+def _combined(target: Element, made: Combinations, powers: Sequence[int]) -> Step | None:
+    """The least power of a target for which there is a row."""
+    rows = ((made.row(target**power), power) for power in powers)
+    return next((Step(target, row, power) for row, power in rows if row is not None), None)
+
+
+def _effort(step: Step) -> tuple[bool, int]:
+    return _denominator(step.row) is not None, sum(map(_length, step.row))
+
+
+def _length(element: Element) -> int:
+    return sum(map(len, element.terms().values()))
+
+
+def _undivided(step: Step) -> list[Step]:
+    """A step; or two, if that is shorter than to divide each entry of the row."""
+    element, row, power = step
+    factor = _denominator(row)
+    if factor is None:
+        return [step]
+    first = Step(factor * element**power, [factor * entry for entry in row])
+    if _length(first.element) > _length(factor) * sum(not entry.is_zero for entry in row):
+        return [step]
+    return [first, Step(element, [*(factor - factor for _ in row), factor.inverse()], power)]
+
+
+def _denominator(row: Sequence[Element]) -> Element | None:
+    """What the entries of a row are divided by together, without monomials."""
+    ring, exponents = row[0].ring, dict[int, int]()
+    for entry in row:
+        for index, exponent in entry.denominator.items():
+            if len(ring.polynomials.terms(ring.divisors[index])) > 1:
+                exponents[index] = max(exponent, exponents.get(index, 0))
+    product = ring.divisor_product(exponents)
+    return None if product is None else ring.element({0: product}, {})
+
+
+def shown(
+    steps: Sequence[Step],
+    rows: Sequence[Sequence[Element]],
+    zero: Sequence[Element],
+    conditions: Sequence[Element],
+    at: Evaluation,
+    names: Names,
+) -> Shown | None:
+    """The proof of some steps and the last rows, and a point where ``zero`` vanishes."""
+    divided = [entry for row in (*rows, *(step.row for step in steps)) for entry in row]
+    point = PointFinder(lambda setting: at, names).point(
+        at, _essential(zero, conditions), [*zero, *divided], lambda there: there.vanish(zero)
+    )
+    proof = Proof(tuple(tuple(map(_divided, row)) for row in rows))
+    for element, row, power in reversed(steps):
+        proof = Proof((tuple(map(_divided, row)),), written([[element]]), (proof,), power)
+    return None if point is None else Shown(proof, point)
+
+
+def _essential(zero: Sequence[Element], conditions: Sequence[Element]) -> list[Element]:
+    """Elements without those that are combinations of shorter ones, away from conditions."""
+    kept = list[Element]()
+    for element in sorted(zero, key=_length):
+        if Combinations([element], kept, conditions=conditions).row(element) is None:
+            kept.append(element)
+    return kept
+
+
+def _divided(element: Element) -> Formula:
+    """The formula of an element that is divided by one factor after another.
+
+    Of a product of known divisors the checker knows each, but not each product of them.
+    """
+    formula = formula_in(element)
+    if isinstance(formula, Quotient):
+        divisors = [f for f, exponent in divisors_of(formula.denominator) for _ in range(exponent)]
+        formula = formula.numerator
+        for divisor in divisors:
+            formula = Quotient(formula, divisor)
+    return formula
+
+
+def in_turn(
+    goal: Follows, at: Evaluation, conditions: Sequence[Element], names: Names
+) -> Shown | None:
+    """A proof that equations follow one after another, away from few of the conditions.
+
+    The point is one where all of them hold.
+    """
+    known = at.differences(goal.given)
+    (targets,) = map(at.differences, goal.conclusions)
+    found = steps_to(targets, known, at.ring.divided_by(known), conditions)
+    return found and shown(*found, [*known, *targets], conditions, at, names)

@@ -1,0 +1,258 @@
+"""Equations of motion, what is defined beside them, and how something is stated of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Container, Mapping, Sequence
+from contextlib import suppress
+from copy import copy
+from dataclasses import replace
+from itertools import chain, count
+from typing import Any, Self
+
+from kowalevski_cas.library import MADE
+from kowalevski_cas.notation import (
+    Formula,
+    heads,
+    read,
+    read_display,
+    to_plain,
+)
+from kowalevski_cas.paper.claims import Claim, FirstIntegral
+from kowalevski_cas.paper.derivation import Section
+from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.system.answers import Function, Stated, in_html
+from kowalevski_cas.system.equations import (
+    components,
+    moving_by,
+    restricted,
+    rooted,
+    with_levels,
+    with_parameters,
+    with_time,
+)
+from kowalevski_cas.system.solved import solved
+from kowalevski_cas.system.symbols import printed
+from kowalevski_cas.verify.found import Finding
+from kowalevski_cas.verify.outcome import Verdict, in_latex
+
+Tex = Any
+"""A formula: LaTeX, what was defined, or an expression of SymPy."""
+
+LONGEST = 24
+"""The signs of a formula by which a claim is called."""
+
+
+class Field:
+    """A vector field, printed as equations of motion, and the scene of what is said of it."""
+
+    seconds = 60.0
+    """For each claim, and for each question."""
+
+    def __init__(
+        self,
+        field: str | Mapping[Any, Any],
+        name: str = "",
+        vectors: Mapping[str, tuple[str, ...]] | None = None,
+    ) -> None:
+        self.symbols: dict[str, Any] = {}
+        """The symbols of SymPy in which the system is written, by their names here."""
+        self.special: tuple[Display, ...] = ()
+        """What is supposed of the constants."""
+        self.prefix = f"{name}-" if name else ""
+        self.section = Section(name or "1", "")
+        MADE.append(self.section)
+        tex = field if isinstance(field, str) else self._rows(field)
+        parts = components(tex, vectors or {})
+        display = self.section.display(f"{self.prefix}field", with_time(tex, parts))
+        self._stand_on(moving_by(display, name, parts))
+        moving, constant = self.scene.variables, self.scene.constants
+        self.section.title = _echo(moving, constant, "${}$".format)
+
+    def _rows(self, field: Mapping[Any, Any]) -> str:
+        """Equations of motion by their right sides."""
+        if not isinstance(field, Mapping):
+            raise TypeError(f"LaTeX, or right sides by the variables of SymPy, and not {field!r}")
+        rows = [rf"\dot{{{self._tex(x)}}}={self._tex(force)}" for x, force in field.items()]
+        tex = r",\quad ".join(rows)
+        if len(heads(tex)) != len(rows):
+            raise ValueError(f"{tex}: give each variable one right side")
+        return tex
+
+    def __repr__(self) -> str:
+        return self._echoed(to_plain)
+
+    def _repr_latex_(self) -> str:
+        return f"${in_latex(self._formulas(self.section.displays[0]))}$"
+
+    def _repr_html_(self) -> str:
+        equations = self._formulas(self.section.displays[0])
+        return f"<p>{', '.join(map(in_html, equations))}; {self._echoed(in_html)}</p>"
+
+    def _echoed(self, shown: Callable[[Formula], str]) -> str:
+        """What moves, what is constant, and what is special, in words."""
+        echo = _echo(
+            self.scene.variables, self.scene.constants, lambda name: shown(self.read(name))
+        )
+        special = ", ".join(
+            shown(formula) for one in self.special for formula in self._formulas(one)
+        )
+        return f"{echo}; {special}" if special else echo
+
+    # -- scenes ------------------------------------------------------------------
+
+    def _stand_on(self, scene: Scene) -> None:
+        """Take this scene for what is said from here on."""
+        self.scene = self.section.scenes[scene.name] = scene
+
+    def define(self, formula: Tex) -> Function:
+        r"""A name for what is printed, as in ``F=x^2-z``; what is derived from here knows it too.
+
+        A matrix has a bold capital, ``{\bf L}=\begin{pmatrix}…\end{pmatrix}``; the Poisson bracket
+        is defined by those of the variables that do not vanish, ``\{x,y\}=z``. Of several names in
+        a display the first is returned.
+
+        Raises:
+            NotationError: it cannot be read.
+            ValueError: it defines no new name.
+        """
+        tex = self._tex(formula)
+        display = self.section.display(self._id("", tex), tex)
+        if not [*display]:
+            raise ValueError(f"“{tex}” defines no name")
+        self._stand_on(rooted(with_parameters(self.scene, display).defining(display), display))
+        name, formula = display[1].heads.names[0], self._formulas(display)[0]
+        return Function(display[1], name, formula, self.symbols)
+
+    def where(self, *relations: Tex) -> Self:
+        r"""The system for special constants: ``a+b=2c``, ``r^2=x^2+y^2``, ``\sigma\ne0``.
+
+        Raises:
+            NotationError: a relation cannot be read.
+            ValueError: a relation gives no constant.
+        """
+        special, said = copy(self), ", ".join(map(self._tex, relations))
+        scene = self.scene.called(f"{self.scene.name} where {said}")
+        for relation in relations:
+            tex = self._tex(relation)
+            tex = tex if any(one.names for one in heads(tex)) else solved(tex, scene) or tex
+            place = self._place("where", tex, supposed=True)
+            scene = restricted(scene, place)
+            scene = rooted(scene, place.display)
+            special.special += (place.display,)
+        special._stand_on(scene)
+        return special
+
+    def having(self, *constants: str) -> Self:
+        r"""The system with more constants, as ``\rho``, which stand in no equation of motion."""
+        more = copy(self)
+        scene = self.scene.having(constants=constants)
+        more._stand_on(scene.called(f"{scene.name} with {', '.join(constants)}"))
+        return more
+
+    # -- claims ------------------------------------------------------------------
+
+    def states(
+        self,
+        kind: type[Claim],
+        name: str,
+        says: str,
+        expect: str = "",
+        printed: Tex = "",
+        **attributes: Any,
+    ) -> Stated:
+        """A claim of any kind, called after the name and its first formula.
+
+        Formulas, and tuples of them, are taken for what the kind expects at these attributes;
+        numbers stay what they are.
+
+        Raises:
+            NotationError: a formula is broken TeX.
+            ValueError: a formula is several, or there is no such verdict to expect.
+        """
+        id = self._id(name, self._tex(_first((printed, *attributes.values()))))
+        return self._state(id, Finding(kind, self.scene, says, printed, attributes), expect)
+
+    def _state(self, id: str, finding: Finding, expect: str = "") -> Stated:
+        if expect and expect not in {*Verdict}:
+            raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
+
+        def placed(formula: Tex) -> Printed:
+            return self._place(id, formula, supposed=finding.tex not in ("", formula))
+
+        claim = finding.claim(id, placed)
+        if isinstance(claim, FirstIntegral):
+            with suppress(ValueError):
+                claim = replace(claim, scene=with_levels(claim.scene, claim.own))
+        for place in claim.places():
+            with suppress(ValueError):  # what cannot be read is the outcome of the claim
+                claim = replace(claim, scene=rooted(claim.scene, place.display))
+        self.section.claim(claim)
+        if expect:
+            self.section.expected[id] = expect
+        return Stated(claim, self.section, self.symbols, self.seconds)
+
+    # -- formulas ----------------------------------------------------------------
+
+    def read(self, tex: str) -> Formula:
+        """A formula in the names of the system; raises ``NotationError`` for any other name."""
+        return read(tex, vocabulary((self.scene,)))
+
+    def _formulas(self, display: Display) -> list[Formula]:
+        return [s.formula for s in read_display(display.tex, vocabulary((self.scene,)))]
+
+    def _tex(self, formula: Tex) -> str:
+        if isinstance(formula, str):
+            return formula
+        if not isinstance(formula, Function):
+            return printed(formula, self.symbols)
+        if self.scene.definitions.get(formula.name) != formula.place:
+            raise ValueError(f"{formula!r} is defined elsewhere: define it on this system")
+        return formula.name
+
+    def _place(self, id: str, formula: Tex, supposed: bool) -> Printed:
+        """Where a formula stands: where it was defined, or in a display of its own.
+
+        What is only ``supposed`` need not stand in a paper of which this is the derivation.
+        """
+        tex = self._tex(formula)
+        if isinstance(formula, Function):
+            return formula.place
+        known = {one.id for one in self.section.displays}
+        if supposed:
+            display = self.section.lemma(_new(id, known), tex, "supposed")
+        else:
+            display = self.section.display(_new(id, known), tex)
+        if len([*display]) != 1:
+            raise ValueError(f"{display.tex}: one formula is expected; give each by itself")
+        return display[1]
+
+    def _id(self, kind: str, tex: str) -> str:
+        """A new id, after the label or the letters of a formula."""
+        label = re.search(r"\\label\{([^}]*)\}", tex)
+        tex = label[1] if label else tex
+        letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
+        id = self.prefix + "-".join(filter(None, (kind, letters)))
+        return _new(id, {*(one.id for one in self.section.displays), *self.section.lines})
+
+
+def _new(id: str, known: Container[str]) -> str:
+    """An id, with a number if it is known."""
+    ids = (f"{id}.{number}" for number in count(2))
+    return next(one for one in chain([id], ids) if one not in known)
+
+
+def _first(value: Any) -> Tex:
+    """The first formula among values and tuples of them."""
+    if not isinstance(value, tuple):
+        return "" if isinstance(value, int) else value
+    return next((one for one in map(_first, value) if not isinstance(one, str) or one), "")
+
+
+def _echo(variables: Sequence[str], constants: Sequence[str], shown: Callable[[str], str]) -> str:
+    """What moves and what does not, in words."""
+    moving = f"{', '.join(map(shown, variables))} move{'' if len(variables) > 1 else 's'}"
+    still = f"{', '.join(map(shown, constants))} {'are' if len(constants) > 1 else 'is'} constant"
+    return f"{moving}; {still}" if constants else moving

@@ -1,0 +1,40 @@
+"""How many solutions a system has, by the roots of an eliminant that is found."""
+
+import pytest
+
+from kowalevski_cas.algebra import load
+from kowalevski_cas.problem.accept import Judge
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.goals import Count
+from kowalevski_cas.problem.space import Space
+from kowalevski_cas.problem.trees import decode
+from kowalevski_cas.search.find import Finder
+
+SQUARE, LEVEL = ["^", "x", 2], ["^", "a", 2]
+PRODUCT = [(["+", SQUARE, ["^", "y", 2]], LEVEL), (["*", "x", "y"], 0)]
+PARABOLA = [(["+", SQUARE, "y"], LEVEL), ("y", SQUARE)]
+
+
+def found(names, equations, number):
+    """The evidence for a number of solutions, which is accepted if there is any."""
+    space = Space(tuple(names), ("a",), nonzero=(decode("a"),))
+    at = Evaluation(space, load("flint"))
+    sides = tuple((decode(left), decode(right)) for left, right in equations)
+    goal = Count(space, sides, tuple(names), number)
+    evidence = Finder(lambda _: at, lambda _: at.names).proof(goal)
+    if evidence is not None:
+        Judge(lambda _: at).holds(goal, evidence)
+    return evidence
+
+
+@pytest.mark.parametrize(
+    "left", [SQUARE, ["+", SQUARE, ["*", 3, "x"]], ["+", ["*", 2, SQUARE], "x"]]
+)
+def test_a_quadratic_equation_has_two_solutions(left):
+    assert found("x", [(left, LEVEL)], 2)
+    assert not found("x", [(left, LEVEL)], 3)
+
+
+@pytest.mark.parametrize(("equations", "number"), [(PRODUCT, 4), (PARABOLA, 2)])
+def test_where_no_form_tells_all_unknowns_nothing_is_found(equations, number):
+    assert found("xy", equations, number) is None
