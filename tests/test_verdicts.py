@@ -2,6 +2,7 @@
 
 import ast
 import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ TEXT = (ROOT / "docs" / "verdicts.md").read_text(encoding="utf-8")
 SENTENCES = re.findall(r"^\* (.*?)(?=^\*|^#|\Z)", TEXT, re.MULTILINE | re.DOTALL)
 
 
+@cache
 def functions_of(path: Path) -> set[str]:
     tree = ast.parse(path.read_text(encoding="utf-8"))
     return {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}

@@ -10,8 +10,33 @@ from tests.sample import sampled
 
 pytestmark = pytest.mark.usefixtures("here")
 
+LORENZ = r"\dot x=\sigma(y-x),\quad \dot y=\rho x-y-xz,\quad \dot z=xy-bz"
 CLOSURE = ["find", "closure", "kharlamov2002", "--scene"]
 CASE = ["find", "integrals", "kharlamov2002", "--scene", "Kowalevski case"]
+
+
+@pytest.fixture
+def system(tmp_path):
+    """Write a file with a system, and whatever is claimed of it; its name."""
+
+    def system(field, claims=""):
+        file = tmp_path / "system.py"
+        head = f"from kowalevski_cas import System\nsystem = System(r'{field}')\n"
+        file.write_text(head + claims, encoding="utf-8")
+        return str(file)
+
+    return system
+
+
+@pytest.fixture
+def asked(system, capsys):
+    """Ask a question about a system; the lines that are printed."""
+
+    def asked(question, field, *words):
+        assert main(["find", question, system(field), *words]) == 0
+        return capsys.readouterr().out.splitlines()
+
+    return asked
 
 
 def test_the_integrals_of_the_kowalevski_case_of_which_a_long_one_is_cut(capsys):
@@ -42,11 +67,8 @@ def test_a_degree_by_the_weights_of_the_motion(capsys):
     assert "ω₁ counts 1, ω₂ counts 1, ω₃ counts 1, α₁ counts 2" in every
 
 
-def test_a_field_without_an_integral_is_answered_none(tmp_path, capsys):
-    (tmp_path / "lorenz").mkdir()
-    (tmp_path / "lorenz" / "__init__.py").write_text(LORENZ, encoding="utf-8")
-    assert main(["find", "integrals", str(tmp_path / "lorenz"), "--degree", "5"]) == 0
-    (line, number) = capsys.readouterr().out.splitlines()
+def test_a_field_without_an_integral_is_answered_none(asked):
+    line, number = asked("integrals", LORENZ, "--degree", "5")
     assert number == "1 found"
     assert line == (
         "proved  each polynomial first integral up to degree 5 is a constant, "
@@ -82,50 +104,40 @@ def test_a_function_and_its_derivative_define_an_invariant_set(capsys):
     assert [line.split()[0] for line in lines[1:]] == ["conditional", "proved", "3"]
 
 
-def test_the_constants_for_which_a_polynomial_divides_its_derivative(capsys, tmp_path):
-    field = r"\dot x=\sigma(y-x),\quad \dot y=\rho x-y-xz,\quad \dot z=xy-bz"
-    file = tmp_path / "lorenz.py"
-    file.write_text(
-        f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n"
-        "lorenz.invariant('x=0', 'y=0')\n"
-    )
-    assert main(["find", "parameters", str(file), "x^2+Az"]) == 0
-    lines = capsys.readouterr().out.splitlines()
+def test_the_constants_for_which_a_polynomial_divides_its_derivative(asked):
+    lines = asked("parameters", LORENZ, "x^2+Az")
     assert [line.split()[0] for line in lines] == ["proved"] * 4 + ["4"]
     assert "only where σ = 0, or b = 2σ" in lines[1]
     assert "with K = −2σ where A = −2σ and b = 2σ" in lines[3]
-    assert main(["find", "parameters", str(file), "x+y^2"]) == 0
-    assert "for no values of the constants" in capsys.readouterr().out
-    file.write_text(
-        "from kowalevski_cas import System\ns = System(r'\\dot x=y,\\quad \\dot y=-x')\n"
-    )
-    assert main(["find", "parameters", str(file), "x^2+y^2"]) == 2
-    assert "nothing is to be determined" in capsys.readouterr().err
-    assert main(["find", "parameters", str(file), "A"]) == 2
-    assert "no variable stands in the polynomial" in capsys.readouterr().err
+    assert "proved  F' = KF for no values of the constants" in asked("parameters", LORENZ, "x+y^2")
 
 
-def test_cases_that_only_real_numbers_exclude(capsys, tmp_path):
-    file = tmp_path / "cycle.py"
-    field = r"\dot x=-y+x(1-x^2-y^2),\quad \dot y=x+y(1-x^2-y^2)"
-    file.write_text(f"from kowalevski_cas import System\ncycle = System(r'{field}')\n")
-    assert main(["find", "parameters", str(file), "x+Ay"]) == 0
-    assert "proved  F' = KF for no values of the constants" in capsys.readouterr().out
+@pytest.mark.parametrize(
+    ("polynomial", "said"),
+    [("x^2+y^2", "nothing is to be determined"), ("A", "no variable stands in the polynomial")],
+)
+def test_what_depends_on_no_unknown_is_no_question(system, capsys, polynomial, said):
+    circle = system(r"\dot x=y,\quad \dot y=-x")
+    assert main(["find", "parameters", circle, polynomial]) == 2
+    assert said in capsys.readouterr().err
+
+
+def test_cases_that_only_real_numbers_exclude(asked):
+    lines = asked("parameters", r"\dot x=-y+x(1-x^2-y^2),\quad \dot y=x+y(1-x^2-y^2)", "x+Ay")
+    assert "proved  F' = KF for no values of the constants" in lines
 
 
 def test_a_large_question_is_said_to_be_large_beforehand_and_what_was_found_in_time_is_kept(
-    tmp_path, capsys, monkeypatch
+    system, capsys, monkeypatch
 ):
     monkeypatch.undo()
-    file = tmp_path / "nahm.py"
-    field = r"\dot x=yz,\quad \dot y=zx,\quad \dot z=xy"
-    file.write_text(f"from kowalevski_cas import System\nnahm = System(r'{field}')\n")
-    assert main(["find", "darboux", str(file), "--degree", "50", "--timeout", "0.5"]) == 3
+    nahm = system(r"\dot x=yz,\quad \dot y=zx,\quad \dot z=xy")
+    assert main(["find", "darboux", nahm, "--degree", "50", "--timeout", "0.5"]) == 3
     said = capsys.readouterr()
     assert "3 variables have 23426 monomials up to degree 50: the search ends before" in said.err
     *found, number = said.out.splitlines()
     assert number == f"{len(found)} found" != "0 found"
-    assert main(["find", "integrals", str(file), "--degree", "25", "--timeout", "0.1"]) == 3
+    assert main(["find", "integrals", nahm, "--degree", "25", "--timeout", "0.1"]) == 3
     said = capsys.readouterr().err
     assert "3 variables have 3276 monomials up to degree 25: it may take" in said
     assert "give it more time" in said
@@ -141,25 +153,8 @@ def test_the_relations_of_the_paper_and_a_third_one_that_needs_no_condition(caps
     assert found[4]["says"].startswith("the symmetric square of y'' = qy with $q=")
 
 
-LORENZ = r"""
-from kowalevski_cas.paper.claims import Identity
-from kowalevski_cas.paper.derivation import Derivation, Scene, Section
-
-section = Section("1", "The field")
-motion = section.display(
-    "motion", r"\dot x=\sigma(y-x),\quad \dot y=\rho x-y-xz,\quad \dot z=xy-bz"
-)
-scene = Scene("Lorenz").having(variables=("x", "y", "z"), constants=(r"\sigma", r"\rho", "b"))
-section.states(Identity, motion[1], on=scene.moving(motion), says="the motion")
-derivation = Derivation("lorenz", "Lorenz", "", "", (section,))
-"""
-
-
-def test_darboux_polynomials_and_the_constants_for_which_there_are_some(tmp_path, capsys):
-    (tmp_path / "lorenz").mkdir()
-    (tmp_path / "lorenz" / "__init__.py").write_text(LORENZ, encoding="utf-8")
-    assert main(["find", "darboux", str(tmp_path / "lorenz"), "--special"]) == 0
-    lines = capsys.readouterr().out.splitlines()
+def test_darboux_polynomials_and_the_constants_for_which_there_are_some(asked):
+    lines = asked("darboux", LORENZ, "--special")
     assert "proved  F' = KF with K = −2σ where b = 2σ:  d/dt(x² − 2zσ) = (−2σ)(x² − 2zσ)" in [
         line.replace("K=", "K = ") for line in lines
     ]
@@ -181,75 +176,50 @@ def test_kowalevski_exponents_of_two_fields(capsys):
     assert [len(one["computed"]) for one in found] == [2] * len(found)
 
 
-def test_the_steps_of_exponents_are_printed_only_if_they_are_asked_for(tmp_path, capsys):
-    file = tmp_path / "henon_heiles.py"
+def test_the_steps_of_exponents_are_printed_only_if_they_are_asked_for(asked):
     field = r"\dot x=u,\quad \dot y=v,\quad \dot u=-2xy,\quad \dot v=-x^2-6y^2"
-    file.write_text(f"from kowalevski_cas import System\nheiles = System(r'{field}')\n")
-    words = ["find", "exponents", str(file)]
-    assert main(words) == 0
-    short = capsys.readouterr().out.splitlines()
+    short, full = asked("exponents", field), asked("exponents", field, "-v")
     assert max(map(len, short)) < 400 and "counts" not in "".join(short[1:])
     assert [line.split()[0] for line in short[:4]] == ["proved", "proved", "computed", "computed"]
-    assert main([*words, "-v"]) == 0
-    full = capsys.readouterr().out.splitlines()
     assert all(long.startswith(line) for line, long in zip(short, full, strict=True))
     assert sum("det(" in line for line in full) == sum("balance" in line for line in short) == 2
 
 
-def test_without_a_degree_the_largest_exponent_is_taken(tmp_path, capsys):
-    file = tmp_path / "toda.py"
+def test_without_a_degree_the_largest_exponent_is_taken(asked):
     field = r"\dot a=2a(v-u),\; \dot b=2b(w-v),\; \dot u=2a,\; \dot v=2b-2a,\; \dot w=-2b"
-    file.write_text(f"from kowalevski_cas import System\ntoda = System(r'{field}')\n")
-    assert main(["find", "integrals", str(file), "--weighted"]) == 0
-    *found, every, _ = capsys.readouterr().out.splitlines()
+    *found, every, _ = asked("integrals", field, "--weighted")
     assert len(found) == 3 and "up to degree 3 is a polynomial in these" in every
 
 
-def test_the_painleve_test_of_the_lorenz_equations(tmp_path, capsys):
-    file = tmp_path / "lorenz.py"
-    field = r"\dot x=\sigma(y-x),\quad \dot y=\rho x-y-xz,\quad \dot z=xy-bz"
-    file.write_text(f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n")
-    assert main(["find", "exponents", str(file), "--write"]) == 0
-    printed = capsys.readouterr().out
+def test_the_painleve_test_of_the_lorenz_equations(asked, tmp_path):
+    printed = "\n".join(asked("exponents", LORENZ, "--write"))
     assert (
         "passed where σ = 1/2, b = 1, ρ = 0, or σ = 1, b = 2, ρ = 1/9, or σ = 1/3, b = 0;"
         in printed
     )
     assert "are not critical here has weight 2 or 4" in printed
-    assert "Painlev" not in file.read_text()
+    assert "Painlev" not in (tmp_path / "system.py").read_text()
 
 
-def test_an_integral_with_an_exponential_factor(tmp_path, capsys):
-    file = tmp_path / "node.py"
-    field = r"\dot x=x^2,\quad \dot y=y(1+x)"
-    file.write_text(f"from kowalevski_cas import System\nnode = System(r'{field}')\n")
-    assert main(["find", "darboux", str(file), "--degree", "1"]) == 0
-    lines = capsys.readouterr().out.splitlines()
+def test_an_integral_with_an_exponential_factor(asked):
+    lines = asked("darboux", r"\dot x=x^2,\quad \dot y=y(1+x)", "--degree", "1")
     assert all(line.split()[0] in ("proved", "conditional") for line in lines[:-1])
     assert "so exp(1/x) is an exponential factor" in lines[2]
     assert "y exp(1/x) is constant along every motion" in lines[3]
 
 
 @pytest.mark.parametrize("question", sampled(["integrals", "darboux"], 1))
-def test_several_processes_print_what_one_does(tmp_path, capsys, monkeypatch, question):
+def test_several_processes_print_what_one_does(asked, monkeypatch, question):
     monkeypatch.undo()
-    file = tmp_path / "volterra.py"
     field = r"\dot x=x(y-cz),\quad \dot y=y(z-x),\quad \dot z=z(cx-y)"
-    file.write_text(f"from kowalevski_cas import System\nchain = System(r'{field}')\n")
-    printed = []
-    for jobs in ("1", "3"):
-        assert main(["find", question, str(file), "--degree", "3", "--jobs", jobs]) == 0
-        printed.append(capsys.readouterr().out)
-    assert printed[0] == printed[1] and int(printed[0].split()[-2]) > 1
+    one, three = (asked(question, field, "--degree", "3", "--jobs", jobs) for jobs in "13")
+    assert one == three and len(one) > 2
 
 
 @pytest.mark.slow
-def test_a_cluster_prints_what_one_process_does(tmp_path, capfd):
+def test_a_cluster_prints_what_one_process_does(system, capfd):
     distributed = pytest.importorskip("distributed")
-    file = tmp_path / "lorenz.py"
-    field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-bz"
-    file.write_text(f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n")
-    words, printed = ["find", "darboux", str(file), "--degree", "3", "--special"], []
+    words, printed = ["find", "darboux", system(LORENZ), "--degree", "3", "--special"], []
     cluster = distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None)
     with cluster:
         for more in ([], ["--scheduler", cluster.scheduler_address]):
@@ -259,13 +229,13 @@ def test_a_cluster_prints_what_one_process_does(tmp_path, capfd):
 
 
 @pytest.mark.slow
-def test_a_search_goes_on_from_what_was_found_when_its_time_was_over(tmp_path, capsys, monkeypatch):
+def test_a_search_goes_on_from_what_was_found_when_its_time_was_over(
+    system, tmp_path, capsys, monkeypatch
+):
+    monkeypatch.undo()
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     monkeypatch.setattr("kowalevski_cas.pool.BATCH", 0)
-    file = tmp_path / "lorenz.py"
-    field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-bz"
-    file.write_text(f"from kowalevski_cas import System\nlorenz = System(r'{field}')\n")
-    words = ["find", "darboux", str(file), "--degree", "4", "--special", "--jobs", "1"]
+    words = ["find", "darboux", system(LORENZ), "--degree", "4", "--special", "--jobs", "1"]
     old = tmp_path / "cache" / "kowalevski-cas" / "old"
     old.parent.mkdir(parents=True)
     old.touch()
@@ -277,40 +247,32 @@ def test_a_search_goes_on_from_what_was_found_when_its_time_was_over(tmp_path, c
     assert not [*(tmp_path / "cache").rglob("*/*")]
 
 
-def test_what_is_written_to_the_file_is_proved_there(tmp_path, capsys):
-    file = tmp_path / "special.py"
-    field = r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-2sz"
-    file.write_text(f"from kowalevski_cas import System\nspecial = System(r'{field}')\n")
+def test_what_is_written_to_the_file_is_proved_there(system, capsys):
+    file = system(r"\dot x=s(y-x),\quad \dot y=rx-y-xz,\quad \dot z=xy-2sz")
     for question in ("darboux", "integrals"):
-        assert main(["find", question, str(file), "--write"]) == 0
+        assert main(["find", question, file, "--write"]) == 0
     capsys.readouterr()
-    assert main(["verify", str(file)]) == 0
+    assert main(["verify", file]) == 0
     assert "3 claims: " in capsys.readouterr().out
     assert main([*CASE, "--degree", "1", "--write"]) == 2
     assert "--write needs a file in which a System" in capsys.readouterr().err
 
 
-def test_what_has_constants_of_its_own_is_written_and_certified_too(tmp_path, capsys):
-    file = tmp_path / "found.py"
-    field = r"\dot x=y,\quad \dot y=6x^2+c"
-    file.write_text(f"from kowalevski_cas import System\nelliptic = System(r'{field}')\n")
-    assert main(["find", "exponents", str(file), "--write"]) == 0
-    assert main(["find", "parameters", str(file), "y^2+Ax^3+Bx", "--write"]) == 0
-    lines = file.read_text().splitlines()
-    assert r"elliptic.having('\\rho').states(" in lines[-5]
-    assert "elliptic.having('A', 'B', " in lines[-1]
+def test_what_has_constants_of_its_own_is_written_and_certified_too(system, tmp_path, capsys):
+    file = system(r"\dot x=y,\quad \dot y=6x^2+c")
+    assert main(["find", "exponents", file, "--write"]) == 0
+    assert main(["find", "parameters", file, "y^2+Ax^3+Bx", "--write"]) == 0
+    lines = (tmp_path / "system.py").read_text().splitlines()
+    assert r"system.having('\\rho').states(" in lines[-5]
+    assert "system.having('A', 'B', " in lines[-1]
     for command in ("verify", "record", "check"):
-        assert main([command, str(file)]) == 0
+        assert main([command, file]) == 0
     assert "CERTIFIED 4 of 4" in capsys.readouterr().out
 
 
-def test_what_is_found_is_certified(capsys, tmp_path):
-    file = tmp_path / "oscillator.py"
-    file.write_text(
-        "from kowalevski_cas import System\n"
-        "top = System(r'\\dot x=v,\\quad \\dot v=-kx')\n"
-        "top.find_closure('x')\ntop.conditions('v^2+Ax^2')\n"
-    )
-    assert main(["record", str(file)]) == 0
-    assert main(["check", str(file)]) == 0
+def test_what_is_found_is_certified(system, capsys):
+    found = "system.find_closure('x')\nsystem.conditions('v^2+Ax^2')\n"
+    file = system(r"\dot x=v,\quad \dot v=-kx", found)
+    for command in ("record", "check"):
+        assert main([command, file]) == 0
     assert "CERTIFIED 7 of 7" in capsys.readouterr().out

@@ -52,9 +52,7 @@ def test_all_that_a_derivation_says_and_states_is_printed_everywhere(name):
     formulas = {s.formula for d in derivation.displays() for s in texts.statements(d)}
     said = [derivation.title, *(section.title for section in derivation.sections)]
     said += [claim.words for claim in derivation.claims]
-    said += [
-        words for s in derivation.scenes() for words in (s.words, *(at.words for at in s.loci))
-    ]
+    said += [locus.words for scene in derivation.scenes() for locus in scene.loci]
     for text in said:
         runs = read_prose(text, texts.vocabulary)
         assert "$" not in "".join(run for run in runs if isinstance(run, str))

@@ -15,7 +15,6 @@ from kowalevski_cas.notation import Application, Formula, Negative, Number, to_l
 from kowalevski_cas.paper.claims import Equilibria
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial, Roots
-from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.explain import counterexample
 from kowalevski_cas.verify.outcome import Counterexample, Point, Verdict
 from kowalevski_cas.verify.run import Session
@@ -139,10 +138,3 @@ def test_the_eliminant_is_a_biquadratic(session) -> None:
     a2, b2 = a2 * a2, b2 * b2
     assert (coefficients[2] + (a2 + b2) * at.ring.number(2)).is_zero
     assert (coefficients[0] - (a2 - b2) ** 2 - c * c * at.ring.number(4)).is_zero
-
-
-def test_what_is_negative_somewhere_is_no_sum_of_squares() -> None:
-    one = Fraction(1)
-    assert sum_of_squares({(2, 0): one, (1, 1): 3 * one, (0, 2): one}) is None
-    assert sum_of_squares({(2, 0): one, (1, 1): one, (0, 2): one}) is not None
-    assert sum_of_squares({(2, 0): one, (0, 1): one}) is None

@@ -101,13 +101,12 @@ def test_the_same_proof_is_accepted_where_there_is_a_point():
 
 
 @pytest.mark.parametrize("exponent", [65, 10**9, 10**30, -1, True, 2.0, "x", None])
-@pytest.mark.parametrize("base", ["x", ["+", "x", "y"], 2, ["^", ["+", "x", 1], 64]])
-def test_evidence_with_huge_powers(exponent, base):
-    problem = follows([["y", 7]])
-    entry = {"cofactors": [[["^", base, exponent]]]}
-    entry["point"] = {"roots": [], "values": [["x", 0], ["y", 7]]}
-    with pytest.raises(FormatError):
-        judged(problem, entry)
+def test_evidence_with_huge_powers(exponent):
+    for base in ("x", ["+", "x", "y"], 2, ["^", ["+", "x", 1], 64]):
+        entry = {"cofactors": [[["^", base, exponent]]]}
+        entry["point"] = {"roots": [], "values": [["x", 0], ["y", 7]]}
+        with pytest.raises(FormatError):
+            judged(follows([["y", 7]]), entry)
 
 
 def test_evidence_with_powers_of_powers():

@@ -123,6 +123,7 @@ def test_what_is_negative_somewhere_is_no_sum_of_squares():
     one = Fraction(1)
     assert sum_of_squares({(2, 0): one, (0, 2): -one}) is None
     assert sum_of_squares({(2, 0): one, (1, 1): 3 * one, (0, 2): one}) is None
+    assert sum_of_squares({(2, 0): one, (0, 1): one}) is None
     assert sum_of_squares({(1, 0): one}) is None
 
 
