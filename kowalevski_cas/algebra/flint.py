@@ -69,9 +69,11 @@ class Arithmetic(Polynomials):
     def composed(
         self, polynomial: fmpq_mpoly, values: Sequence[fmpq_mpoly], target: Polynomials
     ) -> fmpq_mpoly:
-        return (
-            polynomial.compose(*values) if values else super().composed(polynomial, values, target)
-        )
+        if values:
+            image = polynomial.compose(*values)
+        else:
+            image = target.constant(self.terms(polynomial).get((), Fraction(0)))
+        return image
 
     def is_monomial(self, polynomial: fmpq_mpoly) -> bool:
         return len(polynomial) == 1

@@ -148,6 +148,8 @@ class Substitution:
         if self._gaussian is not None:
             target = self.numbers.polynomials
             composed = self.ring.polynomials.composed(polynomial, self._gaussian, target)
+            if not target.occurring(composed):
+                return self.numbers.element({0: composed}, {})
             return _reduced(target.terms(composed), self.numbers)
         total = self.numbers.zero
         for exponents, coefficient in self.ring.polynomials.terms(polynomial).items():

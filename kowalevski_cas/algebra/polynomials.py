@@ -10,8 +10,6 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
-from functools import reduce
-from operator import itemgetter, mul
 from typing import Any
 
 Polynomial = Any
@@ -50,20 +48,11 @@ class Polynomials(ABC):
     def derivative(self, polynomial: Polynomial, index: int) -> Polynomial:
         """The partial derivative by the generator with this index."""
 
+    @abstractmethod
     def composed(
         self, polynomial: Polynomial, values: Sequence[Polynomial], target: Polynomials
     ) -> Polynomial:
         """The polynomial with polynomials of ``target`` in place of its generators."""
-        total, powers = target.zero, dict[tuple[int, int], Polynomial]()
-        for exponents, coefficient in self.terms(polynomial).items():
-            product = target.constant(coefficient)
-            for power in filter(itemgetter(1), enumerate(exponents)):
-                if power not in powers:
-                    place, exponent = power
-                    powers[power] = reduce(mul, [values[place]] * exponent)
-                product = product * powers[power]
-            total = total + product
-        return total
 
     @abstractmethod
     def is_monomial(self, polynomial: Polynomial) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
@@ -43,7 +44,8 @@ class Scaled:
         return self + -other
 
     def __mul__(self, other: Scaled) -> Scaled:
-        return _lowest(self.whole * other.whole, self.below * other.below)
+        whole = self.whole.square() if self is other else self.whole * other.whole
+        return _lowest(whole, self.below * other.below)
 
     def __bool__(self) -> bool:
         return bool(self.whole)
@@ -53,6 +55,11 @@ def _lowest(whole: PolyElement, below: int) -> Scaled:
     if below > 1 and (common := gcd(below, *whole.values())) > 1:
         return Scaled(whole.quo_ground(common), below // common)
     return Scaled(whole, below)
+
+
+def _plain(whole: PolyElement) -> PolyElement | int:
+    """A polynomial, or the number that it is."""
+    return whole.const() if whole.is_ground else whole
 
 
 class Arithmetic(Polynomials):
@@ -74,6 +81,20 @@ class Arithmetic(Polynomials):
 
     def derivative(self, polynomial: Scaled, index: int) -> Scaled:
         return _lowest(polynomial.whole.diff(index), polynomial.below)
+
+    def composed(self, polynomial: Scaled, values: Sequence[Scaled], target: Polynomials) -> Scaled:
+        below = lcm(*(value.below for value in values))
+        images = [_plain(value.whole * (below // value.below)) for value in values]
+        degree = max(map(sum, polynomial.whole), default=0)
+        total = 0
+        for exponents, coefficient in polynomial.whole.items():
+            product = coefficient * below ** (degree - sum(exponents))
+            for image, exponent in zip(images, exponents, strict=True):
+                if exponent:
+                    product = product * image**exponent
+            total = total + product
+        assert isinstance(target, Arithmetic)
+        return _lowest(target.ring(total), polynomial.below * below**degree)
 
     def is_monomial(self, polynomial: Scaled) -> bool:
         return len(polynomial.whole) == 1

@@ -11,8 +11,9 @@ for zero is the test that every :math:`p_m` vanishes.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
+from operator import add, sub
 
 from kowalevski_cas.algebra.polynomials import Coefficients, Polynomial, Polynomials, Terms
 
@@ -84,29 +85,37 @@ class Ring:
             return right if left is one else left
         return left * right
 
-    def add_parts(self, left: Parts, right: Parts) -> Parts:
-        """The sum of two numerators, without what vanishes."""
-        result = dict(left)
+    def combined(
+        self, left: Parts, right: Parts, combine: Callable[[Polynomial, Polynomial], Polynomial]
+    ) -> Parts:
+        """The sum or the difference of two numerators, without what vanishes."""
+        result, zero = dict(left), self.polynomials.zero
         for mask, p in right.items():
-            own = result.get(mask)
-            if own is None:
-                result[mask] = p
-            elif total := own + p:
+            if total := combine(result.get(mask, zero), p):
                 result[mask] = total
             else:
-                del result[mask]
+                result.pop(mask, None)
         return result
 
     def multiply_parts(self, left: Parts, right: Parts) -> Parts:
         """The product of two numerators, the roots reduced by their squares."""
-        result: Parts = {}
+        products: dict[tuple[int, int], Polynomial] = {}
         for mask, p in left.items():
             for other, q in right.items():
-                product = {mask ^ other: self.multiply(p, q)}
-                if mask & other:
-                    product = self.multiply_parts(product, self._square(mask & other))
-                for key, value in product.items():
-                    result[key] = result[key] + value if key in result else value
+                if left is right and mask > other:
+                    continue  # the pair comes once more, the other way round
+                product = self.multiply(p, q)
+                if left is right and mask < other:
+                    product = product + product
+                pair = mask & other, mask ^ other
+                products[pair] = products[pair] + product if pair in products else product
+        result: Parts = {}
+        for (twice, mask), product in products.items():
+            parts = {mask: product}
+            if twice:
+                parts = self.multiply_parts(parts, self._square(twice))
+            for key, value in parts.items():
+                result[key] = result[key] + value if key in result else value
         return result
 
     def _square(self, mask: int) -> Parts:
@@ -172,15 +181,21 @@ class Element:
         return not self.parts
 
     def __add__(self, other: Element) -> Element:
+        return self._combined(other, add) if self.parts or self.denominator else other
+
+    def __sub__(self, other: Element) -> Element:
+        return self._combined(other, sub)
+
+    def _combined(
+        self, other: Element, combine: Callable[[Polynomial, Polynomial], Polynomial]
+    ) -> Element:
         left, right = self.denominator, other.denominator
-        if not self.parts and not left:
-            return other
         if not other.parts and not right:
             return self
         if left == right:
-            return Element(self.ring, self.ring.add_parts(self.parts, other.parts), left)
+            return Element(self.ring, self.ring.combined(self.parts, other.parts, combine), left)
         common = {k: max(left.get(k, 0), right.get(k, 0)) for k in (*left, *right)}
-        parts = self.ring.add_parts(self._over(common), other._over(common))
+        parts = self.ring.combined(self._over(common), other._over(common), combine)
         return Element(self.ring, parts, common)
 
     def _over(self, denominator: Mapping[int, int]) -> Parts:
@@ -193,9 +208,6 @@ class Element:
 
     def __neg__(self) -> Element:
         return Element(self.ring, {m: -p for m, p in self.parts.items()}, self.denominator)
-
-    def __sub__(self, other: Element) -> Element:
-        return self + (-other)
 
     def __mul__(self, other: Element) -> Element:
         ring = self.ring

@@ -114,19 +114,20 @@ class Fold(ABC):
         """The left sides minus the right sides, component by component."""
         return [left - right for left, right in self.pairs(equations)]
 
-    def polynomial(self, formula: Sum) -> Element | None:
-        """The value of a sum of monomials in generators, which is what searches find."""
+    def polynomial(self, formula: Sum) -> tuple[list[Element], list[Formula]]:
+        """The sum of those terms that are monomials in generators, if any, and the other terms."""
         places = self._places
         if not places:
-            return None
-        terms: dict[tuple[int, ...], int] = {}
+            return [], [*formula.terms]
+        found: dict[tuple[int, ...], int | Fraction] = {}
+        others = []
         for term in formula.terms:
-            monomial = _monomial(term, places)
-            if monomial is None:
-                return None
-            exponents, value = monomial
-            terms[exponents] = terms.get(exponents, 0) + value
-        return self.ring.from_terms({0: terms})
+            if (monomial := _monomial(term, places)) is None:
+                others.append(term)
+            else:
+                exponents, value = monomial
+                found[exponents] = found.get(exponents, 0) + value
+        return [self.ring.from_terms({0: found})] if found else [], others
 
     @cached_property
     def _places(self) -> dict[str, int]:
@@ -135,9 +136,11 @@ class Fold(ABC):
         return {name: k for k, name in enumerate(names)} if names == self.names else {}
 
 
-def _monomial(formula: Formula, places: Mapping[str, int]) -> tuple[tuple[int, ...], int] | None:
+def _monomial(
+    formula: Formula, places: Mapping[str, int]
+) -> tuple[tuple[int, ...], int | Fraction] | None:
     """The exponents and the coefficient of a product of numbers and powers of generators."""
-    value = 1
+    value: int | Fraction = 1
     if isinstance(formula, Negative):
         value, formula = -value, formula.argument
     exponents = [0] * len(places)
@@ -149,9 +152,18 @@ def _monomial(formula: Formula, places: Mapping[str, int]) -> tuple[tuple[int, .
             exponents[places[factor.name]] += power
         elif type(factor) is Number:
             value *= factor.value**power
+        elif isinstance(factor, Quotient) and (number := _fraction(factor)) is not None:
+            value *= number**power
         else:
             return None
     return tuple(exponents), value
+
+
+def _fraction(formula: Quotient) -> Fraction | None:
+    match formula:
+        case Quotient(Number(above), Number(below)) if below:
+            return Fraction(above, below)
+    return None
 
 
 # -- rules -----------------------------------------------------------------------
@@ -188,9 +200,10 @@ def _each(value: Value, function: Callable[[Element], Element]) -> Value:
 
 
 def _sum(formula: Sum, at: Fold, bar: bool) -> Value:
-    if not bar and (polynomial := at.polynomial(formula)) is not None:
-        return polynomial
-    return reduce(_add, (at(term, bar) for term in formula.terms))
+    if bar:
+        return reduce(_add, (at(term, bar) for term in formula.terms))
+    polynomial, others = at.polynomial(formula)
+    return reduce(_add, [*polynomial, *map(at, others)])
 
 
 def _product(formula: Product, at: Fold, bar: bool) -> Value:

@@ -42,8 +42,9 @@ class Sampled(Evaluation):
             self._memory[key] = formula, super().__call__(formula, conjugated)
         return self._memory[key][1]
 
-    def polynomial(self, formula: Sum) -> None:
-        """Nothing: a program is never expanded."""
+    def polynomial(self, formula: Sum) -> tuple[list[Element], list[Formula]]:
+        """Nothing and all terms: a program is never expanded."""
+        return [], [*formula.terms]
 
     def carry(self, element: Element) -> Program:
         """An exact element as a program."""

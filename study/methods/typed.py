@@ -156,8 +156,9 @@ class Typed(Evaluation):
             other = left if right == Name(constant) else right
             self._values[constant, False] = self.scalar(other)
 
-    def polynomial(self, formula: Sum) -> None:
-        """Nothing: a sum stays as it is typed."""
+    def polynomial(self, formula: Sum) -> tuple[list[Element], list[Formula]]:
+        """Nothing and all terms: a sum stays as it is typed."""
+        return [], [*formula.terms]
 
     def root(self, argument: Formula, conjugated: bool = False) -> Element:
         value = self.scalar(argument, conjugated)

@@ -118,6 +118,28 @@ def test_evaluation_at_a_point_is_a_homomorphism(ring, a, b, at):
 
 
 @every_ring
+@given(terms(), terms(), st.tuples(terms(2), terms(2), terms(2)))
+def test_polynomials_in_place_of_generators_are_a_homomorphism(ring, a, b, images):
+    p, q = ring.from_terms(a), ring.from_terms(b)
+    values = [ring.from_terms(image) for image in images]
+
+    def image(polynomial):
+        return ring.composed(polynomial, values, ring)
+
+    assert [image(ring.generator(k)) for k in range(3)] == values
+    assert image(ring.one) == ring.one
+    assert image(p * q) == image(p) * image(q)
+    assert image(p - q) == image(p) - image(q)
+
+
+@pytest.mark.parametrize("name", EXACT)
+@given(fractions)
+def test_a_number_without_generators_is_the_same_among_others(name, number):
+    plain, target = load(name)(()), RINGS[name]
+    assert plain.composed(plain.constant(number), [], target) == target.constant(number)
+
+
+@every_ring
 def test_a_power_of_a_sum_has_binomial_coefficients(ring):
     power = ring.one
     for _ in range(6):
