@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from fractions import Fraction
 
-from kowalevski_cas.algebra.factors import irreducible_factors
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Power, Product, Quotient
 from kowalevski_cas.paper.meaning import Meaning
@@ -43,6 +42,8 @@ def _below(formulas: Iterable[Formula]) -> Iterator[Formula]:
 
 def factors_of(element: Element) -> set[Shape]:
     """The irreducible factors of a numerator, as far as no root stands in it."""
+    from kowalevski_cas.algebra.factors import irreducible_factors  # only deciding needs FLINT
+
     irreducible = irreducible_factors(element.terms()[0]) if 0 in element.terms() else []
     return {shape_of(element.ring.from_terms({0: terms})) for terms, _ in irreducible}
 
