@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from fractions import Fraction
+from itertools import compress
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -13,7 +13,7 @@ from kowalevski_cas.algebra.hermite import hermite_minors
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import formula_in, fraction_formula, polynomial_formula
 from kowalevski_cas.algebra.tower import Element, Ring
-from kowalevski_cas.notation import Formula, Name, Negative, Number, Product
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, total
 from kowalevski_cas.problem.count import eliminant_value, solved_rests
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Factor, Point, Roots
@@ -24,12 +24,9 @@ from kowalevski_cas.search.eliminants import Eliminant, eliminant
 from kowalevski_cas.search.groebner import remainder
 from kowalevski_cas.search.levels import (
     System,
-    constants_for,
     more_solutions,
-    small_points,
-    solution,
+    solutions,
     system_of,
-    value,
     written_point,
 )
 from kowalevski_cas.search.place import PointFinder
@@ -63,20 +60,13 @@ class Builder:
 
     def roots(self) -> Roots | None:
         """The evidence; ``None`` if not all minors are sums of squares, or a step fails."""
-        form = polynomial_formula(
-            {
-                tuple(int(j == k) for j in range(len(self.system.unknowns))): Fraction(c)
-                for k, c in enumerate(self.found.form)
-                if c
-            },
-            [Name(name) for name in self.system.unknowns],
-        )
+        chosen = compress(self.system.unknowns, self.found.form)
         solved = self._solved()
         if solved is None:
             return None
         draft = Roots(
             root=self.root,
-            form=form,
+            form=total(map(Name, chosen)),
             eliminant=tuple(map(self.formula, self._coefficients())),
             solved=tuple(solved),
             rows=(),
@@ -239,16 +229,8 @@ class Builder:
 
     def _point(self, factors: Sequence[Element]) -> Point | None:
         """A solution in small whole numbers, with its constants."""
-        levels = [self.system.terms(level) for level in self.system.levels]
-        for point, values in small_points(levels, len(self.system.unknowns)):
-            constants = constants_for(self.system, values)
-            if constants is None:
-                continue
-            found = solution(self.system, point, constants)
-            at = {n: found.get(n, Fraction(0)) for n in self.at.names}
-            row = [at[n] for n in self.at.names]
-            numbers = [value(e.terms().get(0, {}), row) for e in (*factors, *self.at.granted)]
-            if all(numbers):
+        for found in solutions(self.system):
+            if all(self.system.value(factor, found) for factor in factors):
                 return written_point(found)
         return None
 

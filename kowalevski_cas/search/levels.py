@@ -6,7 +6,7 @@ in the other variables equal to expressions in the constants.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
@@ -28,8 +28,6 @@ from kowalevski_cas.search.points import eliminate
 LARGEST = 4
 """The largest coordinate of the points that are tried."""
 
-Values = tuple[Fraction, ...]
-
 
 @dataclass
 class System:
@@ -49,6 +47,11 @@ class System:
         places = [self.at.names.index(name) for name in self.unknowns]
         terms = self.at.ring.polynomials.terms(polynomial)
         return {tuple(e[k] for k in places): v for e, v in terms.items()}
+
+    def value(self, element: Element, found: Mapping[str, Fraction]) -> Fraction:
+        """The value of an element at a solution."""
+        row = [found.get(name, Fraction(0)) for name in self.at.names]
+        return value(element.terms().get(0, {}), row)
 
 
 def system_of(goal: Count, at: Evaluation) -> System | None:
@@ -84,26 +87,40 @@ def _through(solved: list[tuple[str, fmpq_mpoly]], at: Evaluation) -> list[tuple
     return found[::-1]
 
 
-def constants_for(system: System, values: Values) -> dict[str, Fraction] | None:
+def solutions(system: System) -> Iterator[dict[str, Fraction]]:
+    """Solutions in small whole numbers, where the scene makes sense; the smallest first."""
+    numbers = [Fraction(n) for n in range(-LARGEST, LARGEST + 1)]
+    levels = [system.terms(level) for level in system.levels]
+    solved = [(name, system.terms(expression)) for name, expression in system.solved]
+    grid = product(numbers, repeat=len(system.unknowns))
+    for point in sorted(grid, key=lambda p: (max(map(abs, p)), sum(map(abs, p)))):
+        constants = _constants(system, [value(level, point) for level in levels])
+        if constants is not None:
+            own = dict(zip(system.unknowns, point, strict=True))
+            found = own | {name: value(terms, point) for name, terms in solved} | constants
+            if all(system.value(element, found) for element in system.at.granted):
+                yield found
+
+
+def _constants(system: System, values: Sequence[Fraction]) -> dict[str, Fraction] | None:
     """Constants for which the levels have these values: each names one constant, or its square."""
-    found = {}
+    found: dict[str, Fraction] = {}
     for element, number in zip(system.values, values, strict=True):
-        ((exponents, lead),) = element.terms()[0].items()
-        name, power = next((system.at.names[k], e) for k, e in enumerate(exponents) if e)
-        size = number / lead
-        root = size if power == 1 else square_root(size) if power == 2 else None
-        if root is None or sum(exponents) != power:
+        if element.is_zero:
+            if number:
+                return None
+            continue
+        (exponents, lead), *more = element.terms()[0].items()
+        match [(n, e) for n, e in zip(system.at.names, exponents, strict=True) if e]:
+            case [(name, 1)]:
+                root: Fraction | None = number / lead
+            case [(name, 2)]:
+                root = square_root(number / lead)
+            case _:
+                return None
+        if more or root is None or found.setdefault(name, root) != root:
             return None
-        found[name] = root
     return found
-
-
-def solution(system: System, point: Values, constants: dict[str, Fraction]) -> dict[str, Fraction]:
-    """All names at a point of the unknowns."""
-    own = dict(zip(system.unknowns, point, strict=True))
-    for name, expression in system.solved:
-        own[name] = value(system.terms(expression), point)
-    return own | constants
 
 
 def written_point(values: dict[str, Fraction]) -> Point:
@@ -117,52 +134,19 @@ def value(terms: Mapping[tuple[int, ...], Fraction], at: Sequence[Fraction | int
     return sum(values, Fraction(0))
 
 
-def small_points(levels: Sequence[Terms], size: int) -> Iterator[tuple[Values, Values]]:
-    """Points with small integer coordinates, and what the levels are there; small ones first."""
-    numbers = [Fraction(n) for n in range(-LARGEST, LARGEST + 1)]
-    grid = product(numbers, repeat=size)
-    for point in sorted(grid, key=lambda p: (max(map(abs, p)), sum(map(abs, p)))):
-        yield point, tuple(value(level, point) for level in levels)
-
-
-def many(
-    levels: Sequence[Terms], size: int, count: int, usable: Callable[[Values], bool]
-) -> list[Values] | None:
-    """``count`` points with the same usable values of the levels."""
-    groups: dict[Values, list[Values]] = {}
-    for point, values in small_points(levels, size):
-        if usable(values):
-            group = groups.setdefault(values, [])
-            group.append(point)
-            if len(group) == count:
-                return group
-    return None
-
-
 def more_solutions(
     goal: Count, finder: PointFinder, zero: Sequence[Element] = ()
 ) -> Solutions | None:
     """One solution too many, all in small whole numbers, for constants where ``zero`` vanish."""
-    at = finder.of(goal.space)
-    system = system_of(goal, at)
+    system = system_of(goal, finder.of(goal.space))
     if system is None:
         return None
-    granted = at.granted
-
-    def usable(values: Values) -> bool:
-        constants = constants_for(system, values)
-        if constants is None:
-            return False
-        row = [constants.get(name, Fraction(0)) for name in at.names]
-        return all(value(g.terms().get(0, {}), row) for g in granted) and not any(
-            value(z.terms().get(0, {}), row) for z in zero
-        )
-
-    levels = [system.terms(level) for level in system.levels]
-    points = many(levels, len(system.unknowns), goal.number + 1, usable)
-    if points is None:
-        return None
-    values = tuple(value(level, points[0]) for level in levels)
-    constants = constants_for(system, values)
-    assert constants is not None
-    return Solutions(tuple(written_point(solution(system, p, constants)) for p in points))
+    groups: dict[tuple[Fraction, ...], list[dict[str, Fraction]]] = {}
+    for found in solutions(system):
+        if not any(system.value(element, found) for element in zero):
+            still = (found.get(name, Fraction(0)) for name in system.at.setting.constants)
+            group = groups.setdefault(tuple(still), [])
+            group.append(found)
+            if len(group) > goal.number:
+                return Solutions(tuple(map(written_point, group)))
+    return None

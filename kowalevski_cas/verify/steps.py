@@ -19,7 +19,6 @@ from kowalevski_cas.notation import (
     Relation,
     Sum,
     Vector,
-    times,
     total,
 )
 from kowalevski_cas.paper.claims import Claim, Dimension
@@ -29,7 +28,7 @@ from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, 
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.verify.outcome import Step
-from kowalevski_cas.verify.shown import point, shown, size, written
+from kowalevski_cas.verify.shown import flat_product, point, scaled, shown, size, written
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
 LONGEST = 24
@@ -139,7 +138,7 @@ def _cases(proof: Proof, at: Evaluation) -> Step:
     if size(element for group in groups for element in group) > LONGEST:
         return Step(f"{words}, for each of its {len(groups)} factors.")
     factors = [_squares([shown(element, at.setting) for element in group]) for group in groups]
-    return Step(f"{words}, for each factor:", (_equal(_times(factors), ZERO),))
+    return Step(f"{words}, for each factor:", (_equal(flat_product(factors), ZERO),))
 
 
 def _squares(group: Sequence[Formula]) -> Formula:
@@ -160,7 +159,7 @@ def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
     choices = product(*(_differences(one, at) for one in goal.conclusions))
     lefts = [
         Power(left, Number(proof.power)) if proof.power > 1 else left
-        for left in map(_times, choices)
+        for left in map(flat_product, choices)
     ]
     known = _differences(goal.given, at)
     sums = [_sum(row, known, at.setting) for row in rows]
@@ -186,7 +185,7 @@ def _minus(left: Formula, right: Formula) -> Formula:
 
 def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Setting) -> Formula:
     return total(
-        _scaled(shown(entry, setting), one)
+        scaled(shown(entry, setting), one)
         for entry, one in zip(row, known, strict=True)
         if not entry.is_zero
     )
@@ -253,7 +252,7 @@ def _roots(goal: Count, found: Roots) -> Step:
     at, root = finder_of(goal.space), Name(found.root)
     coefficients = [shown(at.scalar(entry), at.setting) for entry in found.eliminant]
     powers = [ONE, root, *(Power(root, Number(k)) for k in range(2, len(coefficients) + 1))]
-    terms = [_scaled(c, p) for c, p in zip(coefficients, powers[:-1], strict=True) if c != ZERO]
+    terms = [scaled(c, p) for c, p in zip(coefficients, powers[:-1], strict=True) if c != ZERO]
     equation = total([powers[-1], *reversed(terms)])
     return Step(
         "The solutions are given by the roots of one equation, all real and distinct:",
@@ -266,16 +265,3 @@ def _roots(goal: Count, found: Roots) -> Step:
 
 def _equal(left: Formula, right: Formula) -> Relation:
     return Relation((left, right), ("=",))
-
-
-def _times(factors: Sequence[Formula]) -> Formula:
-    """A product, without factors that are one, and without a product in it."""
-    flat = [part for f in factors for part in (f.factors if isinstance(f, Product) else (f,))]
-    return times(*flat)
-
-
-def _scaled(coefficient: Formula, factor: Formula) -> Formula:
-    """A product with the sign before it."""
-    if isinstance(coefficient, Negative):
-        return Negative(_scaled(coefficient.argument, factor))
-    return _times([coefficient, factor])

@@ -10,19 +10,23 @@ from kowalevski_cas.problem.checker import Budget, Ring
 
 PRIME = 2**61 - 1
 R, S = 987_654_321, 123_123_123
-POINT = {"x": 5 * S * S * pow(R, -1, PRIME), "y": R * R * pow(3, -1, PRIME), "r": R, "s": S}
-"""Where the roots r² = 3 y and s² = x r / 5 have values."""
+Y = R * R * pow(3, -1, PRIME) % PRIME
+X = 5 * S * S * Y * pow(R, -1, PRIME) % PRIME
+INVERSES = {"u": pow(X - 2 * Y, -1, PRIME), "v": pow(Y, -1, PRIME)}
+POINT = {"x": X, "y": Y, "r": R, "s": S, **INVERSES}
+"""Where the roots r² = 3 y and s² = x r v / 5 have values, with v = 1/y and u = 1/(x - 2 y)."""
 
 numbers = st.fractions(max_denominator=60) | st.integers(-(10**200), 10**200).map(Fraction)
-sums = st.lists(st.tuples(numbers, st.lists(st.sampled_from("xyrs"), max_size=5)), max_size=6)
+sums = st.lists(st.tuples(numbers, st.lists(st.sampled_from("xyrsuv"), max_size=5)), max_size=6)
 
 
 def ring():
-    """Polynomials in x and y and these roots."""
+    """Polynomials in x and y, these inverses and these roots."""
     found = Ring(Budget(10**9))
-    x, y, r, _ = (found.adjoin(name) for name in "xyrs")
+    x, _, y, r, *_ = (found.adjoin(name) for name in "xuyrvs")
+    found.divisors |= {"u": x - y * found.number(2), "v": y}
     found.relate("r", y * found.number(3))
-    found.relate("s", x * r * found.number(Fraction(1, 5)))
+    found.relate("s", x * r * found.generator("v") * found.number(Fraction(1, 5)))
     return found
 
 
@@ -37,13 +41,16 @@ def residue(number):
 
 def value(found):
     """The value at the point; on the way, what an element says of itself has to be true."""
-    powers = {m: found.ring.exponents(m) for m in found.terms}
+    powers, under = {m: found.ring.exponents(m) for m in found.terms}, found.under
     assert all(found.terms.values())
     assert all(e == 1 for both in powers.values() for name, e in both if name in "rs")
+    assert not INVERSES.keys() & {name for both in powers.values() for name, _ in both}
     assert found.below > 0
     assert all(n.bit_length() <= found.bits for n in (found.below, *found.terms.values()))
+    assert {name for name, _ in found.ring.exponents(under)} <= INVERSES.keys()
+    over = prod(POINT[n] ** e for n, e in found.ring.exponents(under))
     terms = (c * prod(POINT[n] ** e for n, e in powers[m]) for m, c in found.terms.items())
-    return sum(terms) * pow(found.below, -1, PRIME) % PRIME
+    return sum(terms) * over * pow(found.below, -1, PRIME) % PRIME
 
 
 @given(sums)
@@ -58,7 +65,7 @@ def test_products_and_combinations(lists, counts):
     found = [element(here, terms) for terms in lists]
     values = [*map(value, found)]
     assert value(here.product(found)) == prod(values) % PRIME
-    combined = here.combination(zip(counts, found, strict=False), below=7)
+    combined = here.combination([*zip(counts, found, strict=False)], below=7)
     expected = sum(c * v for c, v in zip(counts, values, strict=False)) * pow(7, -1, PRIME)
     assert value(combined) == expected % PRIME
 
@@ -73,6 +80,15 @@ def test_differences_powers_and_norms(left, right):
     above, norm = b.normed()
     assert value(above) * value(b) % PRIME == value(norm)
     assert not {"r", "s"} & {*norm.generators()}
+
+
+@given(sums, sums)
+def test_what_is_zero_has_no_terms(left, right):
+    here = ring()
+    a, b = element(here, left), element(here, right)
+    assert ((a + b) * (a - b) - a * a + b * b).vanishes()
+    for name, divisor in here.divisors.items():
+        assert (a * divisor * here.generator(name) - a).vanishes()
 
 
 @given(

@@ -15,15 +15,21 @@ PRODUCT = [(["+", SQUARE, ["^", "y", 2]], LEVEL), (["*", "x", "y"], 0)]
 PARABOLA = [(["+", SQUARE, "y"], LEVEL), ("y", SQUARE)]
 
 
-def found(names, equations, number):
-    """The evidence for a number of solutions, which is accepted if there is any."""
+def asked(names, equations, number):
+    """The number of solutions as a goal, with what finds evidence and what judges it."""
     space = Space(tuple(names), ("a",), nonzero=(decode("a"),))
     at = Evaluation(space, load("flint"))
     sides = tuple((decode(left), decode(right)) for left, right in equations)
     goal = Count(space, sides, tuple(names), number)
-    evidence = Finder(lambda _: at, lambda _: at.names).proof(goal)
+    return goal, Finder(lambda _: at, lambda _: at.names), Judge(lambda _: at)
+
+
+def found(names, equations, number):
+    """The evidence for a number of solutions, which is accepted if there is any."""
+    goal, finder, judge = asked(names, equations, number)
+    evidence = finder.proof(goal)
     if evidence is not None:
-        Judge(lambda _: at).holds(goal, evidence)
+        judge.holds(goal, evidence)
     return evidence
 
 
@@ -38,3 +44,17 @@ def test_a_quadratic_equation_has_two_solutions(left):
 @pytest.mark.parametrize(("equations", "number"), [(PRODUCT, 4), (PARABOLA, 2)])
 def test_where_no_form_tells_all_unknowns_nothing_is_found(equations, number):
     assert found("xy", equations, number) is None
+
+
+@pytest.mark.parametrize(
+    ("names", "equations", "number"),
+    [("x", [(SQUARE, LEVEL)], 1), ("x", [(SQUARE, LEVEL)], 3), ("xy", PRODUCT, 3)],
+)
+def test_another_number_of_solutions_is_denied(names, equations, number):
+    goal, finder, judge = asked(names, equations, number)
+    judge.denies(goal, finder.refutation(goal))
+
+
+def test_one_constant_has_one_value_on_all_levels():
+    goal, finder, _ = asked("xy", [(SQUARE, LEVEL), (["^", "y", 2], ["*", 2, LEVEL])], 1)
+    assert finder.refutation(goal) is None

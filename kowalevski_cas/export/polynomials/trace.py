@@ -123,14 +123,13 @@ class Traced(checker.Ring):
         return Element(super().number(value), text)
 
     def combination(
-        self, parts: Iterable[tuple[int, checker.Element]], below: int = 1
+        self, parts: list[tuple[int, checker.Element]], below: int = 1
     ) -> checker.Element:
-        found = [*parts]
-        value = super().combination(found, below)
-        texts = [f"(-{e.text})" if c < 0 else e.text for c, e in found if isinstance(e, Element)]
-        if not found:
+        value = super().combination(parts, below)
+        texts = [f"(-{e.text})" if c < 0 else e.text for c, e in parts if isinstance(e, Element)]
+        if not parts:
             return self.number(0)
-        known = len(texts) == len(found) and below == 1 and all(abs(c) == 1 for c, _ in found)
+        known = len(texts) == len(parts) and below == 1 and all(abs(c) == 1 for c, _ in parts)
         return Element(value, f"({'+'.join(texts)})") if known else plain(value)
 
     def product(self, elements: Iterable[checker.Element]) -> checker.Element:
@@ -142,9 +141,9 @@ class Traced(checker.Ring):
         """An element with its text: as it was computed, or as a polynomial."""
         if isinstance(element, Element):
             return element
-        summands = []
+        summands, under = [], self.exponents(element.under)
         for m, c in sorted(element.terms.items(), reverse=True):
-            powers = [(self.texts[name], e) for name, e in self.exponents(m)]
+            powers = [(self.texts[name], e) for name, e in (*self.exponents(m), *under)]
             factors = [f"{text}^{e}" if e > 1 else text for text, e in powers]
             number = self.writer.language.number(Fraction(c, element.below))
             summands.append("*".join([number, *factors]))
@@ -163,7 +162,7 @@ class Traced(checker.Ring):
 
 def plain(element: checker.Element) -> checker.Element:
     """The element without a text."""
-    return checker.Element(element.ring, element.terms, element.below, element.bits)
+    return element.with_terms(element.terms)
 
 
 class Element(checker.Element):
@@ -176,11 +175,14 @@ class Element(checker.Element):
     ring: Traced
 
     def __init__(self, element: checker.Element, text: str) -> None:
-        super().__init__(element.ring, element.terms, element.below, element.bits)
+        super().__init__(element.ring, element.terms, element.below, element.bits, element.under)
         self.text = text if len(text) < LENGTH else self.ring.writer.define(text)
 
     def __neg__(self) -> checker.Element:
         return Element(super().__neg__(), f"(-{self.text})")
+
+    def __mul__(self, other: checker.Element) -> checker.Element:
+        return self.ring.product([self, other])
 
     def __pow__(self, exponent: int) -> checker.Element:
         return Element(super().__pow__(exponent), f"({self.text}^{exponent})")

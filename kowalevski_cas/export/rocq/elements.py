@@ -67,7 +67,9 @@ class Elements:
     def terms(self, element: Element) -> list[Term]:
         """The terms of an element."""
         return [
-            self._term(Fraction(value, element.below), dict(self.ring.exponents(monomial)))
+            self._term(
+                Fraction(value, element.below), dict(self.ring.exponents(monomial | element.under))
+            )
             for monomial, value in sorted(element.terms.items(), reverse=True)
         ]
 

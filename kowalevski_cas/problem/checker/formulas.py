@@ -37,13 +37,14 @@ class Map:
 
     def __call__(self, element: Element) -> Element:
         parts = [(c, self.monomial(m)) for m, c in element.terms.items()]
-        return self.space.ring.combination(parts, element.below)
+        whole = self.space.ring.combination(parts, element.below)
+        return whole * self.monomial(element.under) if element.under else whole
 
     def monomial(self, monomial: int) -> Element:
         """What a product of generators becomes."""
         if monomial not in self.monomials:
             powers = self.ring.exponents(monomial)
-            images = [self.image(name) if e == 1 else self.image(name) ** e for name, e in powers]
+            images = [image for name, e in powers for image in [self.image(name)] * e]
             self.monomials[monomial] = self.space.ring.product(images)
         return self.monomials[monomial]
 
@@ -109,26 +110,29 @@ class Formulas:
 
     def value(self, tree: Json) -> Value:
         """The value of a formula."""
-        self.ring.spend(1)
-        if type(tree) is str:
-            need(tree in self.env, f"{tree:.80} is not defined")
-            return self.env[tree]
         if type(tree) is int:
             return (self.ring.number(tree),)
+        if type(tree) is str:
+            if tree in self.env:
+                return self.env[tree]
+            raise Rejected(f"{tree:.80} is not defined")
         op, parts = operation(tree)
+        self.ring.spend(len(tree))
         if op == "^":
             return (self.scalar(parts[0]) ** exponent(parts[1]),)
         if op == "d":
             return (self.partial(*parts),)
+        values = [*map(self.value, parts)]
+        sizes = {*map(len, values)}
         if op in ("vector", "diag"):
-            return tuple(map(self.scalar, parts))
-        values = [self.value(part) for part in parts]
+            need(sizes == {1}, "a number is expected, no vector")
+            return tuple(value for (value,) in values)
         if len(values) == 1:
-            return tuple(self.unary(op, e) for e in values[0])
+            return tuple([self.unary(op, e) for e in values[0]])
         if op == "+":
-            need(len({*map(len, values)}) == 1, "a number is added to a vector")
+            need(len(sizes) == 1, "a number is added to a vector")
             return tuple(map(self.ring.total, zip(*values, strict=True)))
-        return self.multiplied(op, values)
+        return self.multiplied(op, values, max(sizes))
 
     def unary(self, op: str, element: Element) -> Element:
         """An operation on a component."""
@@ -142,17 +146,16 @@ class Formulas:
         need(found, "a root is taken that is not declared")
         return self.ring.generator(found[0])
 
-    def multiplied(self, op: str, values: list[Value]) -> Value:
+    def multiplied(self, op: str, values: list[Value], size: int) -> Value:
         """A product or a quotient, by components, or a product of vectors."""
-        size = max(map(len, values))
+        if op == "/":
+            values[1:] = [tuple(map(self.inverse, value)) for value in values[1:]]
         rows = [v * size if len(v) == 1 else v for v in values]
-        need(all(len(row) == size for row in rows), "vectors have different lengths")
+        need({*map(len, rows)} == {size}, "vectors have different lengths")
         if op == "cross":
             need({*map(len, values)} == {3}, "a vector product is one of vectors in space")
             a, b = values
             return tuple(a[j] * b[k] - a[k] * b[j] for j, k in ((1, 2), (2, 0), (0, 1)))
-        if op == "/":
-            rows[1:] = [tuple(map(self.inverse, row)) for row in rows[1:]]
         products = tuple(map(self.ring.product, zip(*rows, strict=True)))
         if op == "dot":
             need({*map(len, values)} == {size} != {1}, "a scalar product is one of two vectors")
@@ -168,20 +171,22 @@ class Formulas:
     # division
 
     def inverse(self, element: Element, words: str = "") -> Element:
-        """One over the element: the other values over its norm, a product of divisors.
+        """One over the element: what is below it and the other values, over its norm.
 
         The words are for the case that a new divisor has to be entered.
         """
         if (number := element.value()) is not None:
             need(number, "it divides by zero")
             return self.ring.number(1 / number)
-        above, norm = element.normed()
+        above, norm = element.numerator().normed()
         words = words if above.value() == 1 else ""
-        norm, powers = norm.cleared()
         need(norm.terms, "it divides by zero")
+        parts = [above, *map(self.ring.denominator, (element.under, norm.under))]
         content, norm = norm.primitive()
-        parts = [above, powers, self.ring.number(1 / content)]
+        parts.append(self.ring.number(1 / content))
         for name in self.known:
+            if norm.terms.keys() == {0}:
+                break
             while (quotient := norm.over(self.ring.divisors[name])) is not None:
                 norm = quotient
                 parts.append(self.ring.generator(name))
@@ -258,6 +263,8 @@ class Formulas:
 
     def conj(self, element: Element) -> Element:
         """The complex conjugate; that of a divisor does not vanish either."""
+        if not element.generators():
+            return element
         conjugate = self.reflection()(element)
         for name in conjugate.generators():
             known = name in self.env or name in self.ring.divisors
@@ -278,12 +285,12 @@ class Formulas:
 
     def all_real(self) -> bool:
         """Whether all names are."""
-        return all(e.terms == {self.ring.unit[name]: 1} for name, e in self.bar.items())
+        return all(e.is_generator(name) for name, e in self.bar.items())
 
     def is_power(self, value: Element, base: Element, power: Element) -> bool:
         """Whether a value is known to be a power: this very generator, or a power of 1."""
         for name, (own, to) in self.ring.powers.items():
-            if value.terms == {self.ring.unit[name]: 1} and value.below == 1:
+            if value.is_generator(name):
                 return (own - base).vanishes() and (to - power).vanishes()
         return value.value() == base.value() == 1
 

@@ -99,8 +99,9 @@ class Kernel(Goal):
         It may have been divided by constants.
         """
         need(self._rest(element, factor).vanishes(), "what is said to be known is no solution")
-        value, powers = element.cleared()
-        need({*powers.generators()} <= {*self.space.constants}, "it is no polynomial")
+        value = element.numerator()
+        below = self.ring.denominator(element.under).generators()
+        need({*below} <= {*self.space.constants}, "it is no polynomial")
         return self._weight(value), self._residues(value, at)
 
     def _weight(self, element: Element) -> int:
@@ -156,7 +157,7 @@ class Kernel(Goal):
             marks.append(ring.generator(mark))
         rates = [self.space.derivative(ring.generator(name)) for name in self.space.variables]
         parts = [mark * e for mark, e in zip(marks, [*rates, self.factor], strict=True)]
-        whole, _ = ring.total(parts).cleared()
+        whole = ring.total(parts).numerator()
         found = [
             self._residues(whole.split(f":{k}").get(1, ring.number(0)), at)
             for k in range(len(marks))

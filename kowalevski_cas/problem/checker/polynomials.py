@@ -1,14 +1,15 @@
-"""Polynomials over the rational numbers; some generators are roots of other polynomials."""
+"""Fractions of polynomials over the rational numbers; some generators are roots of others."""
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce
 from math import gcd, isqrt, lcm, prod
 from operator import or_
 
-from .reading import BITS, DEGREE, NAMES, Budget, need
+from .reading import BITS, DEGREE, NAMES, Budget, Rejected, need
 
 WIDTH = 11  # bits of an exponent in a monomial; the highest of them stays free
 MASK = (1 << WIDTH) - 1
@@ -17,7 +18,7 @@ Terms = dict[int, int]
 
 
 class Ring:
-    """Polynomials over the rational numbers in generators, of which some obey relations.
+    """Polynomials over the rational numbers in generators, of which some are roots or inverses.
 
     A monomial is an integer: the total degree in its lowest bits, then the exponents of the
     generators, in the order in which these were adjoined. Such integers add and compare as
@@ -34,7 +35,10 @@ class Ring:
         self.divisors: dict[str, Element] = {}  # of which generators are the inverses
         self.powers: dict[str, tuple[Element, Element]] = {}  # bases and exponents
         self.unknown: set[str] = set()  # what may depend on all other names
-        self.squares, self.guard = 0, 1 << WIDTH - 1
+        self.once, self.squares = 0, 0  # the bits of roots, and of their higher powers
+        self.guard = 1 << WIDTH - 1
+        self.evens: dict[int, tuple[int, Element]] = {}  # even powers of roots
+        self.denominators: dict[int, Element] = {}  # by the monomials of inverses
 
     def another(self) -> Ring:
         """A ring without generators; the work in both is counted together."""
@@ -52,10 +56,13 @@ class Ring:
     def relate(self, name: str, square: Element) -> None:
         """Give a generator its square."""
         self.roots[name] = square
+        self.once |= 1 << self.at[name]
         self.squares |= MASK - 1 << self.at[name]
 
     def generator(self, name: str) -> Element:
-        """A generator as a polynomial."""
+        """A generator as a polynomial, or the inverse of a divisor."""
+        if name in self.divisors:
+            return Element(self, {0: 1}, 1, 1, self.unit[name] - 1)
         return Element(self, {self.unit[name]: 1}, 1, 1)
 
     def number(self, value: int | Fraction) -> Element:
@@ -77,31 +84,49 @@ class Ring:
 
     def total(self, elements: Iterable[Element]) -> Element:
         """The sum of elements."""
-        return self.combination((1, e) for e in elements)
+        return self.combination([(1, e) for e in elements])
 
-    def combination(self, parts: Iterable[tuple[int, Element]], below: int = 1) -> Element:
+    def combination(self, parts: list[tuple[int, Element]], below: int = 1) -> Element:
         """The sum of elements times integers, divided by an integer."""
-        every, common, out = [*parts], 1, Terms()
-        found = [part for part in every if part[1].terms]
-        self.spend(1 + len(every))
+        found = [part for part in parts if part[1].terms]
         if len(found) == 1 and found[0][0] == below == 1:
+            self.spend(len(parts))
             return found[0][1]
-        for other in {e.below for _, e in found}:
-            common = lcm(common, other)
-            need(common.bit_length() <= BITS, "a number is too large")
-            self.spend(1 + (common.bit_length() ** 2 >> 14))
-        bits = (below * common).bit_length()
+        common, under = self.common([e for _, e in found])
+        bits, steps, out = (below * common).bit_length(), len(parts), Terms()
         for c, e in found:
-            factor = c * (common // e.below)
-            bits = max(bits, e.bits + factor.bit_length())
-            self.spend(len(e.terms) * (1 + (e.bits * factor.bit_length() >> 16)))
-            for m, d in e.terms.items():
-                out[m] = out.get(m, 0) + factor * d
-        return Element(self, out, below * common, bits + len(found).bit_length())
+            if e.under != under:
+                e = e.times(self.denominator(under - e.under))
+            if e.below != common:
+                c *= common // e.below
+            size = c.bit_length()
+            steps += len(e.terms) * (1 + (e.bits * size >> 16))
+            bits = max(bits, e.bits + size)
+            if out:
+                for m, d in e.terms.items():
+                    out[m] = out.get(m, 0) + c * d
+            else:
+                out = {m: c * d for m, d in e.terms.items()}
+        self.spend(steps)
+        return Element(self, out, below * common, bits + len(found).bit_length(), under)
+
+    def common(self, elements: list[Element]) -> tuple[int, int]:
+        """The least common denominator: an integer, and a monomial of inverses."""
+        below, under = 1, 0
+        for e in elements:
+            if below % e.below:
+                below = lcm(below, e.below)
+                need(below.bit_length() <= BITS, "a number is too large")
+                self.spend(1 + (below.bit_length() ** 2 >> 14))
+            if e.under != under:
+                high = (under | self.guard) - e.under & self.guard
+                mask = high - (high >> WIDTH - 1)
+                under = under & mask | e.under & ~mask
+        return below, under
 
     def product(self, elements: Iterable[Element]) -> Element:
         """The product of elements: of the monomials first, which is one more factor of the rest."""
-        monomial, count, below, bits, steps, sums = 0, 1, 1, 1, 5, list[Element]()
+        monomial, count, below, bits, under, steps, sums = 0, 1, 1, 1, 0, 5, list[Element]()
         for e in elements:
             if not e.terms:
                 self.spend(steps)
@@ -112,13 +137,33 @@ class Ring:
             ((m, c),) = e.terms.items()
             steps += 1 + (bits * e.bits >> 16)
             monomial, count, below, bits = monomial + m, count * c, below * e.below, bits + e.bits
+            under += e.under
             if bits > FEW:
                 bits = max(count.bit_length(), below.bit_length())
-            need(monomial & MASK <= DEGREE and bits <= BITS, "a degree or number is too large")
+            if monomial & MASK > DEGREE or under & self.guard or bits > BITS:
+                raise Rejected("a degree or number is too large")
         self.spend(steps)
-        if not sums or monomial or count != 1 or below != 1:
-            sums.append(Element(self, {monomial: count}, below, bits).reduced(monomial))
+        if not sums or monomial or under or count != 1 or below != 1:
+            one = Element(self, {monomial: count}, below, bits, under)
+            sums.append(one.reduced() if monomial & self.squares else one)
         return reduce(Element.times, sums)
+
+    def even(self, powers: int) -> tuple[int, Element]:
+        """A product of even powers of roots, from the bits of these, and what it is."""
+        if powers not in self.evens:
+            both = self.exponents(powers)
+            squares = [self.roots[name] for name, e in both for _ in range(e // 2)]
+            full = powers + sum(e for _, e in both)
+            self.evens[powers] = full, reduce(Element.times, squares, self.number(1))
+        return self.evens[powers]
+
+    def denominator(self, powers: int) -> Element:
+        """The product of the divisors in a monomial of their inverses."""
+        if powers not in self.denominators:
+            both = self.exponents(powers)
+            factors = [self.divisors[name] for name, e in both for _ in range(e)]
+            self.denominators[powers] = reduce(Element.times, factors, self.number(1))
+        return self.denominators[powers]
 
 
 def degree(monomials: Iterable[int]) -> int:
@@ -127,26 +172,32 @@ def degree(monomials: Iterable[int]) -> int:
 
 
 class Element:
-    """A polynomial: integer coefficients, and a positive integer below them.
+    """A polynomial over a positive integer and divisors: ``under`` is a monomial of their inverses.
 
-    None of these has more than so many bits; that is no more than a bound while they are few.
+    The terms are without inverses, and have integer coefficients; an element is zero if it has no
+    terms. No integer has more than so many bits; that is no more than a bound while they are few.
     """
 
-    __slots__ = ("below", "bits", "ring", "terms")
+    __slots__ = ("below", "bits", "ring", "terms", "under")
 
-    def __init__(self, ring: Ring, terms: Terms, below: int, bits: int) -> None:
+    def __init__(self, ring: Ring, terms: Terms, below: int, bits: int, under: int = 0) -> None:
+        steps = 5 + len(terms)
         if bits > FEW:
             bits = max(below.bit_length(), max(map(int.bit_length, terms.values()), default=0))
             need(bits <= BITS, "a number is too large")
-        ring.spend(5 + len(terms) * (1 + (bits * below.bit_length() >> 14)))
+            steps += len(terms) * (bits * below.bit_length() >> 14)
+        ring.spend(steps)
         if below > 1 and (common := gcd(below, *terms.values())) > 1:
             below, terms = below // common, {m: c // common for m, c in terms.items()}
         if 0 in terms.values():
             terms = {m: c for m, c in terms.items() if c}
-        self.ring, self.terms, self.below, self.bits = ring, terms, below, bits
+        if under:
+            need(not under & ring.guard, "a degree is too large")
+            under = under if terms else 0
+        self.ring, self.terms, self.below, self.bits, self.under = ring, terms, below, bits, under
 
     def __neg__(self) -> Element:
-        return self.over_same({m: -c for m, c in self.terms.items()})
+        return self.with_terms({m: -c for m, c in self.terms.items()})
 
     def __add__(self, other: Element) -> Element:
         return self.ring.combination([(1, self), (1, other)])
@@ -155,7 +206,7 @@ class Element:
         return self.ring.combination([(1, self), (-1, other)])
 
     def __mul__(self, other: Element) -> Element:
-        return self.ring.product((self, other))
+        return self.times(other)
 
     def __pow__(self, exponent: int) -> Element:
         return self.ring.product([self] * exponent)
@@ -163,47 +214,63 @@ class Element:
     def times(self, other: Element) -> Element:
         """The product, term by term."""
         few, many = (self, other) if len(self.terms) <= len(other.terms) else (other, self)
-        size = len(few.terms) * len(many.terms)
-        self.ring.spend(size * (1 + (few.bits * many.bits >> 16)))
+        ring, size = self.ring, len(few.terms) * len(many.terms)
+        ring.spend(5 + size * (1 + (few.bits * many.bits >> 16)))
         if not few.terms:  # roots of squares have divisors of zero
             return few
-        (m, c), *rest = few.terms.items()
-        out = {m + n: c * d for n, d in many.terms.items()}
-        for m, c in rest:
+        one, two = reduce(or_, few.terms), reduce(or_, many.terms)
+        small = (one & MASK) + (two & MASK) <= DEGREE
+        need(small or degree(few.terms) + degree(many.terms) <= DEGREE, "a degree is too large")
+        out = Terms()
+        for m, c in few.terms.items():
+            if not out:
+                out = {m + n: c * d for n, d in many.terms.items()}
+                continue
             for n, d in many.terms.items():
                 k = m + n
                 out[k] = out.get(k, 0) + c * d
-        union = reduce(or_, out)
-        need(union & MASK <= DEGREE or degree(out) <= DEGREE, "a degree is too large")
         bits = few.bits + many.bits + len(few.terms).bit_length()
-        return Element(self.ring, out, few.below * many.below, bits).reduced(union)
+        whole = Element(ring, out, few.below * many.below, bits, few.under + many.under)
+        return whole.reduced() if one & two & ring.once else whole
 
-    def reduced(self, union: int) -> Element:
-        """The same with each root in the first power at most; all monomials are in the union."""
-        ring, value = self.ring, self
-        for name, root in reversed(ring.roots.items()) if union & ring.squares else ():
-            mask, square = MASK - 1 << ring.at[name], 2 * ring.unit[name]
-            while high := {m - square: c for m, c in value.terms.items() if m & mask}:
-                need(degree(high) + degree(root.terms) <= DEGREE, "a degree is too large")
-                size = len(high) * len(root.terms) * (1 + (value.bits * root.bits >> 16))
-                ring.spend(len(value.terms) + size)
-                out = {m: root.below * c for m, c in value.terms.items() if not m & mask}
-                for m, c in high.items():
-                    for n, d in root.terms.items():
-                        k = m + n
-                        out[k] = out.get(k, 0) + c * d
-                bits = value.bits + root.bits + len(root.terms).bit_length() + 1
-                value = Element(ring, out, value.below * root.below, bits)
-        return value
+    def reduced(self) -> Element:
+        """The same with each root in the first power at most."""
+        ring, groups, out = self.ring, defaultdict[int, Terms](dict), Terms()
+        for m, c in self.terms.items():
+            groups[m & ring.squares][m] = c
+        evens = [ring.even(powers) for powers in groups]
+        below, under = ring.common([even for _, even in evens])
+        bits = 1
+        for (full, even), terms in zip(evens, groups.values(), strict=True):
+            factor = below // even.below
+            if even.under != under:
+                even = even.times(ring.denominator(under - even.under))
+            size = even.bits + factor.bit_length()
+            bits = max(bits, size)
+            ring.spend(len(terms) * len(even.terms) * (1 + (self.bits * size >> 16)))
+            for n, d in even.terms.items():
+                shift, count = n - full, factor * d
+                for m, c in terms.items():
+                    k = m + shift
+                    out[k] = out.get(k, 0) + c * count
+        union = reduce(or_, out, 0)
+        need(union & MASK <= DEGREE or degree(out) <= DEGREE, "a degree is too large")
+        bits += self.bits + len(out).bit_length()
+        value = Element(ring, out, self.below * below, bits, self.under + under)
+        return value.reduced() if union & ring.squares else value
 
-    def over_same(self, terms: Terms, bits: int = 0) -> Element:
-        """Other terms over the same integer, with so many bits more at most."""
-        return Element(self.ring, terms, self.below, self.bits + bits)
+    def with_terms(self, terms: Terms) -> Element:
+        """Other terms, of numbers no larger than here, over the same."""
+        return Element(self.ring, terms, self.below, self.bits, self.under)
+
+    def numerator(self) -> Element:
+        """The element times the divisors below it."""
+        return Element(self.ring, self.terms, self.below, self.bits)
 
     def generators(self) -> list[str]:
         """The generators that occur."""
         self.ring.spend(1 + (len(self.terms) >> 3))
-        return [name for name, _ in self.ring.exponents(reduce(or_, self.terms, 0))]
+        return [name for name, _ in self.ring.exponents(reduce(or_, self.terms, self.under))]
 
     def split(self, name: str) -> dict[int, Element]:
         """The coefficients as a polynomial in one generator."""
@@ -212,20 +279,24 @@ class Element:
         for m, c in self.terms.items():
             e = m >> shift & MASK
             found.setdefault(e, {})[m - e * unit] = c
-        return {e: self.over_same(terms) for e, terms in found.items()}
+        ring = self.ring
+        return {e: Element(ring, t, self.below, self.bits, self.under) for e, t in found.items()}
 
     def partial(self, name: str) -> Element:
         """The derivative by one generator, while the others stay."""
         self.ring.spend(len(self.terms))
         shift, unit = self.ring.at[name], self.ring.unit[name]
-        terms = {m - unit: c * e for m, c in self.terms.items() if (e := m >> shift & MASK)}
-        return self.over_same(terms, WIDTH)
+        under, power = self.under, self.under >> shift & MASK
+        if power:
+            terms, under = {m: c * power for m, c in self.terms.items()}, under - unit + 1
+        else:
+            terms = {m - unit: c * e for m, c in self.terms.items() if (e := m >> shift & MASK)}
+        return Element(self.ring, terms, self.below, self.bits + WIDTH, under)
 
     def flipped(self, name: str) -> Element:
         """The same for the other value of a root."""
         shift = self.ring.at[name]
-        terms = {m: -c if m >> shift & 1 else c for m, c in self.terms.items()}
-        return self.over_same(terms)
+        return self.with_terms({m: -c if m >> shift & 1 else c for m, c in self.terms.items()})
 
     def normed(self) -> tuple[Element, Element]:
         """The product of the other values for all signs of the roots, and with it the norm."""
@@ -236,20 +307,9 @@ class Element:
                 above, norm = above * other, norm * other
         return above, norm
 
-    def cleared(self) -> tuple[Element, Element]:
-        """The element times powers of the divisors that clear it of their inverses; and these."""
-        value, powers = self, self.ring.number(1)
-        for name in self.generators():
-            if divisor := self.ring.divisors.get(name):
-                zero, parts = self.ring.number(0), value.split(name)
-                value = parts.get(0, zero)
-                for e in range(1, max(parts, default=0) + 1):
-                    value, powers = value * divisor + parts.get(e, zero), powers * divisor
-        return value, powers
-
     def vanishes(self) -> bool:
         """Whether it is zero wherever it is defined."""
-        return not self.terms or not self.cleared()[0].terms
+        return not self.terms
 
     def differs(self) -> bool:
         """Whether a number is certainly not zero, whatever the signs of its roots."""
@@ -268,9 +328,15 @@ class Element:
             low += root if c > 0 else -root - (root * root < c * c * square << 2 * BITS)
         return low < 0
 
+    def is_generator(self, name: str) -> bool:
+        """Whether it is this very generator."""
+        return self.terms == {self.ring.unit[name]: 1} and self.below == 1 and not self.under
+
     def value(self) -> Fraction | None:
         """The number that it is, if it is one."""
-        return Fraction(self.terms.get(0, 0), self.below) if self.terms.keys() <= {0} else None
+        if self.terms and (len(self.terms) > 1 or 0 not in self.terms or self.under):
+            return None
+        return Fraction(self.terms.get(0, 0), self.below)
 
     def primitive(self) -> tuple[Fraction, Element]:
         """A number, and integers without a common factor, of which this is the product."""

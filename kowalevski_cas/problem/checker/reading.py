@@ -101,10 +101,10 @@ def part_of(data: Json, keys: str) -> Json:
 
 def items(data: Json, *sizes: int) -> list[Json]:
     """A JSON list, of one of the sizes."""
-    need(type(data) is list, "a list is expected")
+    if type(data) is not list:
+        raise Rejected("a list is expected")
     need(not sizes or len(data) in sizes, "a list has another length")
-    found: list[Json] = data
-    return found
+    return data
 
 
 def pairs(data: Json) -> list[list[Json]]:
@@ -121,9 +121,9 @@ def integer(data: Json, least: int, most: int) -> int:
 
 def label(data: Json) -> str:
     """A name."""
-    need(type(data) is str and NAME.fullmatch(data), f"a name is odd: {data!a:.80}")
-    found: str = data
-    return found
+    if type(data) is str and NAME.fullmatch(data):
+        return data
+    raise Rejected(f"a name is odd: {data!a:.80}")
 
 
 def labels(data: Json) -> list[str]:
@@ -147,9 +147,11 @@ LARGEST_EXPONENT = 64
 def operation(tree: Json) -> tuple[str, list[Json]]:
     """The operation of a formula that is neither a name nor a number, and its formulas."""
     op, *parts = items(tree) or [""]
-    need(type(op) is str and op in OPERATIONS, "an operation is not understood")
+    if type(op) is not str or op not in OPERATIONS:
+        raise Rejected("an operation is not understood")
     least, most = OPERATIONS[op]
-    need(least <= len(parts) <= most, f"{op} is one of another number of formulas")
+    if not least <= len(parts) <= most:
+        raise Rejected(f"{op} is one of another number of formulas")
     return op, parts
 
 
@@ -191,7 +193,7 @@ def say(tree: Json, around: int = 0) -> str:
     if type(tree) is int:
         return f"({tree})" if tree < 0 and around else str(tree)
     if type(tree) is not list:
-        return label(tree)
+        return tree if type(tree) is str else label(tree)
     op, parts = operation(tree)
     binds = BINDS.get(op, 0)
     words = [say(part, binds) for part in parts]

@@ -81,7 +81,7 @@ class Space(Formulas):
         if kind == "root":
             self.ring.relate(name, value)
             if (value.value() or 0) < 0:
-                need(self.bar[name].terms == own.terms, "an imaginary number is its own pair")
+                need(self.bar[name].is_generator(name), "an imaginary number is its own pair")
                 self.bar[name] = -own
         else:
             need(kind == "power" and more in self.constants, "a step is not understood")
