@@ -93,6 +93,9 @@ class Expression(Element):
     def __add__(self, other: Element) -> Expression:
         return self._made(self.value + _value(other))
 
+    def __sub__(self, other: Element) -> Expression:
+        return self._made(self.value - _value(other))
+
     def __neg__(self) -> Expression:
         return self._made(-self.value)
 
