@@ -18,6 +18,11 @@ def test_a_path_is_as_good_as_a_name():
     assert load(str(library() / "kharlamov2002")).name == "kharlamov2002"
 
 
+def test_scenes_have_names_to_be_typed_on_a_command_line():
+    scenes = [scene.name for name in available() for scene in load(name).scenes()]
+    assert [name for name in scenes if {*name} & {*"$\\"}] == []
+
+
 def test_what_is_loaded_twice_is_loaded_anew(tmp_path):
     initial = tmp_path / "__init__.py"
     source = "from kowalevski_cas.paper.derivation import Derivation\nderivation = Derivation({!r}, '', '', '', ())\n"

@@ -370,7 +370,7 @@ xi = section.display(
 _1 .""",
 )
 
-with_xi = initial.called("initial variables with $\\xi_1$ and $\\xi_2$").defining(xi)
+with_xi = initial.called("initial variables with ξ1 and ξ2").defining(xi)
 
 INITIAL = r"""
 Substitution~(\ref{eq9}) leads to the invariant relations expressed in the initial variables"""
@@ -385,7 +385,7 @@ section.states(
 )
 
 xi_variables = (
-    real_variables.called("initial variables, real, with $\\xi_1$ and $\\xi_2$")
+    real_variables.called("initial variables, real, with ξ1 and ξ2")
     .having(
         loci=(Locus(r"$\xi_1=\xi_2=0$", (r"\xi_1=0", r"\xi_2=0"), r"\xi_1^2+\xi_2^2"), AS_LARGE)
     )

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import reduce
 from itertools import product
-from operator import add, mul
+from operator import mul
 
 from kowalevski_cas.algebra.present import written
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Proof, Shown
-from kowalevski_cas.problem.examine import is_real
+from kowalevski_cas.problem.examine import is_real, value_of
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.place import Place
 from kowalevski_cas.search.cofactors import cofactors, conditional_cofactors, vanishes_on
@@ -48,79 +48,52 @@ class FollowsFinder(PointFinder):
             if point is None:
                 return None
         found = rows_of(alternatives(goal, at), known, goal.main)
-        by_cases = self._at_real_points(conclusions, known, at, found)
-        if by_cases is not None:
-            return Shown(by_cases, point)
+        entries = [entry for row in found[0] for entry in row] if found else []
+        if found is None or any(entry.denominator for entry in entries):
+            everywhere = self._at_real_points(conclusions, known, at) or self._by_loci(goal, at)
+            if everywhere is not None:
+                return Shown(everywhere, point)
         if found is None:
             return None
         rows, power = found
-        proof = self._everywhere(goal, at, rows) if power == 1 else None
-        if proof is not None:
-            return Shown(proof, point)
         proof = Proof(written(rows), power=power)
         if not goal.conclusions and self._divides(Shown(proof), goal):
             return None
-        entries = [entry for row in rows for entry in row]
         if not Place(at, point).defines(entries):
             point = self.point(at, here, [*divided, *entries])
         return Shown(proof, point)
 
     @staticmethod
     def _at_real_points(
-        conclusions: Sequence[Sequence[Element]],
-        known: Sequence[Element],
-        at: Evaluation,
-        found: tuple[list[list[Element]], int] | None,
+        conclusions: Sequence[Sequence[Element]], known: Sequence[Element], at: Evaluation
     ) -> Proof | None:
-        """A proof by cases where all are polynomials, if none was found that divides by nothing."""
-        entries = [entry for row in found[0] for entry in row] if found else []
-        whole = found is not None and not any(entry.denominator for entry in entries)
+        """A proof by cases where all are polynomials."""
         everything = (*known, *(one for conclusion in conclusions for one in conclusion))
         plain = not any(one.denominator for one in everything) and not at.ring.roots
-        if whole or not plain or not known or not is_real(at.setting):
+        if not plain or not known or not is_real(at.setting):
             return None
         return proof_by_cases(conclusions, known)
+
+    @staticmethod
+    def _by_loci(goal: Follows, at: Evaluation) -> Proof | None:
+        """A proof on a declared locus and off it: there the product with its squares vanishes."""
+        goals, known = alternatives(goal, at), at.differences(goal.given)
+        if len(goals) != 1 or not is_real(at.setting):
+            return None
+        for equations, _ in at.setting.loci:
+            group = at.differences(equations)
+            both = value_of(group) * goals[0]
+            off, on = _row(both, known), _row(goals[0], [*known, *group])
+            if off is not None and on is not None:
+                last = [*(at.ring.zero for _ in known), at.ring.one]
+                cases = Proof(written([on])), Proof(written([last]))
+                return Proof(written([off]), written([group, goals]), cases)
+        return None
 
     def _divides(self, shown: Shown, goal: Follows) -> bool:
         """Whether a proof divides by something, and so shows nothing where that vanishes."""
         at = self.of(goal.space)
         return any(at.scalar(entry).denominator for row in shown.proof.rows for entry in row)
-
-    def _everywhere(
-        self, goal: Follows, at: Evaluation, rows: Sequence[Sequence[Element]]
-    ) -> Proof | None:
-        """A proof by cases that needs no condition, where the rows divide by one declared locus.
-
-        Either the locus is met, where the goal follows by another division, or it is not.
-        """
-        goals, known = alternatives(goal, at), at.differences(goal.given)
-        if len(goals) != 1 or len(rows) != 1 or not is_real(at.setting):
-            return None
-        below: dict[int, int] = {}
-        for entry in rows[0]:
-            for index, exponent in entry.denominator.items():
-                below[index] = max(exponent, below.get(index, 0))
-        own = {index for element in [*goals, *known] for index in element.denominator}
-        if set(below) - own != set(below) or len(below) != 1:
-            return None
-        ((index, exponent),) = below.items()
-        for equations, condition in at.setting.loci:
-            if not (
-                at.scalar(condition) - Element(at.ring, {0: at.ring.divisors[index]}, {})
-            ).is_zero:
-                continue
-            group = at.differences(equations)
-            total = reduce(add, (e * e for e in group))
-            there = cofactors(goals[0], [*known, *group], ())
-            if there is None or any(entry.denominator for entry in there):
-                continue
-            if (total - at.scalar(condition)).is_zero:
-                factor = total**exponent * goals[0] ** (exponent - 1)
-                row = [entry * factor for entry in rows[0]]
-                last = [*(at.ring.zero for _ in known), at.ring.one]
-                cases = Proof(written([there])), Proof(written([last]))
-                return Proof(written([row]), written([group, goals]), cases, exponent)
-        return None
 
     def failure(
         self, goal: Follows, at: Evaluation, conditions: Sequence[Element] = ()
@@ -165,6 +138,12 @@ def rows_of(
             return rows, power
     rows = complete(conditional_cofactors(goal, known) for goal in goals)
     return None if rows is None else (rows, 1)
+
+
+def _row(target: Element, known: Sequence[Element]) -> list[Element] | None:
+    """A row for the target that divides by nothing."""
+    row = Combinations([target], known).row(target)
+    return None if row is None or any(entry.denominator for entry in row) else row
 
 
 def combined(

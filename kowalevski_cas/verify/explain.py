@@ -15,7 +15,6 @@ from kowalevski_cas.notation import (
     Relation,
     Sum,
     Vector,
-    times,
     to_latex,
     total,
 )
@@ -42,7 +41,7 @@ from kowalevski_cas.verify.certificate import Stored, Supported
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies, same
 from kowalevski_cas.verify.loci import circle_of, drop_on, failure_on, rank_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
-from kowalevski_cas.verify.shown import named, point
+from kowalevski_cas.verify.shown import named, point, scaled
 from kowalevski_cas.verify.statement import Statement
 
 SHORT = 160
@@ -288,11 +287,5 @@ def _on_circle(one: Place, other: Place) -> dict[str, Formula]:
     found = {}
     for name, value in one.point.values.items():
         pair = zip((value, other.point.values.get(name, ZERO)), waves, strict=True)
-        found[name] = total(_times(factor, wave) for factor, wave in pair if factor != ZERO)
+        found[name] = total(scaled(factor, wave) for factor, wave in pair if factor != ZERO)
     return found
-
-
-def _times(factor: Formula, wave: Formula) -> Formula:
-    if isinstance(factor, Negative):
-        return Negative(_times(factor.argument, wave))
-    return times(factor, wave)

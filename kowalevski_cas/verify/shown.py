@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from math import prod
 
 from kowalevski_cas.algebra.present import name_formula, product_of
@@ -11,6 +11,7 @@ from kowalevski_cas.notation import (
     Derivative,
     Formula,
     Name,
+    Negative,
     NotationError,
     Number,
     Product,
@@ -50,6 +51,19 @@ def _one_root(formula: Formula) -> Formula:
             others = (f for f in formula.factors if not isinstance(f, Root))
             return times(*others, Root(Number(prod(numbers))))
     return formula
+
+
+def flat_product(factors: Sequence[Formula]) -> Formula:
+    """A product, without factors that are one, and without a product in it."""
+    flat = [part for f in factors for part in (f.factors if isinstance(f, Product) else (f,))]
+    return times(*flat)
+
+
+def scaled(coefficient: Formula, factor: Formula) -> Formula:
+    """A product with the sign before it."""
+    if isinstance(coefficient, Negative):
+        return Negative(scaled(coefficient.argument, factor))
+    return flat_product([coefficient, factor])
 
 
 def written(formula: Formula, setting: Setting) -> Formula:

@@ -19,7 +19,6 @@ from kowalevski_cas.notation import (
     Relation,
     Sum,
     Vector,
-    times,
     total,
 )
 from kowalevski_cas.paper.claims import Claim, Dimension
@@ -29,7 +28,7 @@ from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, 
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.verify.outcome import Step
-from kowalevski_cas.verify.shown import point, shown, size, written
+from kowalevski_cas.verify.shown import flat_product, point, scaled, shown, size, written
 from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
 
 LONGEST = 24
@@ -123,7 +122,8 @@ def _independent(proof: Proof, at: Evaluation) -> Step:
     rows = [*_rows(proof)]
     terms = size(at.scalar(entry) for row in rows for entry in row)
     words = "At every point of the set that the hypotheses admit the differentials are independent"
-    return Step(f"{words}, by {len(rows)} identities whose coefficients have {terms} terms.")
+    words += f", by {len(rows)} identities whose coefficients have {terms} terms"
+    return Step(words, withheld=True)
 
 
 def _rows(proof: Proof) -> Iterator[Row]:
@@ -137,9 +137,9 @@ def _cases(proof: Proof, at: Evaluation) -> Step:
     groups = [[at.scalar(entry) for entry in group] for group in proof.product]
     words = "From what is given it follows that a product vanishes; it is shown case by case"
     if size(element for group in groups for element in group) > LONGEST:
-        return Step(f"{words}, for each of its {len(groups)} factors.")
+        return Step(f"{words}, for each of its {len(groups)} factors", withheld=True)
     factors = [_squares([shown(element, at.setting) for element in group]) for group in groups]
-    return Step(f"{words}, for each factor:", (_equal(_times(factors), ZERO),))
+    return Step(f"{words}, for each factor:", (_equal(flat_product(factors), ZERO),))
 
 
 def _squares(group: Sequence[Formula]) -> Formula:
@@ -156,11 +156,11 @@ def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
     words = f"{what[0].upper()}{what[1:]}" if one else f"One of the alternatives holds: {what}"
     products = sum(not entry.is_zero for row in rows for entry in row)
     if terms > LONGEST or products > MOST:
-        return Step(f"{words}; its coefficients have {terms} terms.")
+        return Step(f"{words}; its coefficients have {terms} terms", withheld=True)
     choices = product(*(_differences(one, at) for one in goal.conclusions))
     lefts = [
         Power(left, Number(proof.power)) if proof.power > 1 else left
-        for left in map(_times, choices)
+        for left in map(flat_product, choices)
     ]
     known = _differences(goal.given, at)
     sums = [_sum(row, known, at.setting) for row in rows]
@@ -186,7 +186,7 @@ def _minus(left: Formula, right: Formula) -> Formula:
 
 def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Setting) -> Formula:
     return total(
-        _scaled(shown(entry, setting), one)
+        scaled(shown(entry, setting), one)
         for entry, one in zip(row, known, strict=True)
         if not entry.is_zero
     )
@@ -229,7 +229,7 @@ def _bound(
     if (many := size(values)) > LONGEST:
         one = f"The {what[:-1]} of one" if what == "derivatives" else "One function"
         words = "is a linear combination of the relations whose coefficients have"
-        return Step(f"{one} {words} {many} terms.")
+        return Step(f"{one} {words} {many} terms", withheld=True)
     words = f"The {what} are linear combinations of the relations"
     right = _sum(values, [written(one, at.setting) for _, one in terms], at.setting)
     return Step(f"{words}:", (_equal(written(left, at.setting), right),))
@@ -253,7 +253,7 @@ def _roots(goal: Count, found: Roots) -> Step:
     at, root = finder_of(goal.space), Name(found.root)
     coefficients = [shown(at.scalar(entry), at.setting) for entry in found.eliminant]
     powers = [ONE, root, *(Power(root, Number(k)) for k in range(2, len(coefficients) + 1))]
-    terms = [_scaled(c, p) for c, p in zip(coefficients, powers[:-1], strict=True) if c != ZERO]
+    terms = [scaled(c, p) for c, p in zip(coefficients, powers[:-1], strict=True) if c != ZERO]
     equation = total([powers[-1], *reversed(terms)])
     return Step(
         "The solutions are given by the roots of one equation, all real and distinct:",
@@ -266,16 +266,3 @@ def _roots(goal: Count, found: Roots) -> Step:
 
 def _equal(left: Formula, right: Formula) -> Relation:
     return Relation((left, right), ("=",))
-
-
-def _times(factors: Sequence[Formula]) -> Formula:
-    """A product, without factors that are one, and without a product in it."""
-    flat = [part for f in factors for part in (f.factors if isinstance(f, Product) else (f,))]
-    return times(*flat)
-
-
-def _scaled(coefficient: Formula, factor: Formula) -> Formula:
-    """A product with the sign before it."""
-    if isinstance(coefficient, Negative):
-        return Negative(_scaled(coefficient.argument, factor))
-    return _times([coefficient, factor])

@@ -11,9 +11,9 @@ def parts(tex):
 
 
 COUNTS = {
-    "eq1": 1, "eq2-eq3": 3, "eq4": 3, "kowalevski-case": 3, "eq5": 3, "eq9": 8, "eq10": 9,
-    "eq11": 3, "c1-c2": 2, "eq13": 3, "U-prime": 2, "eq14": 1, "F-prime": 2, "real-form": 2,
-    "eq16": 2, "eq17": 2, "eq18-eq19": 2, "ratio": 1, "eq20": 2, "eq21": 1,
+    "eq1": 1, "eq2": 1, "eq3": 2, "eq4": 3, "kowalevski-case": 3, "eq5": 3, "eq9": 8, "eq10": 9,
+    "eq11": 3, "c": 2, "eq13": 3, "U-prime": 2, "eq14": 1, "F-prime": 2, "real-form": 2,
+    "eq16": 2, "eq17": 2, "eq18": 1, "eq19": 1, "ratio": 1, "eq20": 2, "eq21": 1,
 }  # fmt: skip
 
 

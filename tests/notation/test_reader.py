@@ -2,6 +2,7 @@
 
 import pytest
 
+from kowalevski_cas.library import available, load
 from kowalevski_cas.notation import (
     Application,
     Conjugate,
@@ -32,7 +33,7 @@ from kowalevski_cas.notation import (
     subtree,
     to_latex,
 )
-from tests.notation import paper, section4
+from tests.notation import paper
 
 WORDS = Vocabulary(
     scalars=frozenset(
@@ -172,28 +173,20 @@ def test_a_formula_has_one_reading(tex):
     assert read(to_latex(read(tex, WORDS)), WORDS) == ONE_READING[tex]
 
 
-@pytest.mark.parametrize("name", paper.DISPLAYS)
-def test_every_display_of_the_paper_is_read_as_it_stands(name):
-    statements = read_display(paper.DISPLAYS[name], paper.WORDS)
-    assert statements
-    assert [(s.start, s.end) for s in statements] == list(split_display(paper.DISPLAYS[name]))
-    for statement in statements:
-        assert read(to_latex(statement.formula), paper.WORDS) == statement.formula
-
-
-@pytest.mark.parametrize("tex", paper.INLINE)
-def test_the_running_text_is_read(tex):
-    assert read_display(tex, paper.WORDS)
-
-
-@pytest.mark.parametrize("tex", section4.FORMULAS)
-def test_the_later_results_are_read(tex):
-    for statement in read_display(tex, section4.WORDS):
-        assert read(to_latex(statement.formula), section4.WORDS) == statement.formula
+@pytest.mark.parametrize("name", available())
+def test_every_display_of_a_derivation_is_read_as_it_stands(name):
+    derivation = load(name)
+    words = derivation.texts().vocabulary
+    for display in derivation.displays():
+        statements = read_display(display.tex, words)
+        assert statements
+        assert [(s.start, s.end) for s in statements] == list(split_display(display.tex))
+        for statement in statements:
+            assert read(to_latex(statement.formula), words) == statement.formula
 
 
 def test_the_dynamic_equation_is_i_omega_crossed_with_omega():
-    first = read_display(paper.DISPLAYS["eq2-eq3"], paper.WORDS)[0].formula
+    first = read_display(paper.DISPLAYS["eq2"], paper.WORDS)[0].formula
     inertia, omega = Name(r"\mathbf{I}"), Name(r"\boldsymbol{\omega}")
     assert first.members[0] == Product((inertia, dot(omega)))
     assert first.members[1].terms[0] == CrossProduct(Product((inertia, omega)), omega)

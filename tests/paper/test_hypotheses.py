@@ -97,9 +97,7 @@ def test_the_same_conclusions_are_decided_on_a_line_through_a_point(a, b, k, con
     small = Oscillator()
     scene = replace(small.scene, roots={})
     line = printed(small, [f"x={a}", f"{k}v={k * b}"])
-    (outcome,) = decide(
-        small.section, Implication("implication", scene, "", printed=small(conclusion), given=line)
-    )
+    outcome = small.outcome(Implication, conclusion, scene, given=line)
     left, right = (side.replace("^2", "**2").replace("xv", "x*v").replace(r"\frac{x}{2}", "x/2")
                    for side in conclusion.split("="))  # fmt: skip
     holds = eval(left, {"x": a, "v": b}) == eval(right, {"x": a, "v": b})
@@ -112,9 +110,7 @@ def test_an_identity_in_a_setting_without_a_real_point(p, q, n):
     small = Oscillator()
     root = small(f"R^2=-({p})^2-({q})^2-{n}")
     scene = replace(small.scene, roots={}).adjoining(root)
-    (outcome,) = decide(
-        small.section, Identity("identity", scene, "", printed=small("R^2+v=v+R^2"))
-    )
+    outcome = small.outcome(Identity, "R^2+v=v+R^2", scene)
     refused = outcome.verdict == "error" and "R is real" in outcome.message
     assert refused or (outcome.verdict, outcome.message) == ("undecided", NOTHING)
 
@@ -124,10 +120,8 @@ def test_a_root_is_real(sign):
     """The root of x² + v² is that of a real number; the root of its opposite is none."""
     small = Oscillator()
     scene = replace(small.scene, roots={}).adjoining(small(f"R^2={sign}(x^2+v^2+1)"))
-    (outcome,) = decide(
-        small.section, Identity("identity", scene, "", printed=small(r"\frac{d}{dt}(R^2)=0"))
-    )
-    assert outcome.verdict == ("error" if sign else "proved")
+    verdict = small.verdict(Identity, r"\frac{d}{dt}(R^2)=0", scene)
+    assert verdict == ("error" if sign else "proved")
 
 
 @cache
@@ -175,7 +169,5 @@ def test_a_root_of_a_root_of_what_is_complex():
     small = Oscillator()
     first, second = small("p^2=z_1"), small("q^2=p-1")
     scene = replace(small.new, definitions={}).adjoining(first, second)
-    (outcome,) = decide(
-        small.section, Identity("identity", scene, "", printed=small("q^4=z_1-2p+1"))
-    )
+    outcome = small.outcome(Identity, "q^4=z_1-2p+1", scene)
     assert outcome.verdict == "proved"

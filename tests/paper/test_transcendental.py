@@ -7,7 +7,16 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from kowalevski_cas.notation import Application, Derivative, Name, Negative, Number, Product, Sum
+from kowalevski_cas.notation import (
+    Application,
+    Derivative,
+    Name,
+    Negative,
+    Number,
+    Product,
+    Sum,
+    to_latex,
+)
 from kowalevski_cas.paper.claims import FirstIntegral, Identity, Implication
 from kowalevski_cas.paper.derivation import Scene, Section
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -145,6 +154,19 @@ def test_a_value_that_is_taken_refutes():
         "false", scene, "", printed=section.display("e", r"\cos x=\frac34")[1], given=(given_place,)
     )
     assert [str(one.verdict) for one in decide(section, true, false)] == ["proved", "refuted"]
+
+
+def test_what_a_derivative_by_an_angle_divides_by_is_remembered_where_it_cancels():
+    section = Section("1", "")
+    scene = scene_of(
+        section, r"\dot x=-\frac{\partial}{\partial x}\frac{y\cos x}{y},\quad\dot y=0", "x y", ""
+    )
+    [outcome] = decide(
+        section, Identity("c", scene, "", printed=section.display("d", r"\dot x=\sin x")[1])
+    )
+    assert (
+        str(outcome.verdict) == "conditional" and to_latex(outcome.conditions[0].expression) == "y"
+    )
 
 
 def test_degrees_and_volumes_are_not_those_of_other_variables(on):

@@ -98,37 +98,9 @@ DEGENERATE = condition(
         "the dimension of the set, and as stated",
     ),
 )
-ROWS10 = (
-    r"{x'_1  =  - x_1 w_3  + z_1 w_1,}",
-    r" {x'_2  = x_2 w_3  - z_2 w_2,}",
-    r"{y'_1  =  - y_1 w_3  + z_2 w_1,}",
-    r"{y'_2  = y_2 w_3  - z_1 w_2 ,}",
-    r"{2z'_1  = x_1 w_2  - y_2 w_1,}",
-    r"{2z'_2  =  - x_2 w_1 + y_1 w_2,}",
-    r"2w'_1  =  - (w_1 w_3  + z_1 )",
-    r"2w'_2  = w_2 w_3  + z_2",
-    r"2\omega'_3 = y_2  - y_1.",
-)
-EQ12 = (
-    r"\frac{d F_1} {d\tau}  = \frac{1} {2\sqrt {x_1 x_2 }} \,[\frac{x_2} {x_1 } (z_1^2  + x_1 y_2 )"
-    "(w_1^2  + x_1 ) - \\frac{x_1} {x_2 } (z_2^2\n+ x_2 y_1 )(w_2^2  + x_2 )]."
-)
-EQ14 = r"""\displaystyle{\frac {d} {d\tau } (U_1  - U_2 ) = \frac{1} {\sqrt
-{x_1 x_2 } }[{\frac {c_1 } {x_1^2 }}(w_1^2  + x_1 ) + {\frac{c_2 }
-{x_2^2 }}(w_2^2  + x_2 )] (\sqrt {x_1 x_2 } \omega _3  - {\frac{x_2
-z_1 w_1  + x_1 z_2 w_2 } {\sqrt {x_1 x_2 } }}).}"""
-EQ16 = r""" 2[c(\xi _1^2  - \xi _2^2
-) - (a^2  - b^2 )\xi _1 \xi _2 ](\omega _1^2  - \omega _2^2  + \xi
-_1 ) +
-\\[2mm]
-\qquad+ [(a^2  - b^2 )(\xi _1^2  - \xi _2^2 ) + 4c\xi _1 \xi _2
-](2\omega _1 \omega _2  + \xi _2 ) = 0."""
-EQ21 = r"""\displaystyle{\Psi  =  - \frac{1}{2} (\alpha _1^2  + \alpha _2^2
-)[\omega _3 - 2{\frac{\alpha _1 \omega _1  + \alpha _2 \omega _2 }
-{\alpha _1^2  + \alpha _2^2 }}]^2  +}   \\[2mm]
-\displaystyle{\phantom{\Psi=} + \frac{1} {\alpha _1^2  + \alpha _2^2
-} [(\alpha_1^2 - \alpha _2^2 )(\omega _1^2  - \omega _2^2  + \alpha
-_1 ) + 2\alpha _1 \alpha _2 (2\omega _1 \omega _2  + \alpha _2 )].}"""
+ROWS10 = [row.source for row in read_display(paper.DISPLAYS["eq10"], WORDS)]
+EQ12, EQ14, EQ21 = (paper.DISPLAYS[name] for name in ("eq12", "eq14", "eq21"))
+EQ16 = read_display(paper.DISPLAYS["eq16"], WORDS)[1].source
 LONG = r"x_1^2x_2^2\left(\frac{dF_1}{d\tau}\right) = " + " ".join(
     rf"{'+-'[k % 2]} {k + 2}x_1^{k % 4 + 1}x_2^{{{k % 3 + 10}}}w_1\omega_3^2y_{k % 2 + 1}"
     for k in range(60)

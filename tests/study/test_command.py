@@ -9,7 +9,6 @@ import pytest
 
 from kowalevski_cas.cli import run
 from kowalevski_cas.pictures import style
-from kowalevski_cas.report.plates import plates
 from study import STEPS, command, load, page
 from study.command import FULL
 from study.store import stored
@@ -37,15 +36,10 @@ def test_a_study_says_what_it_measured_and_what_failed(step, tmp_path, capsys):
     assert head["quick"] is True and {"processor", "Python", "sympy"} <= head["machine"].keys()
 
 
-def test_a_whole_study_has_a_page_with_its_captions_and_lists_what_a_report_shows(
-    step, tmp_path, monkeypatch
-):
-    monkeypatch.setattr(page, "REPORTED", ("toys",))
+def test_a_whole_study_has_a_page_with_its_captions(step, tmp_path):
     folder = tmp_path / "study"
     assert main(["-o", str(folder)]) == 0
     assert f"![toys](toys.png)\n\n{step.CAPTION}" in (folder / "README.md").read_text()
-    (plate,) = plates(tmp_path, "kharlamov2002")
-    assert (plate.place, plate.caption) == ("study/toys", step.CAPTION)
 
 
 def test_the_committed_page_has_the_charts_and_the_captions_of_this_version(tmp_path):
@@ -55,8 +49,7 @@ def test_the_committed_page_has_the_charts_and_the_captions_of_this_version(tmp_
     for name in STEPS:
         (tmp_path / f"{name}.png").touch()
     page.write_page(tmp_path)
-    for name in ("README.md", "plates.json"):
-        assert (tmp_path / name).read_text() == (committed / name).read_text()
+    assert (tmp_path / "README.md").read_text() == (committed / "README.md").read_text()
 
 
 @pytest.mark.slow

@@ -158,8 +158,7 @@ def test_what_rests_on_a_correction_for_which_there_was_no_time_is_undecided():
 
 
 def test_a_hopeless_formula_has_none(small):
-    claim = Identity("t", small.scene, "", printed=small("x^5+7=v^3-x+2"))
-    (outcome,) = decide(small.section, claim)
+    outcome = small.outcome(Identity, "x^5+7=v^3-x+2")
     assert outcome.verdict == "refuted" and outcome.correction is None
 
 

@@ -99,8 +99,7 @@ def test_a_name_without_meaning_on_the_scene_is_an_error(small):
 
 
 def test_an_undeclared_name_is_an_error_with_a_caret(small):
-    (outcome,) = decide(small.section, Identity("t", small.scene, "", printed=small("y = x")))
-    lines = outcome.message.splitlines()
+    lines = small.outcome(Identity, "y = x").message.splitlines()
     assert lines[-2].strip() == "y = x" and lines[-1].strip() == "^"
 
 

@@ -1,5 +1,7 @@
 """The closed form on O⁴: at any time, in every regime, in floats and in balls."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from flint import acb, arb
@@ -13,7 +15,7 @@ from kowalevski_cas.motion.o4.point import PhasePoint
 from kowalevski_cas.motion.o4.series import Series
 from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import ball, precision
-from kowalevski_cas.paper.closed_form import HyperellipticForm, Member, Values
+from kowalevski_cas.paper.closed_form import HyperellipticForm, Values
 from kowalevski_cas.paper.scene import Scene
 from tests.motion.o4.levels import KNOWN, motion
 from tests.sample import sampled
@@ -98,22 +100,21 @@ RADICALS = (r"\mu_1", r"\mu_2", "A_1", "B_1", "A_2", "B_2", "K_1", "K_2", "E")
 names = ("u_1", "u_2", r"\varepsilon", "s", r"\tau_3", "p", "r", r"\sigma", r"\kappa")
 
 
+@cache
 def printed(ids, arguments):
     """The right-hand sides of displays of the section on the phase point, as a function."""
     derivation = formulas.source(HyperellipticForm)
     displays = {d.id: d for section in derivation.sections for d in section.displays}
     scene = Scene("printed", variables=(*names, *RADICALS, *PARTS))
-    sides = tuple(Member(member, 1) for id in ids for member in displays[id])
+    sides = tuple(member for id in ids for member in displays[id])
     return formulas.compiled(Values(scene, sides, arguments), HyperellipticForm)
-
-
-squares = printed(["radicals-O4"], (*names, r"\mu_1", r"\mu_2"))
-parts = printed(["parts"], (*names, *RADICALS, "d"))
-fields = printed(["velocity-by-u", "fields-by-u"], (*names, *RADICALS, *PARTS))
 
 
 @given(st.sampled_from(KNOWN), inside, inside, signs)
 def test_the_phase_point_is_that_of_the_printed_formulas(known, first, second, chosen):
+    squares = printed(("radicals-O4",), (*names, r"\mu_1", r"\mu_2"))
+    parts = printed(("parts",), (*names, *RADICALS, "d"))
+    fields = printed(("velocity-by-u", "fields-by-u"), (*names, *RADICALS, *PARTS))
     moving = on_a_torus(known, first, second, chosen)
     values = moving.parameters
     with precision(128):
