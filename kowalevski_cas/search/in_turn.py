@@ -13,13 +13,11 @@ from kowalevski_cas.problem.evidence import Proof, Shown
 from kowalevski_cas.problem.fold import divisors_of
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.search.follows import LARGEST_POWER
 from kowalevski_cas.search.groebner import Combinations
 from kowalevski_cas.search.place import PointFinder
 
 Names = Callable[[Setting], Sequence[str]]
-
-LARGEST_POWER = 3
-"""The largest power of an element that is combined."""
 
 
 class Step(NamedTuple):
@@ -44,7 +42,7 @@ def steps_to(
     all is linear in them.
     """
     left, steps, rows = [*targets], list[Step](), dict[Element, list[Element]]()
-    longest, one = max(map(_length, generators)), generators[0].ring.one
+    longest, ring = max(map(_length, generators)), generators[0].ring
     powers = range(1, 2 if unknowns else LARGEST_POWER + 1)
     made = None
     while left:
@@ -60,9 +58,9 @@ def steps_to(
         if step.power > 1 or _length(step.element) <= longest:
             made, more = None, _undivided(step)
             steps += more
-            rows[step.element] = [*(one - one for _ in (*known, *more[1:])), one]
+            rows[step.element] = [*(ring.zero for _ in (*known, *more[1:])), ring.one]
     size = len(generators) + len(steps)
-    return steps, [(rows[target] + [one - one] * size)[:size] for target in targets]
+    return steps, [(rows[target] + [ring.zero] * size)[:size] for target in targets]
 
 
 def _combined(target: Element, made: Combinations, powers: Sequence[int]) -> Step | None:
@@ -88,7 +86,7 @@ def _undivided(step: Step) -> list[Step]:
     first = Step(factor * element**power, [factor * entry for entry in row])
     if _length(first.element) > _length(factor) * sum(not entry.is_zero for entry in row):
         return [step]
-    return [first, Step(element, [*(factor - factor for _ in row), factor.inverse()], power)]
+    return [first, Step(element, [*(factor.ring.zero for _ in row), factor.inverse()], power)]
 
 
 def _denominator(row: Sequence[Element]) -> Element | None:
