@@ -1,6 +1,6 @@
 """The formulas by which motions on O^4 are computed; none is typed here a second time."""
 
-from kowalevski_cas.paper.closed_form import HyperellipticForm, Member, Values
+from kowalevski_cas.paper.closed_form import HyperellipticForm, Values
 from kowalevski_cas.paper.derivation import Scene
 
 from ..kharlamov2005.third_subsystem import with_constants
@@ -55,7 +55,7 @@ def offer() -> HyperellipticForm:
         variables=Values(
             plane,
             (
-                Member(root[1], 1),
+                root[1],
                 r"\tau_3\xi+q",
                 r"\tau_3\xi-q",
                 r"\tau_3-X",
@@ -63,20 +63,20 @@ def offer() -> HyperellipticForm:
             ),
             plane.variables,
         ),
-        integrals=Values(values, tuple(Member(printed, 1) for printed in on_O4_values), CONSTANTS),
+        integrals=Values(values, (*on_O4_values,), CONSTANTS),
         squares=Values(
             here,
-            tuple(Member(printed, 1) for printed in squares),
+            squares,
             (*COORDINATES, r"\mu_1", r"\hat{\mu}_2", "s", r"\tau_3", "r", r"\sigma", r"\kappa"),
         ),
         parts=Values(
             here,
-            tuple(Member(printed, 1) for printed in hatted_parts),
+            (*hatted_parts,),
             (*COORDINATES, *RADICALS, *CONSTANTS, r"\hat{d}"),
         ),
         phase_point=Values(
             here,
-            tuple(Member(printed, 1) for printed in (*hatted_velocity, *hatted_fields)),
+            (*hatted_velocity, *hatted_fields),
             (*RADICALS, r"\hat{E}", *PARTS, "s", r"\tau_3", "r", "vu_1-n"),
             ("vu_1-n",),
         ),

@@ -1,6 +1,6 @@
 """The formulas by which motions are computed; none is typed here a second time."""
 
-from kowalevski_cas.paper.closed_form import ClosedForm, Member, Values
+from kowalevski_cas.paper.closed_form import ClosedForm, Values
 from kowalevski_cas.paper.derivation import Scene
 
 from ..kharlamov2002.section1 import ALPHA, BETA, OMEGA
@@ -24,7 +24,7 @@ point = Scene(
 
 with_G = initial.having(vectors=VECTORS).defining(G)
 
-with_xi = with_G.defining(xi)
+with_relations = with_G.defining(xi).naming("N_1", eq16[1]).naming("N_2", eq16[2])
 
 beside = (
     Scene("beside N⁴", variables=known)
@@ -44,8 +44,8 @@ def offer() -> ClosedForm:
     return ClosedForm(
         equations=Values(initial, tuple(rf"\dot{{{name}}}" for name in STATE), STATE),
         integrals=Values(
-            with_xi,
-            ("H", "K", "a^2", "b^2", "c", "G", *(Member(printed, 0) for printed in eq16)),
+            with_relations,
+            ("H", "K", "a^2", "b^2", "c", "G", "N_1", "N_2"),
             STATE,
         ),
         constants=Values(
@@ -53,13 +53,11 @@ def offer() -> ClosedForm:
         ),
         phase_point=Values(
             point,
-            tuple(Member(printed, 1) for printed in (*velocity, *fields)),
+            (*velocity, *fields),
             by,
             supplied,
         ),
         complex_variables=Values(initial, known, (*STATE, "i")),
         across=Values(beside, invariants, (*known, ROOT)),
-        across_rates=Values(
-            linear, tuple(Member(printed, 1) for printed in F_prime), (*linear.variables, ROOT)
-        ),
+        across_rates=Values(linear, (*F_prime,), (*linear.variables, ROOT)),
     )

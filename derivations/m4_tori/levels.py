@@ -1,7 +1,7 @@
 r"""1. The levels of H and J_3 on M^4, for c = 0: a polynomial of degree 4 and a cubic one."""
 
 from kowalevski_cas.paper.claims import Identity
-from kowalevski_cas.paper.closed_form import LevelsOnM4, Member, Values
+from kowalevski_cas.paper.closed_form import LevelsOnM4, Values
 from kowalevski_cas.paper.derivation import Scene, Section
 
 from ..kharlamov2002.section2 import eq10, tau, unit
@@ -110,4 +110,4 @@ NUMBERS = (r"\xi", "h", "j", "p", "r")
 def offer() -> LevelsOnM4:
     """The polynomial in ξ, whose real roots count the tori."""
     numbers = Scene("levels of M⁴", variables=NUMBERS)
-    return LevelsOnM4(polynomial=Values(numbers, (Member(quartic[2], 1),), NUMBERS))
+    return LevelsOnM4(polynomial=Values(numbers, (quartic[2],), NUMBERS))

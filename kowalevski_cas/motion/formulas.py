@@ -12,9 +12,10 @@ from kowalevski_cas.algebra.flint import to_flint, to_fraction
 from kowalevski_cas.library import LibraryError, available, load
 from kowalevski_cas.motion.compile import Function, function
 from kowalevski_cas.notation import Formula, Name
-from kowalevski_cas.paper.closed_form import ClosedForm, Member, Values
+from kowalevski_cas.paper.closed_form import ClosedForm, Values
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
+from kowalevski_cas.paper.texts import Printed
 
 INTEGRALS = ("H", "K", "a^2", "b^2", "c", "G", "F_1", "F_2")
 """Names of the integrals of a :class:`~kowalevski_cas.paper.closed_form.ClosedForm`."""
@@ -53,8 +54,8 @@ def compiled(values: Values, kind: type = ClosedForm) -> Function:
     named = [(texts.expression(tex), Name(tex)) for tex in values.supplied]
     elements = []
     for expression in values.expressions:
-        if isinstance(expression, Member):
-            formula = texts.relation(expression.printed).members[expression.place]
+        if isinstance(expression, Printed):
+            _, formula = texts.sides(expression)
         else:
             formula = texts.expression(expression)
         for part, name in named:

@@ -3,17 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed
-
-
-class Member(NamedTuple):
-    """One side of a printed relation: 0 is the first."""
-
-    printed: Printed
-    place: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,14 +14,15 @@ class Values:
 
     Args:
         scene: where everything is read.
-        expressions: what is computed: TeX in the names of the scene, or a side of a relation.
+        expressions: what is computed: TeX in the names of the scene, or a printed equation, of
+            which it is the right side.
         arguments: the names, in the order in which a caller gives their values.
         supplied: parts of the expressions that a caller knows better than they can be computed,
             as :math:`s_1s_2-a^2`; each is an argument, and a variable of the scene.
     """
 
     scene: Scene
-    expressions: tuple[str | Member, ...]
+    expressions: tuple[str | Printed, ...]
     arguments: tuple[str, ...]
     supplied: tuple[str, ...] = ()
 

@@ -181,6 +181,9 @@ class Element(checker.Element):
     def __neg__(self) -> checker.Element:
         return Element(super().__neg__(), f"(-{self.text})")
 
+    def __mul__(self, other: checker.Element) -> checker.Element:
+        return self.ring.product([self, other])
+
     def __pow__(self, exponent: int) -> checker.Element:
         return Element(super().__pow__(exponent), f"({self.text}^{exponent})")
 

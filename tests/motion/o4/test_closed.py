@@ -15,7 +15,7 @@ from kowalevski_cas.motion.o4.point import PhasePoint
 from kowalevski_cas.motion.o4.series import Series
 from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import ball, precision
-from kowalevski_cas.paper.closed_form import HyperellipticForm, Member, Values
+from kowalevski_cas.paper.closed_form import HyperellipticForm, Values
 from kowalevski_cas.paper.scene import Scene
 from tests.motion.o4.levels import KNOWN, motion
 from tests.sample import sampled
@@ -106,7 +106,7 @@ def printed(ids, arguments):
     derivation = formulas.source(HyperellipticForm)
     displays = {d.id: d for section in derivation.sections for d in section.displays}
     scene = Scene("printed", variables=(*names, *RADICALS, *PARTS))
-    sides = tuple(Member(member, 1) for id in ids for member in displays[id])
+    sides = tuple(member for id in ids for member in displays[id])
     return formulas.compiled(Values(scene, sides, arguments), HyperellipticForm)
 
 
