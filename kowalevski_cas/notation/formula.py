@@ -216,12 +216,10 @@ class Summation(Formula):
     body: Formula
 
 
-@dataclass(frozen=True)
 class Unwritten(Formula):
     """An ellipsis: terms that the author does not print."""
 
 
-@dataclass(frozen=True)
 class Constant(Formula):
     r"""The word ``const`` at the end of a chain of equalities."""
 

@@ -26,6 +26,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.paper.components import component
+from kowalevski_cas.paper.denominators import Denominators, denominators
 from kowalevski_cas.paper.motion import Moving
 from kowalevski_cas.paper.names import head, is_bold
 from kowalevski_cas.paper.plain import Plain
@@ -276,6 +277,12 @@ class Elaboration(Moving):
     def written_out(self) -> WrittenOut:
         """What a place prints that leaves no name in the space."""
         return WrittenOut(self.plain)
+
+    @cached_property
+    def denominators(self) -> Denominators:
+        """The denominators in all definitions of the scene."""
+        places = self.scene.definitions.values()
+        return denominators(self, [self.plain(self.texts.formula(place)) for place in places])
 
     def formula(self, formula: str | Formula) -> Formula:
         """A formula, or LaTeX in the names of the scene, in the operations of a space."""

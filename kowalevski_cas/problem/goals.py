@@ -41,7 +41,6 @@ class Follows(Theorem):
     main: Main = ()
 
 
-@dataclass(frozen=True, eq=False)
 class Fails(Follows):
     """At a real point where the given equations hold some equation of each conclusion fails."""
 

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import suppress
-from fractions import Fraction
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache
 
 from kowalevski_cas.algebra.factors import divided, irreducible_factors
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Negative, Power, Product, Quotient, Sum
+from kowalevski_cas.notation import Formula, Negative, Product, Sum
+from kowalevski_cas.paper.denominators import (
+    Denominators,
+    Shape,
+    denominators,
+    factors_of,
+    shape_of,
+)
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
@@ -17,9 +23,6 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.cofactors import vanishes_on
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.shown import written
-
-Shape = frozenset[object]
-"""A polynomial up to a constant factor, as a key."""
 
 Divided = tuple[Elaboration, Formula]
 """What may not vanish, and the setting in which it stands."""
@@ -62,18 +65,19 @@ def _divisors(
     divisors = ring.divided_by(elements)
     if not divisors:
         return []
-    granted = {_shape(one) for one in _granted(setting)}
+    granted = {shape_of(one) for one in _granted(setting)}
     landmarks = [setting.texts.expression(locus.condition) for locus in setting.scene.loci]
-    names = {_shape(setting.finder.scalar(setting.plain(f))): f for f in landmarks}
+    names = {shape_of(setting.finder.scalar(setting.plain(f))): f for f in landmarks}
     found: dict[Formula, None] = {}
-    known = {_shape(divisor) for divisor in divisors if len(divisor.terms()[0]) == 1} | granted
+    known = {shape_of(divisor) for divisor in divisors if len(divisor.terms()[0]) == 1} | granted
+    below = cache(lambda: {**setting.denominators, **denominators(setting, stated)})
     for divisor in divisors:
-        shape = _shape(divisor)
+        shape = shape_of(divisor)
         if shape in granted:
             continue
         if shape not in names and shape not in known:
             divisor = _without(divisor, known)
-        printed = () if shape in names else _printed(divisor, granted, setting, stated)
+        printed = () if shape in names else _printed(divisor, granted, setting, below)
         if printed:
             found |= dict.fromkeys(printed)
         elif divisor is not ring.one:
@@ -87,46 +91,19 @@ def _divisors(
 
 
 def _printed(
-    divisor: Element, granted: set[Shape], setting: Elaboration, stated: Sequence[Formula]
+    divisor: Element, granted: set[Shape], setting: Elaboration, below: Callable[[], Denominators]
 ) -> tuple[Formula, ...]:
     """The printed denominators, one or several, that vanish together where the divisor does."""
     if len(divisor.terms()[0]) < 2:
         return ()
-
-    def factors(element: Element) -> set[Shape]:
-        irreducible = irreducible_factors(element.terms()[0]) if 0 in element.terms() else []
-        return {_shape(divisor.ring.from_terms({0: terms})) for terms, _ in irreducible} - granted
-
-    wanted, product = factors(divisor), divisor.ring.one
-    parts: dict[Formula, Element] = {}
-    for formula in _denominators(setting, stated):
-        with suppress(Meaningless, ZeroDivisionError):
-            parts[formula] = setting.finder.scalar(formula)
-    shares = [
-        formula
-        for formula, element in parts.items()
-        if not element.is_zero
-        and wanted & {s for d in divisor.ring.divided_by([element.inverse()]) for s in factors(d)}
-    ]
-    for formula in shares:
-        product = product * parts[formula]
-        if set(parts[formula].terms()) == {0} and factors(parts[formula]) == wanted:
+    wanted, product = factors_of(divisor) - granted, divisor.ring.one
+    shares = {f: element for f, (element, factors) in below().items() if wanted & factors}
+    for formula, element in shares.items():
+        product = product * element
+        if set(element.terms()) == {0} and factors_of(element) - granted == wanted:
             return (written(formula, setting),)
-    together = set(product.terms()) == {0} and factors(product) == wanted
+    together = set(product.terms()) == {0} and factors_of(product) - granted == wanted
     return tuple(written(formula, setting) for formula in shares) if together else ()
-
-
-def _denominators(setting: Elaboration, stated: Sequence[Formula]) -> Iterator[Formula]:
-    """The factors of all denominators in the definitions of a setting and in what is stated."""
-    places = setting.scene.definitions.values()
-    waiting = [*stated, *(setting.plain(setting.texts.formula(place)) for place in places)]
-    while waiting:
-        formula = waiting.pop()
-        waiting += formula.children()
-        if isinstance(formula, Quotient):
-            below = formula.denominator
-            for factor in below.factors if isinstance(below, Product) else (below,):
-                yield factor.base if isinstance(factor, Power) else factor
 
 
 def _positive(divisor: Element, setting: Elaboration) -> Formula:
@@ -150,8 +127,10 @@ def _without(divisor: Element, known: set[Shape]) -> Element:
     """A polynomial without its factors that are known, which all are after that."""
     ring, result = divisor.ring, divisor.ring.one
     factors = irreducible_factors(divisor.terms()[0])
-    new = [(f, e) for terms, e in factors if _shape(f := ring.from_terms({0: terms})) not in known]
-    known.update(_shape(factor) for factor, _ in new)
+    new = [
+        (f, e) for terms, e in factors if shape_of(f := ring.from_terms({0: terms})) not in known
+    ]
+    known.update(shape_of(factor) for factor, _ in new)
     whole = all(value.denominator == 1 for value in divisor.terms()[0].values())
     if whole and len(new) == len(factors) and all(exponent == 1 for _, exponent in new):
         return divisor
@@ -163,7 +142,7 @@ def _without(divisor: Element, known: set[Shape]) -> Element:
 def same(formula: Formula, other: Formula, setting: Elaboration) -> bool:
     """Whether two conditions are the same on a setting, up to a number."""
     both = _values(formula, other, setting)
-    return both is not None and _shape(both[0]) == _shape(both[1])
+    return both is not None and shape_of(both[0]) == shape_of(both[1])
 
 
 def implies(formula: Formula, other: Formula, setting: Elaboration) -> bool:
@@ -188,14 +167,3 @@ def _values(formula: Formula, other: Formula, setting: Elaboration) -> list[Elem
         return [setting.finder.scalar(setting.plain(one)) for one in (formula, other)]
     except Meaningless:
         return None
-
-
-def _shape(element: Element) -> Shape:
-    """A polynomial up to a constant factor, as a key."""
-    parts = element.terms()
-    lead = next((parts[m][max(parts[m])] for m in sorted(parts)), Fraction(1))
-    return frozenset(
-        (mask, exponents, (scaled := value / lead).numerator, scaled.denominator)
-        for mask, terms in parts.items()
-        for exponents, value in terms.items()
-    )

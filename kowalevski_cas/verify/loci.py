@@ -141,6 +141,8 @@ def rank_on(
             found = rank([[candidate(entry) for entry in row] for row in rows])
             if best is None or found > best[0]:
                 best = found, candidate.point(names)
+            if found == len(rows):
+                break
         except (ZeroDivisionError, Misplaced):
             continue
     return best
