@@ -63,7 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _write(run: Run, paper: Sequence[Section], folder: Path, output: Path) -> tuple[Checked, str]:
     """Write the bundle of a run; what the checker says of its certificates, and where it is."""
     checked, digests = certified(run, folder)
-    _, written = page(run, paper, digests)
+    _, written = page(run, paper, digests, evidence=FOLDER)
     contents: dict[str, bytes] = {name: text.encode() for name, text in written.items()}
     for path in certificate_files(folder):
         contents[f"{FOLDER}/{path.relative_to(folder / FOLDER).as_posix()}"] = path.read_bytes()

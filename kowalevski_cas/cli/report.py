@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 from dataclasses import replace
@@ -14,6 +15,7 @@ from kowalevski_cas.cli.exits import AS_RECORDED
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.report.pdf import write_report
 from kowalevski_cas.report.places import Section, sections
+from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.committed import Checked, check_committed, statements
 from kowalevski_cas.verify.outcome import Run
 
@@ -51,7 +53,8 @@ def write(
 ) -> tuple[Checked, str]:
     """Write the report of a run; what the checker says of its certificates, and where it is."""
     checked, digests = certified(run, derivation)
-    written = write_report(run, paper, folder, digests)
+    evidence = os.path.relpath(derivation / FOLDER, folder)
+    written = write_report(run, paper, folder, digests, Path(evidence).as_posix())
     said = [*written.notes, f"{written.html} and {written.pdf} are written"]
     return checked, "\n".join(said)
 

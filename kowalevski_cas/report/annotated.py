@@ -29,7 +29,7 @@ from kowalevski_cas.report.document import (
 )
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.paragraphs import FIRST, Placed
-from kowalevski_cas.report.places import Item, names, sections
+from kowalevski_cas.report.places import Item, sections
 from kowalevski_cas.report.prose import read_article
 from kowalevski_cas.report.sentences import listed
 from kowalevski_cas.verify.outcome import Run, Verdict
@@ -61,7 +61,7 @@ class _Annotated:
             audit.session.texts.vocabulary,
         )  # fmt: skip
         paper = sections(run, derivation, audit.session.texts)
-        self.contents = Contents(run, paper, names(paper), {}, ())
+        self.contents = Contents(run, paper)
         self.items: dict[str, list[Item]] = {}
         self.begins: dict[str, str] = {}
         for section in paper:
@@ -197,9 +197,7 @@ class _Annotated:
         """Where a reference to a display leads."""
         items = self.items.get(display.id, ()) if display else ()
         own: Sequence[Item] = [item for item in items if display and item.display == display.id]
-        if own and own[0].outcomes:
-            return f"claim.{anchor(own[0].outcomes[0].claim)}"
-        return f"display.{anchor(own[0].display)}" if own else "paper"
+        return own[0].anchor if own else "paper"
 
 
 def _read(tex: str, vocabulary: Vocabulary) -> tuple[Formula, ...]:

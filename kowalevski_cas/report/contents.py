@@ -5,6 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from textwrap import shorten
+from types import MappingProxyType
 from typing import Final
 
 from kowalevski_cas import __version__
@@ -28,7 +29,7 @@ from kowalevski_cas.report.graph import picture
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.passages import Passages
-from kowalevski_cas.report.places import Name, Section, names
+from kowalevski_cas.report.places import Section, labels, names
 from kowalevski_cas.report.plates import Plate
 from kowalevski_cas.report.sentences import Phrases, counted, listed, nonzero
 from kowalevski_cas.report.witnesses import Witness, arithmetics
@@ -41,6 +42,7 @@ def contents(
     certified: Mapping[str, str] | None = None,
     programs: Sequence[Witness] = (),
     plates: Sequence[Plate] = (),
+    evidence: str = "",
 ) -> Document:
     """The report of a run.
 
@@ -50,24 +52,25 @@ def contents(
         certified: the digests of the certificates that the checker accepts, by claim.
         programs: which programs confirm which certificates.
         plates: the pictures of the derivation.
+        evidence: where the certificates are, as an address.
     """
-    called = names(sections)
-    return Contents(run, sections, called, certified or {}, programs).document(plates)
+    return Contents(run, sections, certified or {}, programs, evidence).document(plates)
 
 
 class Contents:
-    """The parts of a report of a run, in which claims are ``called`` so."""
+    """The parts of a report of a run, with the arguments of :func:`contents`."""
 
     def __init__(
         self,
         run: Run,
         sections: Sequence[Section],
-        called: Mapping[str, Name],
-        certified: Mapping[str, str],
-        programs: Sequence[Witness],
+        certified: Mapping[str, str] = MappingProxyType({}),
+        programs: Sequence[Witness] = (),
+        evidence: str = "",
     ) -> None:
         self.run, self.sections, self.certified, self.programs = run, sections, certified, programs
-        self.phrases = Phrases(run.vocabulary, called)
+        files = {claim: f"{evidence}/{claim}.json" for claim in certified} if evidence else {}
+        self.phrases = Phrases(run.vocabulary, names(sections), labels(sections), files)
         self.passages = Passages(self.phrases, certified, programs)
         copied = any(section.copied for section in sections)
         self.findings = Findings(self.phrases, run.outcomes, copied)
@@ -116,10 +119,9 @@ class Contents:
         yield Paragraph(self._confirmed())
         rows = []
         for section in self.sections:
-            name = f"{section.number}. {section.title}"
             signs = listed([self._sign(o) for o in section.outcomes], " ")
             signs = tuple(" " if part == ", " else part for part in signs)
-            link = Link(f"section.{anchor(section.number)}", self.phrases.words(name))
+            link = Link(f"section.{anchor(section.number)}", self.phrases.title(section))
             rows.append(((link,), signs))
         yield Table((0.36, 0.6), (("Section",), ("Its formulas and statements",)), tuple(rows))
 

@@ -44,9 +44,10 @@ class Evidence:
             formulas = _told(told_of)
             if told_of and not formulas:
                 continue
-            yield Paragraph(
-                (*self._whose(claims), *self._said(ones[0], bool(formulas))), leads=bool(formulas)
-            )
+            said = self._said(ones[0], bool(formulas))
+            if ones[0].withheld and (file := self.phrases.certificate(claims)):
+                said = (*self.phrases.sentence(ones[0].words, ": "), *file, ".")
+            yield Paragraph((*self._whose(claims), *said), leads=bool(formulas))
             long = sum(len(to_plain(formula)) for formula in formulas) > LONG
             if formulas:
                 yield Display(formulas, long=long)

@@ -52,7 +52,7 @@ class Passages:
 
     def section(self, section: Section) -> Iterator[Block]:
         """A section of the paper: what it assumes, and its displays and claims in their order."""
-        name = self.phrases.words(f"{section.number}. {section.title}")
+        name = self.phrases.title(section)
         yield Heading(name, f"section.{anchor(section.number)}")
         granted = dict.fromkeys(f for outcome in section.outcomes for f in outcome.granted)
         if granted:
@@ -75,8 +75,7 @@ class Passages:
         if not item.stated:
             formulas = tuple(formula for row in item.rows for formula in row.formulas)
             label = (item.label,) if item.label else ()
-            place = f"display.{anchor(item.display)}" if item.display else ""
-            yield Display(formulas, item.rows[0].source, label=label, anchor=place)
+            yield Display(formulas, item.rows[0].source, label=label, anchor=item.anchor)
         for one in item.stated:
             yield self._several(one) if len(one.rows) > 1 else self._alone(one)
 

@@ -56,14 +56,17 @@ def page(
     sections: Sequence[Section],
     certified: Mapping[str, str],
     beside: Path | None = None,
+    evidence: str = "",
 ) -> tuple[Document, dict[str, str]]:
     """A report, and its files by name: the page, and the facts behind it as JSON.
+
+    Its certificates are at the address ``evidence``.
 
     Pictures, and which programs confirmed what, are looked for in the folder ``beside``.
     """
     told = () if beside is None else programs(beside, run.derivation, certified)
     shown = () if beside is None else plates(beside, run.derivation)
-    document = contents(run, sections, certified, told, shown)
+    document = contents(run, sections, certified, told, shown, evidence)
     return document, {
         f"{run.derivation}.html": render_html(document, beside or Path()),
         f"{run.derivation}.json": facts(run, certified, told),
@@ -75,6 +78,7 @@ def write_report(
     sections: Sequence[Section],
     folder: Path,
     certified: Mapping[str, str] = MappingProxyType({}),
+    evidence: str = "",
     *,
     engine: Engine = "auto",
 ) -> Written:
@@ -82,6 +86,7 @@ def write_report(
 
     Each file appears whole or not at all: a failure or an interrupt leaves an earlier one as it
     was, and a PDF that was made of the same source and pictures is left alone.
+    Links lead to the certificates, from the report at the address ``evidence``.
     With ``engine="auto"`` LaTeX makes the PDF where it is installed and complete, else Typst.
     Pictures of the derivation that are in a folder below are shown (:mod:`.plates`), and so is
     which programs confirmed its certificates (:mod:`.witnesses`).
@@ -91,7 +96,7 @@ def write_report(
         OSError: if a file cannot be written.
     """
     shown = plates(folder, run.derivation)
-    document, files = page(run, sections, certified, folder)
+    document, files = page(run, sections, certified, folder, evidence)
     source = render_latex(document)
     html, tex, pdf = (folder / f"{run.derivation}.{suffix}" for suffix in ("html", "tex", "pdf"))
     for name, text in files.items():

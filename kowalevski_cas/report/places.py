@@ -12,6 +12,7 @@ from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper import derivation as paper
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Display, Printed, Texts
+from kowalevski_cas.report.names import anchor
 from kowalevski_cas.verify.outcome import Outcome, Run
 
 
@@ -72,6 +73,13 @@ class Item:
     def outcomes(self) -> tuple[Outcome, ...]:
         """The claims about the display and about its rows."""
         return tuple(outcome for one in self.stated for outcome in one.outcomes)
+
+    @property
+    def anchor(self) -> str:
+        """Where a reference to the display leads."""
+        if self.outcomes:
+            return f"claim.{anchor(self.outcomes[0].claim)}"
+        return f"display.{anchor(self.display)}" if self.display else ""
 
 
 @dataclass(frozen=True)
@@ -142,6 +150,12 @@ def names(sections: Sequence[Section]) -> dict[str, Name]:
         for place, row in enumerate(one.rows, 1)
         if row.outcome
     }
+
+
+def labels(sections: Sequence[Section]) -> dict[str, str]:
+    """Where the numbers of equations lead."""
+    items = (item for section in sections for item in section.items)
+    return {item.label: item.anchor for item in items if item.label}
 
 
 def _items(

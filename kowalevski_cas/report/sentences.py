@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 from typing import Final
 
 from kowalevski_cas.notation import Formula, Number, Relation, Vocabulary, read_prose
-from kowalevski_cas.report.document import Code, Link, Text
+from kowalevski_cas.report.document import Code, Inline, Link, Text
 from kowalevski_cas.report.names import anchor
-from kowalevski_cas.report.places import Name
+from kowalevski_cas.report.places import Name, Section
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
 
 ZERO: Final = Number(0)
+
+_NOTHING: Final[Mapping[str, str]] = MappingProxyType({})
 
 
 def listed(items: Sequence[Text], last: str = " and ") -> Text:
@@ -89,21 +93,54 @@ def nonzero(formula: Formula) -> Formula:
     return Relation((formula, ZERO), (r"\ne",))
 
 
-class Phrases:
-    """Phrases in the vocabulary of a paper; ``names`` has what its claims are called."""
+def _ended(text: str, end: str) -> str:
+    """The text with a capital and an end."""
+    text = text.strip()
+    return capital(text) + ("" if not text or text.endswith((".", "!", "?", ":")) else end)
 
-    def __init__(self, vocabulary: Vocabulary, names: Mapping[str, Name]) -> None:
+
+class Phrases:
+    """Phrases in the vocabulary of a paper.
+
+    Args:
+        vocabulary: the names in its formulas.
+        names: what its claims are called.
+        labels: where the numbers of its equations lead.
+        certificates: the addresses of certificates, by claim.
+    """
+
+    def __init__(
+        self,
+        vocabulary: Vocabulary,
+        names: Mapping[str, Name],
+        labels: Mapping[str, str] = _NOTHING,
+        certificates: Mapping[str, str] = _NOTHING,
+    ) -> None:
         self.vocabulary, self.names = vocabulary, names
+        self.labels, self.certificates = labels, certificates
+        # The equations of another paper are named with their author: (10) of Kharlamov.
+        numbers = "|".join(map(re.escape, labels)) or "(?!)"
+        self._number = re.compile(f"({numbers})(?! of [A-Z])")
 
     def words(self, text: str) -> Text:
-        """Words with mathematics between dollars."""
-        return read_prose(text, self.vocabulary)
+        """Words with mathematics between dollars, and links from the numbers of equations."""
+        found: list[Inline] = []
+        labels = self.labels
+        for run in read_prose(text, self.vocabulary):
+            if isinstance(run, str):
+                parts = self._number.split(run)
+                found += [Link(labels[p], (p,)) if p in labels else p for p in parts if p]
+            else:
+                found.append(run)
+        return tuple(found)
 
     def sentence(self, text: str, end: str = ".") -> Text:
         """Words that begin with a capital, where they begin with a letter, and come to an end."""
-        text = text.strip()
-        stop = "" if text.endswith((".", "!", "?", ":")) else end
-        return self.words(capital(text) + stop) if text else ()
+        return self.words(_ended(text, end))
+
+    def title(self, section: Section) -> Text:
+        """The number and the title of a section, without links."""
+        return read_prose(f"{section.number}. {section.title}", self.vocabulary)
 
     def name(self, claims: Sequence[str]) -> Text:
         """What claims are called that have one number, or what a single one is called."""
@@ -130,11 +167,22 @@ class Phrases:
             ]
         )
 
+    def certificate(self, claims: Iterable[str]) -> Text:
+        """Links to the certificates of claims, by the names of the files."""
+        return listed(
+            [
+                (Link(address, (address.rpartition("/")[2],), outside=True),)
+                for claim in claims
+                if (address := self.certificates.get(claim))
+            ]
+        )
+
     def linked(self, claim: str, words: str) -> Text:
         """The words of a claim as a sentence that leads to it; its name if there are none."""
         if not words:
             return self.links([claim])
-        return (Link(f"claim.{anchor(claim)}", self.sentence(words)),)
+        said = read_prose(_ended(words, "."), self.vocabulary)
+        return (Link(f"claim.{anchor(claim)}", said),)
 
     def found(self, claims: Sequence[str]) -> Text:
         """Where the paper prints claims: near an equation with a number, or as such."""

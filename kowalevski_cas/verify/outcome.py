@@ -91,12 +91,14 @@ class Condition:
 class Step:
     """One step that the program took, for the report: a sentence and what is displayed.
 
-    With a ``point``, the sentence is about this point.
+    With a ``point``, the sentence is about this point; what it speaks of and is ``withheld``,
+    since it is too long, stands in the certificate.
     """
 
     words: str
     formulas: tuple[Formula, ...] = ()
     point: Point | None = None
+    withheld: bool = False
 
 
 @dataclass(frozen=True)

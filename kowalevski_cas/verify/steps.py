@@ -122,7 +122,8 @@ def _independent(proof: Proof, at: Evaluation) -> Step:
     rows = [*_rows(proof)]
     terms = size(at.scalar(entry) for row in rows for entry in row)
     words = "At every point of the set that the hypotheses admit the differentials are independent"
-    return Step(f"{words}, by {len(rows)} identities whose coefficients have {terms} terms.")
+    words += f", by {len(rows)} identities whose coefficients have {terms} terms"
+    return Step(words, withheld=True)
 
 
 def _rows(proof: Proof) -> Iterator[Row]:
@@ -136,7 +137,7 @@ def _cases(proof: Proof, at: Evaluation) -> Step:
     groups = [[at.scalar(entry) for entry in group] for group in proof.product]
     words = "From what is given it follows that a product vanishes; it is shown case by case"
     if size(element for group in groups for element in group) > LONGEST:
-        return Step(f"{words}, for each of its {len(groups)} factors.")
+        return Step(f"{words}, for each of its {len(groups)} factors", withheld=True)
     factors = [_squares([shown(element, at.setting) for element in group]) for group in groups]
     return Step(f"{words}, for each factor:", (_equal(flat_product(factors), ZERO),))
 
@@ -155,7 +156,7 @@ def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
     words = f"{what[0].upper()}{what[1:]}" if one else f"One of the alternatives holds: {what}"
     products = sum(not entry.is_zero for row in rows for entry in row)
     if terms > LONGEST or products > MOST:
-        return Step(f"{words}; its coefficients have {terms} terms.")
+        return Step(f"{words}; its coefficients have {terms} terms", withheld=True)
     choices = product(*(_differences(one, at) for one in goal.conclusions))
     lefts = [
         Power(left, Number(proof.power)) if proof.power > 1 else left
@@ -228,7 +229,7 @@ def _bound(
     if (many := size(values)) > LONGEST:
         one = f"The {what[:-1]} of one" if what == "derivatives" else "One function"
         words = "is a linear combination of the relations whose coefficients have"
-        return Step(f"{one} {words} {many} terms.")
+        return Step(f"{one} {words} {many} terms", withheld=True)
     words = f"The {what} are linear combinations of the relations"
     right = _sum(values, [written(one, at.setting) for _, one in terms], at.setting)
     return Step(f"{words}:", (_equal(written(left, at.setting), right),))

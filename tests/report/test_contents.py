@@ -24,7 +24,7 @@ from kowalevski_cas.report.document import (
     paged,
 )
 from kowalevski_cas.report.witnesses import Witness
-from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.verify.outcome import Outcome, Step, Verdict
 from tests.report.fixtures import (
     C,
     P,
@@ -243,6 +243,23 @@ class TestEvidence:
         del digests["eq6"]
         text = said(under(contents(known, in_order(known), digests), "holds"))
         assert f"{len(known.outcomes) - 1} of {len(known.outcomes)} have certificates" in text
+
+    def test_numbers_of_equations_lead_to_them(self) -> None:
+        six = claim("eq6", "1", "x=x", "", P)
+        seven = claim("eq7", "1", "y=y", "by (6) and (10) of Kharlamov, not by (99)", P)
+        (told,) = (p for p in parts(document(six, seven)) if isinstance(p, Claim) and p.head)
+        assert told.head == (
+            "By ", Link("claim.eq6", ("(6)",)), " and (10) of Kharlamov, not by (99)."
+        )  # fmt: skip
+
+    def test_what_is_withheld_has_a_link_to_its_certificate(self) -> None:
+        long = Step("its coefficients have 152 terms", withheld=True)
+        one = run(claim("a", "1", "x=x", "", P, steps=(long,)))
+        paper, accepted = in_order(one), {"a": "0" * 64}
+        link = Link("there/a.json", ("a.json",), outside=True)
+        assert link in parts(contents(one, paper, accepted, evidence="there"))
+        for unproved in (contents(one, paper, evidence="there"), contents(one, paper, accepted)):
+            assert "152 terms." in said(unproved) and link not in parts(unproved)
 
     def test_restated_formulas_are_called_so(self) -> None:
         first, *others = in_order(run())

@@ -70,7 +70,7 @@ def test_invariant_relations_show_the_cofactors(steps):
 
 def test_what_is_too_long_is_counted(steps):
     _, (words, formulas) = steps("eq16.invariance")
-    assert words.endswith("whose coefficients have 152 terms.") and not formulas
+    assert words.endswith("whose coefficients have 152 terms") and not formulas
 
 
 def test_sides_that_are_equal_identically_are_said_to_be_so(steps):

@@ -22,8 +22,7 @@ def render(results: Sequence[Result]) -> str:
 def _claims(result: Result) -> Iterator[str]:
     phrases = phrases_of(result)
     for section in result.paper:
-        name = phrases.words(f"{section.number}. {section.title}")
-        yield from ("", *plain.wrapped(plain.text(name)))
+        yield from ("", *plain.wrapped(plain.text(phrases.title(section))))
         for outcome in section.outcomes:
             yield from _claim(outcome, phrases)
 
