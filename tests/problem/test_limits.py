@@ -101,6 +101,14 @@ COSTLY = {
     ),
     "signs": lambda: identity(*[[nested(200), 0]] * 9, variables=MANY, steps=[["let", "f", CUBE]]),
     "inverses of sums of roots": lambda: identity([["/", 1, ["+", *[f"r{k}" for k in range(14)]]], 0], steps=roots(14)),
+    "an inverse that is found again": lambda: identity(
+        *[[["/", "x_0", "f"], ["/", "x_0", "f"]]] * 20_000,
+        variables=MANY, steps=[["let", "f", ["^", ["+", *MANY[:12]], 4]]],
+    ),
+    "fractions with many divisors": lambda: identity([["+", *[["/", 1, ["+", n, k]] for n in MANY[:20] for k in (0, 1, 2)]], 0], variables=MANY),
+    "roots over divisors": lambda: identity(
+        [["^", ["+", *[f"r{k}" for k in range(12)]], 9], 0], steps=[["root", f"r{k}", ["/", ["+", "x", k], ["+", "y", k]]] for k in range(12)]
+    ),
     "roots that are looked for": lambda: identity(
         *[[["sqrt", ["+", ["^", "x", 3], 139]], "r139"]] * 900, steps=roots(140, ["^", "x", 3])
     ),

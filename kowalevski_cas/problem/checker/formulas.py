@@ -171,13 +171,21 @@ class Formulas:
     # division
 
     def inverse(self, element: Element, words: str = "") -> Element:
-        """One over the element: what is below it and the other values, over its norm.
+        """One over the element; one that was found is there wherever its divisors are known.
 
         The words are for the case that a new divisor has to be entered.
         """
-        if (number := element.value()) is not None:
-            need(number, "it divides by zero")
-            return self.ring.number(1 / number)
+        self.ring.spend(len(element.terms))
+        key = element.below, element.under, frozenset(element.terms.items())
+        found = self.ring.inverses.get(key)
+        if found and all(name in self.known for name, _ in self.ring.exponents(found.under)):
+            return found
+        found = self.ring.inverses[key] = self._inverse(element, words)
+        return found
+
+    def _inverse(self, element: Element, words: str) -> Element:
+        """What is below the element, and its other values, over its norm."""
+        need(element.terms, "it divides by zero")
         above, norm = element.numerator().normed()
         words = words if above.value() == 1 else ""
         need(norm.terms, "it divides by zero")

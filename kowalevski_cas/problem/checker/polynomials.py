@@ -39,6 +39,7 @@ class Ring:
         self.guard = 1 << WIDTH - 1
         self.evens: dict[int, tuple[int, Element]] = {}  # even powers of roots
         self.denominators: dict[int, Element] = {}  # by the monomials of inverses
+        self.inverses: dict[tuple[int, int, frozenset[tuple[int, int]]], Element] = {}
 
     def another(self) -> Ring:
         """A ring without generators; the work in both is counted together."""
@@ -135,11 +136,11 @@ class Ring:
                 sums.append(e)
                 continue
             ((m, c),) = e.terms.items()
-            steps += 1 + (bits * e.bits >> 16)
             monomial, count, below, bits = monomial + m, count * c, below * e.below, bits + e.bits
-            under += e.under
+            under, steps = under + e.under, steps + 1
             if bits > FEW:
                 bits = max(count.bit_length(), below.bit_length())
+                steps += bits * e.bits >> 16
             if monomial & MASK > DEGREE or under & self.guard or bits > BITS:
                 raise Rejected("a degree or number is too large")
         self.spend(steps)
