@@ -11,7 +11,7 @@ from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import Name, NotationError, Power, edits
 from kowalevski_cas.paper.claims import FirstIntegral
 from kowalevski_cas.problem.codec import digest, problem_data, read_problem
-from kowalevski_cas.problem.space import Meaningless, formulas_of, generators
+from kowalevski_cas.problem.space import Meaningless, generators
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.run import Session
@@ -104,7 +104,7 @@ def test_a_problem_holds_what_it_uses_and_defines_it_before(statements):
         for small in {id(s): s for s in statement.spaces.values()}.values():
             known = {*generators(small)}
             for step in small.steps:
-                first, *printed = formulas_of(step)
+                first, *printed = step.formulas()
                 assert names_in(first) <= known, (statement.claim.id, step.name)
                 known.add(step.name)
                 said = {name for formula in printed for name in names_in(formula)}
