@@ -18,7 +18,7 @@ from kowalevski_cas.algebra.numbers import rank, rational
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
-from kowalevski_cas.problem.count import check_roots, check_solutions, square
+from kowalevski_cas.problem.count import check_free, check_roots, check_solutions, square
 from kowalevski_cas.problem.differentials import chosen, differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
@@ -167,7 +167,7 @@ class Judge(Examiner):
         used = list(self._settle([rest], known, Proof(evidence.rows), at))
         if evidence.zero is None:
             raise Unproved("it is not shown that it vanishes nowhere")
-        used += self._settle([at.ring.one], [value, *known], evidence.zero, at)
+        used += self._settle([at.ring.one], [*known, value], evidence.zero, at)
         self.accepted.divides([value, *known])
         self.accepted.uses(used)
         self._point(at, evidence.point, known)
@@ -185,10 +185,12 @@ class Judge(Examiner):
             raise Unproved("it is another number of solutions")
         if not is_real(goal.space):
             raise Unproved("what is counted has to be real")
+        known = at.differences(goal.equations)
         away, left = check_roots(goal, evidence, at)
         self.accepted.away[-1].extend(away)
-        self.accepted.divides(left)
-        self._point(at, evidence.point, at.differences(goal.equations))
+        self.accepted.divides([*known, *left])
+        check_free(goal, at, [*self.accepted.divided[-1][1], *away])
+        self._point(at, evidence.point, known)
 
     def _solutions(self, goal: Count, evidence: Solutions, at: Evaluation, sign: bool) -> None:
         self.accepted.places += check_solutions(goal, evidence, at)
@@ -223,7 +225,7 @@ class Judge(Examiner):
 
     def _never(self, goal: Exists, evidence: Regardless) -> None:
         one = goal.goals[evidence.goal]
-        if not isinstance(one, Follows) or one.given or len(one.conclusions) != 1:
+        if type(one) is not Follows or one.given or len(one.conclusions) != 1:
             raise Unproved("only an identity can fail whatever the bound names are")
         self.accepted.starts(one)
         at = self.of(one.space)

@@ -54,26 +54,25 @@ def check_roots(goal: Count, found: Roots, at: Evaluation) -> tuple[list[Element
         if entry.granted is not None:
             used += _granted(entry, *entry.granted, at, known)
             implied.append(factor)
-    _free(goal, at, [*known, *used])
     left = [_without(element, implied) for element in (*factors, *below)]
     return [*used, *_inverses([*factors, *below])], [*used, *_inverses(left)]
 
 
-def _inverses(elements: list[Element]) -> list[Element]:
+def _inverses(elements: Sequence[Element]) -> list[Element]:
     return [element.inverse() for element in elements]
 
 
-def _free(goal: Count, at: Evaluation, elements: list[Element]) -> None:
-    """Refuse divisors in which something stands that is counted."""
-    names = at.ring.polynomials.generators
-    divisors = {index for element in elements for index in element.denominator}
-    for terms in (at.ring.polynomials.terms(at.ring.divisors[index]) for index in divisors):
-        if any(
-            e and n in goal.names
-            for exponents in terms
-            for e, n in zip(exponents, names, strict=True)
-        ):
-            raise Misplaced("it divides by something in which an unknown stands")
+def check_free(goal: Count, at: Evaluation, elements: Sequence[Element]) -> None:
+    """Refuse divisors, and what is granted, in which something stands that is counted.
+
+    Solutions where one of these vanishes would not be counted.
+    """
+    polynomials = at.ring.polynomials
+    counted = {polynomials.generators.index(name) for name in goal.names}
+    granted = _inverses(at.granted)
+    for divisor in at.ring.divided_by([*elements, *granted]):
+        if not counted.isdisjoint(polynomials.occurring(divisor.parts[0])):
+            raise Misplaced("a condition is about what is counted")
 
 
 def _without(element: Element, factors: list[Element]) -> Element:

@@ -17,7 +17,7 @@ def positive(goal: Positive, finder: PointFinder) -> Squares | None:
     if value.denominator or value.parts.keys() != {0}:
         return None
     found = sum_of_squares(value.terms()[0])
-    zero = cofactors(at.ring.one, [value, *known], ())
+    zero = cofactors(at.ring.one, [*known, value], ())
     if found is None or zero is None:
         return None
     squares = tuple(

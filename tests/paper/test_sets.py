@@ -73,17 +73,22 @@ def test_complex_equations_count_twice(paper):
     assert dimension(paper, 1, "xy=1", on=scene).verdict == "proved"
 
 
+THREE = st.lists(st.integers(-3, 3), min_size=3, max_size=3)
+
+
 @settings(max_examples=settings.default.max_examples // 2)
-@given(st.lists(st.integers(-3, 3), min_size=3, max_size=3), st.integers(-3, 3))
-def test_quadrics_are_manifolds_but_for_cones(squares, level):
+@given(THREE, THREE)
+def test_quadrics_through_a_rational_point_are_manifolds_but_for_cones(squares, point):
     """a x^2 + b y^2 + c z^2 = d is regular exactly if it does not hold where the slope vanishes."""
     a, b, c = squares
-    outcome = dimension(Paper(), 2, f"{a}x^2{b:+d}y^2{c:+d}z^2={level}")
-    real = any(n * level > 0 for n in squares) or not level
-    if level and real and any(squares):
-        assert outcome.verdict == "proved"
-    else:
-        assert not outcome.verdict.green
+    level = sum(n * x * x for n, x in zip(squares, point, strict=True))
+
+    def outcome(right):
+        return dimension(Paper(), 2, f"{a}x^2{b:+d}y^2{c:+d}z^2={right}")
+
+    assert outcome(level).verdict == "proved" if level else not outcome(0).verdict.green
+    if all(n * level >= 0 for n in squares):  # the left side never has the other sign
+        assert not outcome(-level).verdict.green
 
 
 # -- independence --------------------------------------------------------------------

@@ -534,6 +534,13 @@ class TestExists:
         one = follows(["M", 1], given=[["x", 0]])
         denial_rejected(Exists((one,), ("M",)), Regardless(0, ((decode(1), ORIGIN),)), "identity")
 
+    def test_what_denies_an_identity_denies_no_failure(self):
+        """M x = 1 fails at the origin whatever M is, as is said."""
+        one, never = follows([["*", "M", "x"], 1]), Regardless(0, ((decode(1), ORIGIN),))
+        accepted(Exists((one,), ("M",)), never, sign=False)
+        failure = Fails(one.space, one.conclusions)
+        denial_rejected(Exists((failure,), ("M",)), never, "identity")
+
 
 class TestCount:
     SPACE = Space(("x",), ("a",), nonzero=row("a"))
@@ -609,7 +616,19 @@ class TestCount:
             rows=(row(["/", 1, plus("x", -1)]), row(0)), quotients=row(plus("s", -1), 0), factors=(),
             minors=((decode(1), ()),), point=at(x=0, a=1),
         )  # fmt: skip
-        rejected(goal, roots, "unknown stands")
+        rejected(goal, roots, "about what is counted")
+
+    @given(st.integers(-3, 3), st.integers(-3, 3))
+    def test_a_condition_about_what_is_counted(self, many, more):
+        """Of the solutions a and -a of x^2 = a^2 one may be left out by it."""
+        tree = plus("x", ["*", many, "a"], more)
+        if 1 + many + more == 0:
+            tree = plus(tree, 1)
+        space = replace(self.SPACE, nonzero=row("a", tree))
+        rejected(replace(self.GOAL, space=space), self.ROOTS, "about what is counted")
+        goal = replace(self.GOAL, equations=equations([["/", SQUARE, tree], ["/", ["^", "a", 2], tree]]))
+        put = decode(["/", 1, plus("s", ["*", many, "a"], more)])
+        rejected(goal, replace(self.ROOTS, rows=(row(tree), row(0)), quotients=(put, decode(0))))
 
     def test_what_is_granted_does_not_follow_by_division(self):
         (factor,) = self.ROOTS.factors
@@ -624,7 +643,7 @@ class TestCount:
 
     def test_complex_names(self):
         space = Space(("x",), ("a",), nonzero=row("a"), steps=(I,))
-        unproved(
+        rejected(
             replace(self.GOAL, space=space), replace(self.ROOTS, point=at(x=1, a=1, i="i")), "real"
         )
 

@@ -126,6 +126,10 @@ COSTLY = {
         [{"goal": "positive", "space": 0, "given": [], "formula": "x"}],
         [{**POINT, "squares": [[1, 0]] * 9000, "cofactors": [[]]}],
     ),
+    "monomials": lambda: text(
+        [{"goal": "kernel", "space": 0, "factor": 0, "solutions": [1], "integrals": ["x", "y"], "weights": [1, 1], "degree": 1000}],
+        [POINT], {"field": [[["x", "y"], ["vector", 1, 1], ["vector", 0, 0]]]},
+    ),
     "long vectors": lambda: identity(
         *[[["+", "v", "v"], ["*", 2, "v"]]] * 30, steps=[["let", "v", ["vector", *["x"] * 5000]]]
     ),

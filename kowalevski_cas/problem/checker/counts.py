@@ -22,7 +22,7 @@ class Count(Goal):
     def __init__(self, space: Space, data: Json) -> None:
         self.space, self.stated, self.names = space, data["number"], labels(data["names"])
         need(self.names and {*self.names} <= {*space.variables}, "what is counted are variables")
-        need("conjugates" not in space.data, "what is counted has to be real")
+        need(space.all_real(), "what is counted has to be real")
         with space.statement():
             equations = space.differences(data["equations"])
         divisors = [space.ring.divisors[known].generators() for known in space.known]

@@ -138,6 +138,7 @@ class Kernel(Goal):
 
     def _columns(self, at: Map) -> Iterator[Residues]:
         """What the field, less the factor, makes of each monomial, times one common divisor."""
+        self.ring.spend(10 * self._size())
         rates, factor = self._cleared(at)
         for exponents in self._exponents(len(self.units) - 1, self.degree):
             own = sum(e * unit for e, unit in zip(exponents, self.units, strict=True))
@@ -145,7 +146,7 @@ class Kernel(Goal):
             for e, unit, rate in zip(exponents, self.units, rates, strict=True):
                 for m, v in rate.items() if e else ():
                     found[own - unit + m] = found.get(own - unit + m, 0) + e * v
-            self.ring.spend(4 + len(found))
+            self.ring.spend(len(found))
             yield {m: v % PRIME for m, v in found.items() if v % PRIME}
 
     def _cleared(self, at: Map) -> tuple[list[Residues], Residues]:
@@ -164,6 +165,15 @@ class Kernel(Goal):
         ]
         return found[:-1], found[-1]
 
+    def _size(self) -> int:
+        """The number of monomials, before any of them is made."""
+        self.ring.spend(len(self.weights) * self.degree)
+        found = [1] * (self.degree + 1)  # up to each degree, in no variable yet
+        for weight in self.weights:
+            for degree in range(weight, self.degree + 1):
+                found[degree] += found[degree - weight]
+        return found[-1]
+
     def _exponents(self, last: int, degree: int) -> Iterator[tuple[int, ...]]:
         """The exponents of the variables up to the last one, up to a degree."""
         if last < 0:
@@ -171,7 +181,6 @@ class Kernel(Goal):
             return
         for e in range(degree // self.weights[last] + 1):
             for rest in self._exponents(last - 1, degree - e * self.weights[last]):
-                self.ring.spend(1)
                 yield (*rest, e)
 
     def _rank(self, vectors: list[Residues]) -> int:
