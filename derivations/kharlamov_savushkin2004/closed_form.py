@@ -17,10 +17,7 @@ by = ("S_1", "S_2", "f_1", "f_2", "d", r"\psi", *supplied, "r")
 known = complex_variables.variables
 invariants = ("F_1", "F_2", "U_1", "U_2")
 
-point = Scene(
-    "phase point, supplied",
-    variables=(*by, "s_1", "s_2", "a", "b", "m", r"\ell"),
-)
+point = Scene("phase point, supplied", variables=(*by, "s_1", "s_2", "a", "b", "m", r"\ell"))
 
 with_G = initial.having(vectors=VECTORS).defining(G)
 
@@ -33,30 +30,18 @@ beside = (
     .defining(c, eq13[1], eq13[2], F1, F2)
 )
 
-linear = Scene(
-    "across N⁴",
-    variables=(*invariants, "x_1", "x_2"),
-).adjoining(ROOT)
+linear = Scene("across N⁴", variables=(*invariants, "x_1", "x_2")).adjoining(ROOT)
 
 
 def offer() -> ClosedForm:
     """The closed form, with the relations (16) and the cofactors of the first paper."""
     return ClosedForm(
         equations=Values(initial, tuple(rf"\dot{{{name}}}" for name in STATE), STATE),
-        integrals=Values(
-            with_relations,
-            ("H", "K", "a^2", "b^2", "c", "G", "N_1", "N_2"),
-            STATE,
-        ),
+        integrals=Values(with_relations, ("H", "K", "a^2", "b^2", "c", "G", "N_1", "N_2"), STATE),
         constants=Values(
             with_G, ("x_1x_2", "x_1x_2+z_1z_2", "w_1w_2", "H", "G", "p^2", "c_1c_2"), STATE
         ),
-        phase_point=Values(
-            point,
-            (*velocity, *fields),
-            by,
-            supplied,
-        ),
+        phase_point=Values(point, (*velocity, *fields), by, supplied),
         complex_variables=Values(initial, known, (*STATE, "i")),
         across=Values(beside, invariants, (*known, ROOT)),
         across_rates=Values(linear, (*F_prime,), (*linear.variables, ROOT)),

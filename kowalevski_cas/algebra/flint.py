@@ -29,7 +29,8 @@ def terms_of(polynomial: fmpq_mpoly) -> Terms:
 
 def polynomial_of(context: fmpq_mpoly_ctx, terms: Coefficients) -> fmpq_mpoly:
     """The polynomial with these coefficients."""
-    return context.from_dict({exponents: to_flint(value) for exponents, value in terms.items()})
+    # FLINT takes whole numbers as they are.
+    return context.from_dict({e: v if type(v) is int else to_flint(v) for e, v in terms.items()})
 
 
 def coefficients(

@@ -11,7 +11,7 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.paper.texts import Printed, Texts
-from kowalevski_cas.problem.prune import mentions
+from kowalevski_cas.problem.mentions import mentions
 
 ORDER = ("unit", "vector field", "definition", "claim", "condition")
 

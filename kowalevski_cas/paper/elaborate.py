@@ -37,7 +37,7 @@ from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.paper.validation import validate
 from kowalevski_cas.paper.written_out import WrittenOut
 from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.prune import mentions
+from kowalevski_cas.problem.mentions import mentions
 from kowalevski_cas.problem.space import (
     Adjoined,
     Equation,

@@ -41,7 +41,17 @@ from kowalevski_cas.problem.goals import (
     Problem,
     Rank,
 )
-from kowalevski_cas.problem.space import Adjoined, Change, Let, Motion, Raised, Setting, Space, Step
+from kowalevski_cas.problem.space import (
+    Adjoined,
+    Change,
+    Definition,
+    Let,
+    Motion,
+    Raised,
+    Setting,
+    Space,
+    Step,
+)
 from kowalevski_cas.problem.trees import FormatError, Tree, decode, encode
 
 Data = dict[str, Any]
@@ -124,10 +134,10 @@ def _written(value: Any, spaces: list[Space]) -> Tree:
             return [[name, encode(one)] for name, one in value.items()]
         case Space():
             return _place(value, spaces)
-        case Let() | Adjoined() | Raised() | Motion():
-            word = [_WORDS[type(value)]] if type(value) in _WORDS else []
-            own = (getattr(value, one.name) for one in fields(value))
-            return word + [_written(one, spaces) for one in own if one is not None]
+        case Definition():
+            return [_WORDS[type(value)], *value.trees]
+        case Motion(names, factor, force):
+            return [[*names], encode(factor), encode(force)]
     return _object(value, spaces)
 
 

@@ -55,6 +55,7 @@ class Evaluation(Fold):
         self.roots: dict[str, Element] = {}
         """Radicands, by the names of their roots."""
         given = {n: self.ring.generator(n) for n in self.names} if own else dict(values or {})
+        self.letters = {name: place for place, name in enumerate(self.names)} if own else {}
         for name, value in given.items():
             self._values[name, False] = value
 
@@ -69,6 +70,7 @@ class Evaluation(Fold):
         bound = copy(self)
         bound._values = {**self._values, **{(n, False): v for n, v in values.items()}}
         bound._open = set()
+        bound.letters = {} if self.letters.keys() & values.keys() else self.letters
         return bound
 
     # -- names -------------------------------------------------------------------
@@ -102,6 +104,8 @@ class Evaluation(Fold):
 
     def _adjoin(self, name: str, radicand: Element) -> Element:
         value = self.ring.zero if radicand.is_zero else self.ring.adjoin(name, radicand)
+        if self.letters and not value.denominator and not value.is_zero:
+            self.letters[name] = self.ring.names.index(name)
         self.roots[name] = radicand
         return value
 

@@ -106,7 +106,8 @@ class Examiner:
             if row and len(row) != len(known):
                 raise Unproved("a row does not fit what is known")
             for entry, element in zip(entries, known, strict=False):
-                goal = goal - entry * element
+                if not entry.is_zero:
+                    goal = goal - entry * element
             if not goal.is_zero:
                 raise Unproved("the two sides are not equal")
             yield from entries

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cached_property, reduce
+from functools import reduce
 from typing import Any
 
 from kowalevski_cas.algebra.tower import Element, Ring
@@ -43,11 +43,11 @@ Value = Element | Triple
 class Fold(ABC):
     """Values of formulas, by those of names, roots and derivatives.
 
-    ``names`` are the generators that stand for themselves in the ``ring``.
+    ``letters`` are names that stand for themselves in the ``ring``, with their places there.
     """
 
     ring: Ring
-    names: tuple[str, ...]
+    letters: dict[str, int]
 
     @abstractmethod
     def value(self, name: str, conjugated: bool = False) -> Value:
@@ -115,47 +115,43 @@ class Fold(ABC):
         return [left - right for left, right in self.pairs(equations)]
 
     def polynomial(self, formula: Sum) -> tuple[list[Element], list[Formula]]:
-        """The sum of those terms that are monomials in generators, if any, and the other terms."""
-        places = self._places
-        if not places:
+        """The sum of those terms that are monomials in letters, if any, and the other terms."""
+        if not self.letters:
             return [], [*formula.terms]
-        found: dict[tuple[int, ...], int | Fraction] = {}
+        size, names = len(self.ring.polynomials.generators), len(self.ring.names)
+        found: dict[int, dict[tuple[int, ...], int | Fraction]] = {}
         others = []
         for term in formula.terms:
-            if (monomial := _monomial(term, places)) is None:
+            exponents, value = _monomial(term, self.letters, names)
+            if any(exponent > 1 for exponent in exponents[size:]) or not exponents:
                 others.append(term)
-            else:
-                exponents, value = monomial
-                found[exponents] = found.get(exponents, 0) + value
-        return [self.ring.from_terms({0: found})] if found else [], others
-
-    @cached_property
-    def _places(self) -> dict[str, int]:
-        """Where generators that stand for themselves stand among those of the ring."""
-        names = self.ring.polynomials.generators
-        return {name: k for k, name in enumerate(names)} if names == self.names else {}
+                continue
+            mask = sum(exponent << bit for bit, exponent in enumerate(exponents[size:]))
+            part, key = found.setdefault(mask, {}), exponents[:size]
+            part[key] = part.get(key, 0) + value
+        return [self.ring.from_terms(found)] if found else [], others
 
 
 def _monomial(
-    formula: Formula, places: Mapping[str, int]
-) -> tuple[tuple[int, ...], int | Fraction] | None:
-    """The exponents and the coefficient of a product of numbers and powers of generators."""
+    formula: Formula, letters: Mapping[str, int], size: int
+) -> tuple[tuple[int, ...], int | Fraction]:
+    """The exponents and the coefficient of a product of letters and numbers; else no exponents."""
     value: int | Fraction = 1
     if isinstance(formula, Negative):
         value, formula = -value, formula.argument
-    exponents = [0] * len(places)
+    exponents = [0] * size
     for factor in formula.factors if isinstance(formula, Product) else (formula,):
         power = 1
         if type(factor) is Power and type(factor.exponent) is Number:
             power, factor = factor.exponent.value, factor.base
-        if type(factor) is Name and factor.name in places:
-            exponents[places[factor.name]] += power
+        if type(factor) is Name and factor.name in letters:
+            exponents[letters[factor.name]] += power
         elif type(factor) is Number:
             value *= factor.value**power
         elif isinstance(factor, Quotient) and (number := _fraction(factor)) is not None:
             value *= number**power
         else:
-            return None
+            return (), value
     return tuple(exponents), value
 
 

@@ -108,8 +108,7 @@ class Place:
     def _check_step(self, step: Step | None, value: Element) -> None:
         """Check that a root, or a power, is one there."""
         if isinstance(step, Adjoined):
-            own = self.at.scalar(Name(step.name))
-            if not (value * value - self(own * own)).is_zero:
+            if not (value * value - self(self.at.roots[step.name])).is_zero:
                 raise Misplaced(f"{step.name} is not a root there")
         elif isinstance(step, Raised):
             one = self.numbers.ring.one

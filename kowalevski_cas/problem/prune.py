@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Number, Root
+from kowalevski_cas.notation import Formula, Name, Root
 from kowalevski_cas.problem.goals import Count, Exists, Goal, Kernel, Problem, Rank, Simple, simple
+from kowalevski_cas.problem.mentions import Mentions, mentions
 from kowalevski_cas.problem.space import (
     Adjoined,
     Change,
@@ -14,25 +15,7 @@ from kowalevski_cas.problem.space import (
     Setting,
     Space,
     Step,
-    formulas_of,
 )
-from kowalevski_cas.problem.trees import MARK
-
-MOTION = Derivative(Number(0), MARK)
-"""Stands for the vector field among what a formula mentions."""
-
-Mentions = tuple[Formula, ...]
-
-
-def mentions(formula: Formula) -> Mentions:
-    """The names and printed roots in a formula, from left to right, and whether it moves."""
-    found: dict[Formula, None] = {}
-    for one in formula.nodes():
-        if type(one) is Name or type(one) is Root:
-            found[one] = None
-        elif type(one) is Derivative:
-            found[MOTION] = None
-    return tuple(found)
 
 
 class Reach:
@@ -66,20 +49,13 @@ class Reach:
         step = self.setting.step(name)
         if step is None:
             return
-        first, *others = self._mentioned(name, step)
+        first, *others = step.mentions
         self._reach(first)
         if isinstance(step, Raised):
             self.name(step.exponent)
         self.steps.append(step)
         for found in others:  # the printed equation of a root, in which it stands
             self._reach(found)
-
-    def _mentioned(self, name: str, step: Step) -> list[Mentions]:
-        """What the formulas of a step mention, looked up once for a setting."""
-        known = self.setting.mentioned
-        if name not in known:
-            known[name] = [mentions(formula) for formula in formulas_of(step)]
-        return known[name]
 
     def _root(self, root: Root) -> None:
         """The declared roots: which of them is meant is a question of values."""

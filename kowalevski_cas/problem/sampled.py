@@ -9,7 +9,7 @@ from kowalevski_cas.algebra.derivation import Field
 from kowalevski_cas.algebra.modular import SampledPrograms
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name, Sum
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.fold import Value
 from kowalevski_cas.problem.space import Step
@@ -41,10 +41,6 @@ class Sampled(Evaluation):
         if key not in self._memory:
             self._memory[key] = formula, super().__call__(formula, conjugated)
         return self._memory[key][1]
-
-    def polynomial(self, formula: Sum) -> tuple[list[Element], list[Formula]]:
-        """Nothing and all terms: a program is never expanded."""
-        return [], [*formula.terms]
 
     def carry(self, element: Element) -> Program:
         """An exact element as a program."""

@@ -10,11 +10,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import Any
 
 from kowalevski_cas.notation import Formula
+from kowalevski_cas.problem.mentions import Mentions, mentions
+from kowalevski_cas.problem.trees import Tree, encode
 
 Equation = tuple[Formula, Formula]
 """The two sides."""
@@ -29,27 +30,56 @@ class Meaningless(ValueError):
 
 
 @dataclass(frozen=True)
-class Let:
-    """A name that stands for a formula."""
+class Definition:
+    """What says what a name means; what many statements ask of it is found once."""
 
     name: str
+
+    def formulas(self) -> Iterator[Formula]:
+        """The formulas in it."""
+        for own in fields(self):
+            value = getattr(self, own.name)
+            yield from (one for one in (value, *_parts(value)) if isinstance(one, Formula))
+
+    @cached_property
+    def mentions(self) -> tuple[Mentions, ...]:
+        """What each formula in it mentions."""
+        return tuple(map(mentions, self.formulas()))
+
+    @cached_property
+    def trees(self) -> list[Tree]:
+        """What it has, as it stands in a certificate."""
+        values = (getattr(self, own.name) for own in fields(self))
+        return [
+            encode(one) if isinstance(one, Formula) else [*map(encode, one)] if _parts(one) else one
+            for one in values
+            if one is not None
+        ]
+
+
+def _parts(value: object) -> tuple[object, ...]:
+    return value if isinstance(value, tuple) else ()
+
+
+@dataclass(frozen=True)
+class Let(Definition):
+    """A name that stands for a formula."""
+
     formula: Formula
 
 
 @dataclass(frozen=True)
-class Adjoined:
+class Adjoined(Definition):
     """A name whose square is a formula; ``printed`` is the equation that says so in the paper."""
 
-    name: str
     square: Formula
     printed: Equation | None = None
 
 
 @dataclass(frozen=True)
-class Raised:
+class Raised(Definition):
     """A name for ``base`` to the power of a constant: θ > 0, and dP = m P dθ/θ."""
 
-    name: str
     base: Formula
     exponent: str
 
@@ -91,11 +121,6 @@ class Setting(ABC):
     roots: tuple[str, ...]
     powers: tuple[str, ...]
     conjugates: tuple[tuple[str, str], ...]
-
-    @cached_property
-    def mentioned(self) -> dict[str, list[Any]]:
-        """What the formulas of steps mention, as far as it has been looked up."""
-        return {}
 
     @abstractmethod
     def step(self, name: str) -> Step | None:
@@ -176,18 +201,6 @@ class Space(Setting):
         if name not in self._by_name:
             raise Meaningless(f"{name} has no meaning here", name)
         return self._by_name[name]
-
-
-def formulas_of(step: Step) -> Iterator[Formula]:
-    """The formulas in a step."""
-    match step:
-        case Let(_, formula):
-            yield formula
-        case Adjoined(_, square, printed):
-            yield square
-            yield from printed or ()
-        case Raised(_, base, _):
-            yield base
 
 
 def generators(setting: Setting) -> tuple[str, ...]:

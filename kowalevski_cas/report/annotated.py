@@ -95,7 +95,7 @@ class _Annotated:
             blocks.append(Heading(("Not found in this text",), "lost"))
             blocks += [block for item in lost for block in self.contents.passages.item(item)]
         head = [*self.contents.verdict(), Heading(("The paper",), "paper")]
-        shown = (*head, *blocks, *self.contents.graph(), *self.contents.trust())
+        shown = (*head, *blocks, *self.contents.trust(), *self.contents.graph())
         by: Text = (
             f"The source {source.path.rpartition('/')[2]} with a verdict beside every formula, by "
             f"kowalevski_cas {__version__}: ",

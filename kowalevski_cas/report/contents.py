@@ -80,9 +80,9 @@ class Contents:
         blocks = [
             *self.verdict(),
             *(block for section in self.sections for block in self.passages.section(section)),
+            *self.trust(),
             *self.graph(),
             *self._plates(plates),
-            *self.trust(),
         ]
         title = print_prose(read_prose(run.title, run.vocabulary), str, to_plain)
         origin = ", ".join(filter(None, (run.author, run.source)))

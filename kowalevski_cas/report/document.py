@@ -6,7 +6,7 @@ has a method for each of these, and nothing else to decide.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -84,6 +84,7 @@ class Display(Block):
     """Formulas on lines of their own, or their ``source`` where they cannot be read.
 
     ``verdict`` puts a sign beside them and ``label`` a text behind; ``wrong`` ones are false.
+    On paper ``lead`` is what leads on to them, on the same line if there is room.
     What is ``long`` stands in an appendix, where the format has no other way to fold it away.
     """
 
@@ -94,6 +95,7 @@ class Display(Block):
     anchor: str = ""
     wrong: bool = False
     long: bool = False
+    lead: Text = ()
 
 
 @dataclass(frozen=True)
@@ -154,7 +156,10 @@ class Document:
 
 
 def paged(document: Document) -> Document:
-    """The document for paper: no records, long displays in an appendix and a link to each."""
+    """The document for paper: no records, long displays in an appendix and a link to each.
+
+    What leads on to a display stands on its line, where there is room.
+    """
     moved: list[Block] = []
     names: dict[tuple[Formula, ...], str] = {}
 
@@ -162,10 +167,10 @@ def paged(document: Document) -> Document:
         name = names.get(display.formulas, f"A{len(names) + 1}")
         if display.formulas not in names:
             names[display.formulas] = name
-            head = Emphasis((f"{name}. ",), strong=True)
-            moved.append(Heading((head,), f"long.{name}", 2))
             # one by one, so that a page can end between them
-            moved.extend(replace(display, formulas=(one,), long=False) for one in display.formulas)
+            first, *others = (Display((one,)) for one in display.formulas)
+            moved.append(replace(first, label=(name,), anchor=f"long.{name}"))
+            moved.extend(others)
         return Paragraph((*lead.text, " ", Link(f"long.{name}", (f"formula {name}",)), "."))
 
     def stays(blocks: Sequence[Block]) -> Iterator[Block]:
@@ -178,13 +183,27 @@ def paged(document: Document) -> Document:
                 yield before
             before = block
             if isinstance(block, Claim):
-                inner = tuple(stays(block.blocks)), tuple(stays(block.folded))
+                inner = tuple(_led(stays(block.blocks))), tuple(_led(stays(block.folded)))
                 before = replace(block, blocks=inner[0], folded=inner[1])
             elif isinstance(block, Paragraph) and block.kind == "record":
                 before = None
         if before is not None:
             yield before
 
-    blocks = tuple(stays(document.blocks))
+    blocks = tuple(_led(stays(document.blocks)))
     appendix = (Heading(("Appendix: long formulas",), "appendix"), *moved) if moved else ()
     return replace(document, blocks=(*blocks, *appendix))
+
+
+def _led(blocks: Iterable[Block]) -> Iterator[Block]:
+    """The blocks, where what leads on to a display is a part of it."""
+    lead: list[Paragraph] = []
+    for block in blocks:
+        if lead and isinstance(block, Display) and not block.verdict:
+            yield replace(block, lead=lead.pop().text)
+            continue
+        yield from lead
+        lead = [block] if isinstance(block, Paragraph) and block.leads else []
+        if not lead:
+            yield block
+    yield from lead

@@ -107,10 +107,11 @@ class LatexWriter(Writer):
         return f"\n\\{name}[{text}]{{{self._place(block.anchor)}{text}}}\n"
 
     def paragraph(self, block: Paragraph) -> str:
-        stays = r"\nopagebreak" if block.leads else ""
+        stays = r"\interlinepenalty10000 " if block.leads else ""
         text = self.text(block.text)
         kind = {"lead": r"\large ", "note": r"\small "}.get(block.kind, "")
-        return f"\n{{{kind}{self._place(block.anchor)}{text}\\par}}{stays}\n"
+        after = r"\nopagebreak" if block.leads else ""
+        return f"\n{{{kind}{stays}{self._place(block.anchor)}{text}\\par}}{after}\n"
 
     def display(self, block: Display) -> str:
         if block.formulas:
@@ -122,6 +123,8 @@ class LatexWriter(Writer):
             shown = rf"\Wrong{{{shown}}}"
         sign = rf"\Sign{{{block.verdict}}}" if block.verdict else ""
         label = self._place(block.anchor) + self.text(block.label)
+        if block.lead:
+            return f"\\Led{{{self.text(block.lead)}}}{{{shown}}}{{{label}}}"
         return f"\\Shown{{{sign}}}{{{shown}}}{{{label}}}"
 
     def claim(self, block: Claim) -> str:

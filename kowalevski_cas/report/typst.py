@@ -109,6 +109,8 @@ class TypstWriter(Writer):
         place = f" <{block.anchor}>" if block.anchor else ""
         wrong = ", wrong: red" if block.wrong else ""
         label = self.text(block.label)
+        if block.lead:
+            return f"#led([{self.text(block.lead)}], [{label}])[{shown}]{place}"
         return f"#shown({name}, [{label}]{wrong})[{shown}]{place}"
 
     def claim(self, block: Claim) -> str:

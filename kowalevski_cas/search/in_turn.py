@@ -38,24 +38,24 @@ def steps_to(
     """Steps after which all targets are combined, and the rows for these.
 
     Next comes what divides by no condition, and has the shortest row. A target that is longer than
-    what is given is no step, for it would make no other row shorter. Where there are ``unknowns``,
-    all is linear in them.
+    what is given is no step, for it would make no other row shorter, and no power of it is taken.
+    Where there are ``unknowns``, all is linear in them.
     """
     left, steps, rows = [*targets], list[Step](), dict[Element, list[Element]]()
     longest, ring = max(map(_length, generators)), generators[0].ring
-    powers = range(1, 2 if unknowns else LARGEST_POWER + 1)
+    short = {target for target in targets if _length(target) <= longest}
     made = None
     while left:
         known = [*generators, *(step.element for step in steps)]
         made = made or Combinations(left, known, unknowns, units, conditions)
-        tried = (_combined(target, made, powers) for target in left)
+        tried = (_combined(target, made, target in short and not unknowns) for target in left)
         found = [step for step in tried if step is not None]
         if not found:
             return None
         step = min(found, key=_effort)
         left.remove(step.element)
         rows[step.element] = step.row
-        if step.power > 1 or _length(step.element) <= longest:
+        if step.element in short:
             made, more = None, _undivided(step)
             steps += more
             rows[step.element] = [*(ring.zero for _ in (*known, *more[1:])), ring.one]
@@ -63,9 +63,11 @@ def steps_to(
     return steps, [(rows[target] + [ring.zero] * size)[:size] for target in targets]
 
 
-def _combined(target: Element, made: Combinations, powers: Sequence[int]) -> Step | None:
-    """The least power of a target for which there is a row."""
-    rows = ((made.row(target**power), power) for power in powers)
+def _combined(target: Element, made: Combinations, powers: bool) -> Step | None:
+    """The row of a target, or if there is none and powers are wanted, of the least one."""
+    rows = (
+        (made.row(target**power), power) for power in range(1, (LARGEST_POWER if powers else 1) + 1)
+    )
     return next((Step(target, row, power) for row, power in rows if row is not None), None)
 
 
@@ -110,7 +112,8 @@ def shown(
 ) -> Shown | None:
     """The proof of some steps and the last rows, and a point where ``zero`` vanishes."""
     divided = [entry for row in (*rows, *(step.row for step in steps)) for entry in row]
-    point = PointFinder(lambda setting: at, names).point(
+    finder = PointFinder(lambda setting: at, names)
+    point = finder.point(at, zero, [*zero, *divided]) or finder.point(
         at, _essential(zero, conditions), [*zero, *divided], lambda there: there.vanish(zero)
     )
     proof = Proof(tuple(tuple(map(_divided, row)) for row in rows))

@@ -18,7 +18,7 @@ import sympy
 from kowalevski_cas.algebra import EXACT, load
 from kowalevski_cas.algebra.derivation import Field, along
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name, Sum
+from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Problem
 from kowalevski_cas.problem.space import Adjoined, Setting, generators
@@ -93,6 +93,9 @@ class Expression(Element):
     def __add__(self, other: Element) -> Expression:
         return self._made(self.value + _value(other))
 
+    def __sub__(self, other: Element) -> Expression:
+        return self._made(self.value - _value(other))
+
     def __neg__(self) -> Expression:
         return self._made(-self.value)
 
@@ -155,10 +158,6 @@ class Typed(Evaluation):
             left, right = step.printed
             other = left if right == Name(constant) else right
             self._values[constant, False] = self.scalar(other)
-
-    def polynomial(self, formula: Sum) -> tuple[list[Element], list[Formula]]:
-        """Nothing and all terms: a sum stays as it is typed."""
-        return [], [*formula.terms]
 
     def root(self, argument: Formula, conjugated: bool = False) -> Element:
         value = self.scalar(argument, conjugated)

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.export import Inexpressible, load
+from kowalevski_cas.export.polynomials.trace import Element, Traced, Writer
 from kowalevski_cas.library import available, find
 from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.certificate import load_certificates
@@ -161,3 +162,14 @@ def test_the_program_is_asked_to_differentiate():
     assert "diff(" in load("singular").translate(data)
     assert "deriv(" in load("pari").translate(data)
     assert json.dumps(data)  # it is not changed by the translation
+
+
+def test_what_is_computed_of_written_elements_is_written():
+    """Else the program would be given what the checker has computed."""
+    ring = Traced(Writer(load("pari")), checker.Budget(1000))
+    for name in ("x", "y"):
+        ring.adjoin(name)
+    x, y = ring.generator("x"), ring.generator("y")
+    for found in (x + y, x - y, x * y, -x, x**2, (x * y).partial("x"), ring.product([])):
+        assert isinstance(found, Element)
+    assert ring.product([]).text == ring.number(1).text

@@ -6,12 +6,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.algebra import EXACT, load
+from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.notation import Name
 from kowalevski_cas.problem import checker
-from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.codec import evidence_data, problem_data
-from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
     At,
     Factor,
@@ -41,18 +39,8 @@ from kowalevski_cas.problem.goals import (
 from kowalevski_cas.problem.space import Adjoined, Let, Motion, Raised, Space
 from kowalevski_cas.problem.trees import decode
 
+from .judges import judge
 from .tampering import seal
-
-
-def judge(arithmetic="flint"):
-    made = {}
-
-    def of(space):
-        if space not in made:
-            made[space] = Evaluation(space, load(arithmetic), others=of).adjoin_roots()
-        return made[space]
-
-    return Judge(of)
 
 
 def certificate(goal, evidence, sign=True):

@@ -15,14 +15,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.algebra import load
 from kowalevski_cas.problem import checker
-from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.checker.__main__ import main
-from kowalevski_cas.problem.codec import read_evidence, read_problem
-from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.examine import Unproved
 
+from .judges import judged
 from .tampering import at as place
 from .tampering import places, seal
 
@@ -82,16 +79,8 @@ class TestHypotheses:
         entry = {"cofactors": [[0]], "point": at(u=1, v=-1)}
         rejected([old, new], [goal], [entry], "before the change")
         accepted([XY | {"field": old["field"]}, new], [goal], [entry])
-        problem = read_problem({"spaces": [old, new], "goals": [goal]})
-        made = {}
-
-        def of(space):
-            if space not in made:
-                made[space] = Evaluation(space, load("flint"), others=of).adjoin_roots()
-            return made[space]
-
         with pytest.raises(Unproved, match="granted"):
-            Judge(of).holds(problem.goals[0], read_evidence(entry, problem.goals[0]))
+            judged(certificate([old, new], [goal], [entry]))
 
     def test_emptiness_with_a_condition(self):
         goal = {"goal": "follows", "space": 0, "given": [["x", 0]], "conclusions": []}

@@ -15,13 +15,18 @@ from kowalevski_cas.problem.space import Adjoined, Let, Space
 MINUS_ONE = Negative(Number(1))
 SPACE = Space(
     variables=("x", "y"),
-    steps=(Adjoined("i", MINUS_ONE), Let("f", Sum((Name("x"), Name("i"))))),
+    steps=(
+        Adjoined("i", MINUS_ONE),
+        Adjoined("q", Quotient(Name("x"), Name("y"))),
+        Adjoined("r", Name("y")),
+        Let("f", Sum((Name("x"), Name("i")))),
+    ),
 )
 SPACES = {name: Evaluation(SPACE, load(name)).adjoin_roots() for name in EXACT}
 
 numbers = st.integers(0, 3).map(Number)
 fractions = st.builds(Quotient, numbers, st.integers(1, 3).map(Number))
-names = st.sampled_from(["x", "y", "i", "f"]).map(Name)
+names = st.sampled_from(["x", "y", "i", "q", "r", "f"]).map(Name)
 powers = st.builds(Power, names | numbers | fractions, st.integers(0, 3).map(Number))
 factors = numbers | fractions | names | powers
 products = st.lists(factors, min_size=2, max_size=4).map(tuple).map(Product)

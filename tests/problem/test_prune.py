@@ -7,18 +7,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.algebra import load as load_arithmetic
 from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import Name, NotationError, Power, edits
 from kowalevski_cas.paper.claims import FirstIntegral
-from kowalevski_cas.problem.accept import Judge
-from kowalevski_cas.problem.codec import digest, problem_data, read_evidence, read_problem
-from kowalevski_cas.problem.evaluate import Evaluation
-from kowalevski_cas.problem.space import Meaningless, formulas_of, generators
+from kowalevski_cas.problem.codec import digest, problem_data, read_problem
+from kowalevski_cas.problem.space import Meaningless, generators
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
+from tests.problem.judges import judged
 from tests.problem.tampering import changed, others, places
 from tests.sample import sampled
 
@@ -106,7 +104,7 @@ def test_a_problem_holds_what_it_uses_and_defines_it_before(statements):
         for small in {id(s): s for s in statement.spaces.values()}.values():
             known = {*generators(small)}
             for step in small.steps:
-                first, *printed = formulas_of(step)
+                first, *printed = step.formulas()
                 assert names_in(first) <= known, (statement.claim.id, step.name)
                 known.add(step.name)
                 said = {name for formula in printed for name in names_in(formula)}
@@ -128,24 +126,7 @@ def test_pruning_changes_no_verdict(statements):
     name, ours = statements
     stored = load_certificates(find(name))
     for one in ours:
-        data = stored[one.claim.id].data
-        problem = read_problem(data)
-        made = {}
-
-        def of(space, made=made):
-            if space not in made:
-                made[space] = Evaluation(space, load_arithmetic("flint"), others=lambda s: of(s))
-                made[space].adjoin_roots()
-            return made[space]
-
-        judge = Judge(of)
-        if data["sign"] == "denied":
-            entry = dict(data["evidence"][0])
-            goal = problem.goals[entry.pop("goal")]
-            judge.denies(goal, read_evidence(entry, goal, False))
-        else:
-            for goal, entry in zip(problem.goals, data["evidence"], strict=True):
-                judge.holds(goal, read_evidence(entry, goal))
+        judged(stored[one.claim.id].data)
 
 
 @given(st.data())

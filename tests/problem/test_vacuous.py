@@ -4,14 +4,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.algebra import load
 from kowalevski_cas.problem import checker
-from kowalevski_cas.problem.accept import Judge
-from kowalevski_cas.problem.codec import read_evidence, read_problem
-from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.trees import FormatError
 
+from .judges import judged
 from .tampering import seal
 
 SQUARES = ["+", ["^", "x", 2], ["^", "y", 2]]
@@ -66,16 +63,9 @@ values = st.one_of(
 points = st.fixed_dictionaries({"x": values, "y": values}, optional={"r": values, "i": values})
 
 
-def judged(data, entry):
-    problem = read_problem(data)
-    made = {}
-
-    def of(space):
-        if space not in made:
-            made[space] = Evaluation(space, load("flint"), others=of).adjoin_roots()
-        return made[space]
-
-    Judge(of).holds(problem.goals[0], read_evidence(entry, problem.goals[0]))
+def certificate(problem, entry):
+    head = {"format": checker.FORMAT, "version": 2, "claim": "c", "sign": "holds"}
+    return {**head, **problem, "evidence": [entry]}
 
 
 @pytest.mark.parametrize("case", range(len(contradictory(1))))
@@ -86,18 +76,16 @@ def test_no_point_is_one_of_nothing(case, data, n):
     roots = sorted({k for k in (2, 3) if str(["sqrt", k]) in str(found)})
     entry = {**entry, "point": {"roots": roots, "values": [[a, v] for a, v in found.items()]}}
     with pytest.raises((Unproved, FormatError)):
-        judged(problem, {key: tree for key, tree in entry.items() if key != "away"})
-    certificate = {"format": checker.FORMAT, "version": 2, "claim": "c", "sign": "holds"}
+        judged(certificate(problem, {k: tree for k, tree in entry.items() if k != "away"}))
     with pytest.raises(checker.Rejected):
-        checker.check(seal({**certificate, **problem, "evidence": [entry]}))
+        checker.check(seal(certificate(problem, entry)))
 
 
 def test_the_same_proof_is_accepted_where_there_is_a_point():
-    problem, entry = follows([["y", 7]]), {"cofactors": [[1]]}
-    entry["point"] = {"roots": [], "values": [["x", 0], ["y", 7]]}
-    judged(problem, entry)
-    certificate = {"format": checker.FORMAT, "version": 2, "claim": "c", "sign": "holds"}
-    assert checker.check(seal({**certificate, **problem, "evidence": [entry]}))
+    point = {"roots": [], "values": [["x", 0], ["y", 7]]}
+    data = certificate(follows([["y", 7]]), {"cofactors": [[1]], "point": point})
+    judged(data)
+    assert checker.check(seal(data))
 
 
 @pytest.mark.parametrize("exponent", [65, 10**9, 10**30, -1, True, 2.0, "x", None])
@@ -106,7 +94,7 @@ def test_evidence_with_huge_powers(exponent):
         entry = {"cofactors": [[["^", base, exponent]]]}
         entry["point"] = {"roots": [], "values": [["x", 0], ["y", 7]]}
         with pytest.raises(FormatError):
-            judged(follows([["y", 7]]), entry)
+            judged(certificate(follows([["y", 7]]), entry))
 
 
 def test_evidence_with_powers_of_powers():
@@ -115,4 +103,4 @@ def test_evidence_with_powers_of_powers():
         tree = ["^", tree, 64]
     entry = {"cofactors": [[tree]], "point": {"roots": [], "values": [["x", 0], ["y", 7]]}}
     with pytest.raises(FormatError, match="too large"):
-        judged(follows([["y", 7]]), entry)
+        judged(certificate(follows([["y", 7]]), entry))

@@ -23,6 +23,8 @@ from kowalevski_cas.report.document import (
     Sign,
     paged,
 )
+from kowalevski_cas.report.latex import render_latex
+from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.verify.outcome import Outcome, Step, Verdict
 from tests.report.fixtures import (
@@ -76,7 +78,7 @@ class TestPlaces:
     def test_every_claim_stands_in_one_place_with_its_sign(self, either: Document) -> None:
         signs: dict[str, list[Verdict | None]] = {}
         for part in parts(either.blocks):
-            if isinstance(part, Claim | Display) and part.anchor:
+            if isinstance(part, Claim | Display) and part.anchor.startswith("claim."):
                 signs.setdefault(part.anchor, []).append(part.verdict)
         assert signs == {f"claim.{o.claim}": [o.verdict] for o in outcomes()}
 
@@ -283,6 +285,14 @@ class TestOnPaper:
         # one formula a display: a page can end between them
         assert [one.formulas for one in moved] == [(f,) for one in long for f in one.formulas] != []
         assert not any(isinstance(p, Display) and p.long for p in parts(paged(WHOLE)))
+
+    def test_what_leads_on_to_a_display_is_a_part_of_it(self) -> None:
+        one = document(claim("a", "1", "x=x", "", P, steps=(step("The derivative:", "x_1=z_1"),)))
+        (led,) = (p for p in parts(paged(one)) if isinstance(p, Display) and p.lead)
+        assert led.lead == ("The derivative:",)
+        assert not any(isinstance(p, Display) and p.lead for p in parts(one))
+        for written in (render_latex(one), render_typst(one)):
+            assert written.count("The derivative:") == 1
 
     def test_without_long_formulas_there_is_no_appendix(self) -> None:
         short = document(claim("a", "1", "x=x", "", P))

@@ -31,7 +31,7 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
-from kowalevski_cas.problem.prune import mentions
+from kowalevski_cas.problem.mentions import mentions
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.search.parameters import Ansatz, cofactor_monomials
 from kowalevski_cas.verify.found import Finding

@@ -134,6 +134,8 @@ class Traced(checker.Ring):
 
     def product(self, elements: Iterable[checker.Element]) -> checker.Element:
         found = [*elements]
+        if not found:
+            return self.number(1)
         value, texts = super().product(found), [e.text for e in found if isinstance(e, Element)]
         return Element(value, f"({'*'.join(texts)})") if len(texts) == len(found) else plain(value)
 

@@ -52,18 +52,20 @@ class CriticalSet(Claim):
     def search(
         self, goals: Sequence[Goal], on: Elaborations, names: Names
     ) -> Mapping[int, Evidence]:
-        """A point off the loci where a direction fails, or that both hold there."""
+        """That both directions hold off the loci, or a point there where one fails."""
         from kowalevski_cas.search.follows import FollowsFinder
         from kowalevski_cas.search.in_turn import in_turn
 
-        space, both = on(self.scene), [goal for goal in goals[:2] if isinstance(goal, Follows)]
-        finder = FollowsFinder(lambda setting: space.finder, names)
-        conditions = [space.finder.scalar(condition) for _, condition in space.loci]
-        for place, goal in enumerate(both):
-            if (point := finder.failure(goal, space.finder, conditions)) is not None:
+        space, found = on(self.scene), dict[int, Evidence]()
+        at, finder = space.finder, FollowsFinder(lambda setting: space.finder, names)
+        conditions = [at.scalar(condition) for _, condition in space.loci]
+        for place, goal in enumerate(goals[:2]):
+            assert isinstance(goal, Follows)
+            if shown := in_turn(goal, at, conditions, names):
+                found[place] = shown
+            elif point := finder.failure(goal, at, conditions):
                 return {place: point}
-        found = (in_turn(goal, space.finder, conditions, names) for goal in both)
-        return {place: shown for place, shown in enumerate(found) if shown is not None}
+        return found
 
     def _critical(
         self, space: Elaboration, function: Formula, surface: Formula
