@@ -14,7 +14,7 @@ from kowalevski_cas.cli import main
 from kowalevski_cas.library import load
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Document, Link
-from kowalevski_cas.report.places import names, sections
+from kowalevski_cas.report.places import sections
 from kowalevski_cas.report.typst import render_typst
 from kowalevski_cas.verify.run import verify
 
@@ -27,7 +27,7 @@ def erratum(folder: Path) -> bytes:
     derivation = load("kharlamov2002")
     run = verify(derivation, ("flint",), only=["eq14"])
     paper = sections(run, derivation, derivation.texts())
-    _, slip, *_ = Contents(run, paper, names(paper), {}, ()).findings.blocks()
+    _, slip, *_ = Contents(run, paper).findings.blocks()
     flat = [part.text if isinstance(part, Link) else (part,) for part in slip.head]
     alone = replace(slip, head=tuple(part for text in flat for part in text))
     source = render_typst(Document("", "", (), (alone,)))

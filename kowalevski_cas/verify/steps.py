@@ -40,7 +40,7 @@ MOST = 12
 
 _VANISHES: Final = Step("The derivative along the vector field vanishes identically.")
 
-_IDENTICAL: Final = Step("Both sides are equal identically.")
+_IDENTICAL: Final = Step("The two sides agree identically.")
 
 
 def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
@@ -240,12 +240,14 @@ def _rank(claim: Claim, goal: Rank, evidence: At) -> Step:
     where = point(evidence.point.values, setting)
     if len(goal.functions) == 1 and not isinstance(claim, Dimension):
         others = " is independent of those of the hypotheses" if goal.given else " does not vanish"
-        return Step(f"the differential{others}; so the function is not constant.", point=where)
+        return Step(f"the differential{others}, so the function is not constant.", point=where)
     words = (
         f"{goal.rank} differentials are independent in the space of dimension {count}, so that "
         f"near this point the common level is a manifold of dimension {count - goal.rank}"
     )
-    words += "." if goal.given else "; so they are independent on a dense subset of the space."
+    words += (
+        "." if goal.given else ", and hence they are independent on a dense subset of the space."
+    )
     return Step(words, point=where)
 
 

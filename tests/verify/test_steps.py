@@ -31,7 +31,7 @@ def steps(told):
 def test_a_first_integral(steps):
     assert steps("eq4.1") == [
         ("The derivative along the vector field vanishes identically.", []),
-        ("the differential does not vanish; so the function is not constant.", []),
+        ("the differential does not vanish, so the function is not constant.", []),
     ]
 
 
@@ -74,7 +74,7 @@ def test_what_is_too_long_is_counted(steps):
 
 
 def test_sides_that_are_equal_identically_are_said_to_be_so(steps):
-    assert steps("Q1-prime") == [("Both sides are equal identically.", [])]
+    assert steps("Q1-prime") == [("The two sides agree identically.", [])]
 
 
 def test_cases_eliminants_and_numbers(steps):
