@@ -205,10 +205,12 @@ class Contents:
     def _box(self, outcome: Outcome) -> str:
         """A number, and what is stated if that is short."""
         name = self.phrases.names[outcome.claim]
+        if name.several > 1:
+            return name.number
         said = [to_plain(f) for f in outcome.formulas if isinstance(f, Relation)]
         words = print_prose(read_prose(outcome.words, self.run.vocabulary), str, to_plain)
         for text in (", ".join(said), *(f"{one}, …" for one in said[:1]), words):
-            plain = name.several == 1 and not any(map(unicodedata.combining, text))
+            plain = not any(map(unicodedata.combining, text))
             if text and plain and len(text) <= _SHORT:
                 return f"{name.number} {text}"
         return name.number

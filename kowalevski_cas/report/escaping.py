@@ -14,7 +14,12 @@ _SPECIAL: Final = {
     "–": "--", "—": "---", "…": r"\dots{}", "“": "``", "”": "''", "‘": "`", "’": "'",
     "§": r"\S{}", "\u00a0": "~", "\u202f": r"\,", "\u2009": r"\,",
 }  # fmt: skip
+_RAISED: Final = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺ⁿ", "0123456789-+n", strict=True))
+_LOWERED: Final = dict(zip("₀₁₂₃₄₅₆₇₈₉₋₊ₙᵢⱼₖ", "0123456789-+nijk", strict=True))
 _SIGNS: Final = {
+    **{letter: f"^{digit}" for letter, digit in _RAISED.items()},
+    **{letter: f"_{digit}" for letter, digit in _LOWERED.items()},
+} | {
     letter: f"{macro} " if macro[0] == "\\" else macro for letter, macro in TYPED.items()
 } | {
     "″": "''", "∞": r"\infty ", "√": r"\surd ", "°": r"^\circ ", "½": r"\tfrac12 ",
@@ -27,8 +32,6 @@ _MATH: Final = "\0"
 """Where mathematics begins and ends, until all is put together; no text has this letter."""
 _SCRIPTS: Final = re.compile(r"((?>_\S\^\S|[_^]\S|'))(?=[_^'])")
 """What a letter has below and above it, before one more: TeX takes one of each."""
-_RAISED: Final = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺ⁿ", "0123456789-+n")
-_LOWERED: Final = str.maketrans("₀₁₂₃₄₅₆₇₈₉₋₊ₙᵢⱼₖ", "0123456789-+nijk")
 
 
 def escaped(text: str) -> str:
@@ -48,10 +51,6 @@ def _letter(letter: str) -> str:
         return _SPECIAL[letter]
     if letter in _SIGNS:
         return f"{_MATH}{_SIGNS[letter]}{_MATH}"
-    if (digit := letter.translate(_RAISED)) != letter:
-        return f"{_MATH}^{digit}{_MATH}"
-    if (digit := letter.translate(_LOWERED)) != letter:
-        return f"{_MATH}_{digit}{_MATH}"
     if letter.isascii() or "À" <= letter <= "ſ":
         return letter if letter.isprintable() or letter in "\n\t" else ""
     return f"[U+{ord(letter):04X}]"

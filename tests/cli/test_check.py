@@ -1,4 +1,5 @@
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -43,6 +44,18 @@ def test_a_run_with_a_report_checks_them_as_make_verify_does(copy, tmp_path, cap
     out = capsys.readouterr().out
     assert "REJECTED" in out
     assert f"certificates: CERTIFIED {len(others)} of {len(others) + 1}\n" in out
+
+
+@pytest.mark.slow
+def test_links_of_a_report_lead_to_certificates(tmp_path, monkeypatch):
+    monkeypatch.setattr("kowalevski_cas.report.pdf.latex_command", lambda: None)
+    out = tmp_path / "far" / "out"
+    assert main(["verify", str(PAPER), "--only", "redundant-integral", "--report", str(out)]) == 0
+    page = (out / "kharlamov2002.html").read_text(encoding="utf-8")
+    links = re.findall(r'href="([^"#]+/certificates/[^"]+)"', page)
+    assert [(out / link).resolve() for link in links] == [
+        PAPER.resolve() / "certificates" / "redundant-integral.json"
+    ]
 
 
 def test_all_committed_certificates_belong_to_the_record(capsys):

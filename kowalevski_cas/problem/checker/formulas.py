@@ -185,7 +185,9 @@ class Formulas:
 
     def _inverse(self, element: Element, words: str) -> Element:
         """What is below the element, and its other values, over its norm."""
-        need(element.terms, "it divides by zero")
+        if (number := element.value()) is not None:
+            need(number, "it divides by zero")
+            return self.ring.number(1 / number)
         above, norm = element.numerator().normed()
         words = words if above.value() == 1 else ""
         need(norm.terms, "it divides by zero")

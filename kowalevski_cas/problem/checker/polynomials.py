@@ -93,37 +93,35 @@ class Ring:
         if len(found) == 1 and found[0][0] == below == 1:
             self.spend(len(parts))
             return found[0][1]
-        common, under = self.common([e for _, e in found])
-        bits, steps, out = (below * common).bit_length(), len(parts), Terms()
+        common, under, steps, out = 1, 0, len(parts), Terms()
+        for _, e in found:
+            common = common if common % e.below == 0 else self.multiple(common, e.below)
+            under = under if under == e.under else self.larger(under, e.under)
+        bits = (below * common).bit_length()
         for c, e in found:
             if e.under != under:
                 e = e.times(self.denominator(under - e.under))
-            if e.below != common:
-                c *= common // e.below
+            c *= common // e.below
             size = c.bit_length()
-            steps += len(e.terms) * (1 + (e.bits * size >> 16))
             bits = max(bits, e.bits + size)
-            if out:
-                for m, d in e.terms.items():
-                    out[m] = out.get(m, 0) + c * d
-            else:
-                out = {m: c * d for m, d in e.terms.items()}
+            steps += len(e.terms) * (1 + (e.bits * size >> 16))
+            for m, d in e.terms.items():
+                out[m] = out.get(m, 0) + c * d
         self.spend(steps)
         return Element(self, out, below * common, bits + len(found).bit_length(), under)
 
-    def common(self, elements: list[Element]) -> tuple[int, int]:
-        """The least common denominator: an integer, and a monomial of inverses."""
-        below, under = 1, 0
-        for e in elements:
-            if below % e.below:
-                below = lcm(below, e.below)
-                need(below.bit_length() <= BITS, "a number is too large")
-                self.spend(1 + (below.bit_length() ** 2 >> 14))
-            if e.under != under:
-                high = (under | self.guard) - e.under & self.guard
-                mask = high - (high >> WIDTH - 1)
-                under = under & mask | e.under & ~mask
-        return below, under
+    def multiple(self, one: int, other: int) -> int:
+        """The least common multiple of integers."""
+        common = lcm(one, other)
+        need(common.bit_length() <= BITS, "a number is too large")
+        self.spend(1 + (common.bit_length() ** 2 >> 14))
+        return common
+
+    def larger(self, one: int, other: int) -> int:
+        """The least common multiple of monomials of inverses."""
+        high = (one | self.guard) - other & self.guard  # the exponents that are no less in one
+        mask = high - (high >> WIDTH - 1)
+        return one & mask | other & ~mask
 
     def product(self, elements: Iterable[Element]) -> Element:
         """The product of elements: of the monomials first, which is one more factor of the rest."""
@@ -236,29 +234,14 @@ class Element:
 
     def reduced(self) -> Element:
         """The same with each root in the first power at most."""
-        ring, groups, out = self.ring, defaultdict[int, Terms](dict), Terms()
+        groups, parts = defaultdict[int, Terms](dict), list[Element]()
         for m, c in self.terms.items():
-            groups[m & ring.squares][m] = c
-        evens = [ring.even(powers) for powers in groups]
-        below, under = ring.common([even for _, even in evens])
-        bits = 1
-        for (full, even), terms in zip(evens, groups.values(), strict=True):
-            factor = below // even.below
-            if even.under != under:
-                even = even.times(ring.denominator(under - even.under))
-            size = even.bits + factor.bit_length()
-            bits = max(bits, size)
-            ring.spend(len(terms) * len(even.terms) * (1 + (self.bits * size >> 16)))
-            for n, d in even.terms.items():
-                shift, count = n - full, factor * d
-                for m, c in terms.items():
-                    k = m + shift
-                    out[k] = out.get(k, 0) + c * count
-        union = reduce(or_, out, 0)
-        need(union & MASK <= DEGREE or degree(out) <= DEGREE, "a degree is too large")
-        bits += self.bits + len(out).bit_length()
-        value = Element(ring, out, self.below * below, bits, self.under + under)
-        return value.reduced() if union & ring.squares else value
+            groups[m & self.ring.squares][m] = c
+        for powers, terms in groups.items():
+            full, even = self.ring.even(powers)
+            rest = self.with_terms({m - full: c for m, c in terms.items()})
+            parts.append(rest.times(even) if powers else rest)
+        return self.ring.total(parts)
 
     def with_terms(self, terms: Terms) -> Element:
         """Other terms, of numbers no larger than here, over the same."""
