@@ -132,8 +132,9 @@ class Evaluation(Fold):
         return True
 
     def root(self, argument: Formula, conjugated: bool = False) -> Element:
-        """The declared square root of an expression."""
-        return self.scalar(Name(self.root_name(argument, conjugated)))
+        """The declared square root of an expression, which remembers what that is divided by."""
+        name, value = self.root_name(argument, conjugated), self.scalar(argument, conjugated)
+        return self.scalar(Name(name)) + value * self.ring.zero
 
     def root_name(self, argument: Formula, conjugated: bool = False) -> str:
         """The name of the declared square root of an expression."""
@@ -248,9 +249,9 @@ class Evaluation(Fold):
 
     @cached_property
     def masses(self) -> list[Element]:
-        """One over what stands before the rates in the equations of motion."""
+        """What stands before the rates in the equations of motion, and one over it."""
         factors = (self.components(row.factor) for row in self.setting.field)
-        found = [factor.inverse() for row in factors for factor in row]
+        found = [one for row in factors for factor in row for one in (factor, factor.inverse())]
         change = self.setting.change
         return found if change is None else [*map(self.image, self.other(change.old).masses)]
 
@@ -311,7 +312,8 @@ class Evaluation(Fold):
             total = total + value
         for index, exponent in element.denominator.items():
             terms = ring.polynomials.terms(ring.divisors[index])
-            total = total * self._substituted(terms, names, value_of) ** -exponent
+            below = self._substituted(terms, names, value_of)
+            total = total * below**-exponent + below * self.ring.zero
         return total
 
     def _substituted(

@@ -208,7 +208,7 @@ def _product(formula: Product, at: Fold, bar: bool) -> Value:
 
 def _inverse(element: Element, formula: Formula) -> Element:
     try:
-        return element.inverse()
+        return element.inverse() + element * element.ring.zero  # which remembers what is below it
     except ZeroDivisionError:
         shown = to_latex(formula)
         raise Meaningless(f"division by {shown}, which vanishes identically") from None

@@ -14,7 +14,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Denial, Evidence
 from kowalevski_cas.problem.goals import Follows, Goal, simple
 from kowalevski_cas.problem.prune import pruned
-from kowalevski_cas.problem.space import Setting, Space, generators
+from kowalevski_cas.problem.space import Meaningless, Setting, Space, generators
 
 Verdicts = tuple[Evidence, ...] | Denial
 """Evidence for every goal, or against one."""
@@ -31,6 +31,8 @@ class Statement:
     ) -> None:
         self.claim, self.on = claim, on
         self.goals: tuple[Goal, ...] = tuple(claim.goals(on)) if goals is None else goals
+        if not self.goals:  # all of them would hold
+            raise Meaningless(f"{claim.id} states nothing")
         self.problem = pruned(self.goals)
 
     @cached_property

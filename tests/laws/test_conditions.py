@@ -23,6 +23,7 @@ LEAVES = (
 )  # fmt: skip
 AROUND = (
     "0(%s)", "(%s)-(%s)", "(%s)^0", "(%s)^2", "-(%s)", "x+(%s)", r"z\cdot(%s)", r"\frac{(%s)}{2}",
+    r"\frac{z}{7z+(%s)}", r"(7z+(%s))^{-2}",
     r"\frac{d}{dt}\left(%s\right)", r"\frac{\partial}{\partial z}\left(%s\right)",
     r"\{x,(%s)\}", r"\{(%s),1\}", r"\sum_{i=0}^1i\cdot(%s)", r"\sum_{i=0}^0i\cdot(%s)",
 )  # fmt: skip

@@ -9,6 +9,7 @@ from kowalevski_cas.cli.formats.json import counterexample as in_tex
 from kowalevski_cas.notation import Name, Number
 from kowalevski_cas.paper.claims import (
     ChangedEquation,
+    Claim,
     Coefficient,
     Definition,
     Degree,
@@ -69,6 +70,15 @@ def top():
 )
 def test_identity(oscillator, name, tex, verdict):
     assert oscillator.verdict(Identity, tex, arithmetics=(name,)) == verdict
+
+
+def test_a_claim_without_a_goal_is_an_error(oscillator):
+    class Nothing(Claim):
+        def goals(self, on):
+            return iter(())
+
+    outcome = oscillator.outcome(Nothing)
+    assert outcome.verdict == "error" and outcome.message == "t states nothing"
 
 
 def test_not_equal_is_not_equal(oscillator):

@@ -1,6 +1,9 @@
 """Evidence that somebody made to deceive: the one function that believes it may believe none."""
 
 from dataclasses import replace
+from fractions import Fraction
+from functools import reduce
+from operator import add, mul, truediv
 
 import pytest
 from hypothesis import given
@@ -98,6 +101,39 @@ def test_a_printed_root_is_not_negative_at_a_point(parts, name):
 
 def follows(*conclusion, given=(), space=None):
     return Follows(space or XY, (equations(*conclusion),), equations(*given))
+
+
+FORMULAS = st.recursive(
+    st.sampled_from(["x", "y", 1, 2]),
+    lambda one: (
+        st.tuples(st.sampled_from("+*//"), one, one).map(list)
+        | one.map(lambda tree: ["+", ["sqrt", ["*", tree, ["/", "x", tree]]], "y"])
+    ),
+    max_leaves=6,
+)
+
+
+def number(tree, place):
+    """The value of a formula, where r is the one root."""
+    if not isinstance(tree, list):
+        return Fraction(place.get(tree, tree))
+    op, *values = tree[0], *(number(part, place) for part in tree[1:])
+    return place["r"] if op == "sqrt" else reduce({"+": add, "*": mul, "/": truediv}[op], values)
+
+
+@given(FORMULAS, st.sampled_from([0, 1, 4]), st.integers(-2, 2))
+def test_a_point_is_none_of_a_statement_if_anything_vanishes_by_which_it_is_divided(tree, x, y):
+    """However deep it stands, and for either root; the judge has it so, and the checker."""
+    space = Space(("x", "y"), steps=(Adjoined("r", Name("x")),))
+    place = {"x": x, "y": y, "r": {0: 0, 1: 1, 4: -2}[x]}
+    goal, evidence = follows(["r", "r"], [tree, tree], space=space), Shown(Proof(), at(**place))
+    try:
+        number(tree, place), number(tree, {**place, "r": -place["r"]})
+    except ZeroDivisionError:
+        rejected(goal, evidence)
+    else:
+        accepted(goal, evidence)
+        checker.check(certificate(goal, evidence))
 
 
 def row(*trees):
@@ -626,7 +662,9 @@ class TestCount:
             tree = plus(tree, 1)
         space = replace(self.SPACE, nonzero=row("a", tree))
         rejected(replace(self.GOAL, space=space), self.ROOTS, "about what is counted")
-        goal = replace(self.GOAL, equations=equations([["/", SQUARE, tree], ["/", ["^", "a", 2], tree]]))
+        goal = replace(
+            self.GOAL, equations=equations([["/", SQUARE, tree], ["/", ["^", "a", 2], tree]])
+        )
         put = decode(["/", 1, plus("s", ["*", many, "a"], more)])
         rejected(goal, replace(self.ROOTS, rows=(row(tree), row(0)), quotients=(put, decode(0))))
 
