@@ -77,7 +77,7 @@ class Elaboration(Moving):
         self.roots = tuple(self._root_names())
 
     def _root_names(self) -> Iterator[str]:
-        if self.scene.unit is not None or self.source is not None:
+        if self.scene.unit is not None or (self.source is not None and "i" in self.source.roots):
             yield "i"
         yield from self.transcendental.roots
         primes, names = dict[str, None](), list[str]()
@@ -209,13 +209,13 @@ class Elaboration(Moving):
                 self.step(other.name)
         return let
 
-    def _unit(self) -> Step:
+    def _unit(self) -> Step | None:
         printed = self.scene.unit
         if printed is None:
             assert self.source is not None
-            step = self.source.step("i") if "i" in self.source.roots else None
+            step = self.source.step("i")
             self.places["i"] = self.source.places.get("i", ())
-            return Adjoined("i", step.square if isinstance(step, Adjoined) else Negative(Number(1)))
+            return step
         return solved(self, "i", printed)
 
     def _root(self, name: str) -> Step:

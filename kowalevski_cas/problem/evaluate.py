@@ -249,11 +249,15 @@ class Evaluation(Fold):
 
     @cached_property
     def masses(self) -> list[Element]:
-        """What stands before the rates in the equations of motion, and one over it."""
+        """What stands before the rates in the equations of motion, and one over it.
+
+        After a change, one over the factor of the time as well.
+        """
+        if (change := self.setting.change) is not None:
+            old = self.other(change.old)
+            return [*map(self.image, old.masses), self.image(old.scalar(change.time)).inverse()]
         factors = (self.components(row.factor) for row in self.setting.field)
-        found = [one for row in factors for factor in row for one in (factor, factor.inverse())]
-        change = self.setting.change
-        return found if change is None else [*map(self.image, self.other(change.old).masses)]
+        return [one for row in factors for factor in row for one in (factor, factor.inverse())]
 
     def other(self, setting: Setting) -> Evaluation:
         """The evaluation of a space on which this one is built."""

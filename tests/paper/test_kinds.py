@@ -379,6 +379,14 @@ def test_a_derivative_by_real_time_is_conjugated_as_such(sign, verdict):
     assert real.verdict(Identity, rf"\overline{{z_1'}}={sign}z_2'", new) == verdict
 
 
+@pytest.mark.parametrize(("tex", "verdict"), [("2u'=v-u", "proved"), ("u'=v-u", "refuted")])
+def test_a_change_of_real_variables_and_of_the_time_needs_no_unit(tex, verdict):
+    motion = Motion(r"\dot x=y, \dot y=-x", "x", "y")
+    change = Change(motion.scene, motion.all("u=x, v=x+y"), motion(r"\tau=2t"))
+    new = Scene("new", variables=("u", "v"), field=change, time=r"\tau")
+    assert motion.verdict(Identity, tex, new) == verdict
+
+
 # -- roots and definitions -----------------------------------------------------------
 
 

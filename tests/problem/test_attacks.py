@@ -263,6 +263,20 @@ class TestMotion:
         rejected(self.change("y", conjugates=[["u", "v"]]), [goal], [entry], "condition fails")
         assert accepted(self.change("x", conjugates=[["u", "v"]]), [goal], [entry])[0].where
 
+    @given(st.integers(-2, 2), st.integers(-2, 2), st.integers(-2, 2))
+    def test_nothing_moves_where_the_time_stands_still(self, a, b, c):
+        """By dt = (ax + by + c) ds there is no derivative where this factor vanishes."""
+        factor = ["+", ["*", a, "x"], ["*", b, "y"], c]
+        spaces = self.change(factor, conjugates=[["u", "v"]])
+        goal, entry = follows([["D", "u"], ["D", "u"]], space=1), {"point": at(u=2, v=2, i="i")}
+        if 2 * a + c:  # x = 2, y = 0 at the point
+            accepted(spaces, [goal], [entry])
+            judged(certificate(spaces, [goal], [entry]))
+        else:
+            rejected(spaces, [goal], [entry], "condition fails|by zero")
+            with pytest.raises(Unproved, match=r"divided by|division"):
+                judged(certificate(spaces, [goal], [entry]))
+
     def test_a_false_inverse(self):
         spaces = self.change(conjugates=[["u", "v"]])
         spaces[1]["steps"][1][2] = ["/", ["+", "u", "v"], 3]
