@@ -148,7 +148,7 @@ def same(formula: Formula, other: Formula, setting: Elaboration) -> bool:
 def implies(formula: Formula, other: Formula, setting: Elaboration) -> bool:
     """Whether one expression vanishes only where the other one does.
 
-    It divides the other one, or is a sum of squares of which each does.
+    It divides the other one, or is a sum of squares of real numbers of which each does.
     """
     both = _values(formula, other, setting)
     if both is None or any(element.parts.keys() != {0} for element in both):
@@ -156,6 +156,10 @@ def implies(formula: Formula, other: Formula, setting: Elaboration) -> bool:
     first, second = both
     if divided(second.terms()[0], first.terms()[0]) is not None:
         return True
+    polynomials = first.ring.polynomials
+    names = {polynomials.generators[k] for k in polynomials.occurring(first.parts[0])}
+    if any(names.intersection(pair) for pair in setting.conjugates):
+        return False
     bases = [base for _, base in sum_of_squares(first.terms()[0]) or ()]
     gone = {m.index(1) for base in bases if len(base) == 1 for m in base if sum(m) == 1}
     return bool(bases) and all(any(m[k] for k in gone) for m in second.terms()[0])

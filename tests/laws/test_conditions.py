@@ -6,7 +6,10 @@ from hypothesis import strategies as st
 
 from kowalevski_cas import System
 from kowalevski_cas.notation import to_latex
+from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.paper.derivation import Scene
 from kowalevski_cas.verify.outcome import Verdict
+from tests.paper.small import Paper
 
 pytestmark = pytest.mark.usefixtures("here")
 
@@ -48,3 +51,16 @@ def test_what_the_motion_divides_by_is_named(formula, around):
     outcome = system.integral("u").outcome
     assert outcome.verdict is Verdict.CONDITIONAL
     assert "y" in [to_latex(condition.expression) for condition in outcome.conditions]
+
+
+@pytest.mark.parametrize("conjugates", [(), (("x", "y"),)])
+@given(st.integers(1, 3), st.integers(1, 3))
+def test_a_sum_of_squares_vanishes_with_each_of_them_if_these_are_real(conjugates, a, b):
+    """At x = 1 + i, y = 1 - i the sum of the squares is zero, and x is not."""
+    paper = Paper()
+    paper.scene = Scene("s", variables=("x", "y"), conjugates=conjugates)
+    squares = f"{a}x^2+{b}y^2" if not conjugates else f"{a}(x^2+y^2)"
+    formula = rf"\frac{{1}}{{{squares}}}+\frac1x"
+    outcome = paper.outcome(Identity, f"{formula}={formula}")
+    named = [to_latex(condition.expression) for condition in outcome.conditions]
+    assert ("x" in named) and len(named) == 1 + bool(conjugates)
