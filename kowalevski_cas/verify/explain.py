@@ -102,11 +102,10 @@ def _needed(statement: Statement, conditions: list[Divided]) -> list[Divided]:
         landmark = next((name for name in named if same(formula, name, own)), None)
         if not any(same(formula, other, own) for _, other in kept):
             kept.append((setting, formula) if landmark is None else (own, landmark))
-    return [
-        (setting, formula)
-        for setting, formula in kept
-        if not any(f is not formula and implies(formula, f, own) for _, f in kept)
-    ]
+    for one in kept[::-1]:  # of two that vanish together one stays
+        if any(f is not one[1] and implies(one[1], f, own) for _, f in kept):
+            kept.remove(one)
+    return kept
 
 
 def _where_it_fails(

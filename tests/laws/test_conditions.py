@@ -1,5 +1,7 @@
 """What is printed below a line is a condition wherever it stands, also where it cancels."""
 
+from itertools import product
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -64,3 +66,21 @@ def test_a_sum_of_squares_vanishes_with_each_of_them_if_these_are_real(conjugate
     outcome = paper.outcome(Identity, f"{formula}={formula}")
     named = [to_latex(condition.expression) for condition in outcome.conditions]
     assert ("x" in named) and len(named) == 1 + bool(conjugates)
+
+
+@given(
+    st.lists(st.sampled_from(["x^2+y^2", "x^2+2y^2", "x^4+y^2", "y^2+z^4", "x", "z"]), min_size=1)
+)
+def test_of_conditions_that_follow_from_each_other_one_is_named(below):
+    """Some condition vanishes at each point where a denominator does."""
+    formula = "+".join(rf"\frac{{1}}{{{one}}}" for one in below)
+    outcome = SYSTEM.identity(f"{formula}={formula}").outcome
+    named = [to_latex(condition.expression) for condition in outcome.conditions]
+    for point in product((0, 1), repeat=3):
+        if any(vanishes(one, point) for one in below):
+            assert any(vanishes(one, point) for one in named)
+
+
+def vanishes(tex, point):
+    """Whether a sum of powers with positive coefficients does."""
+    return not any(value and name in tex for name, value in zip("xyz", point, strict=True))
