@@ -106,7 +106,7 @@ class Contents:
             which = f"The formulas of section {', '.join(restated)} are restated"
         else:
             return
-        yield (f"{which}: nobody has compared them with the print.",)
+        yield (f"{which} or derived anew: nobody has compared them with a print.",)
 
     # -- the verdict ------------------------------------------------------------------
 

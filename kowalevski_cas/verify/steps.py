@@ -137,7 +137,7 @@ def _cases(proof: Proof, at: Evaluation) -> Step:
     groups = [[at.scalar(entry) for entry in group] for group in proof.product]
     words = "From what is given it follows that a product vanishes; it is shown case by case"
     if size(element for group in groups for element in group) > LONGEST:
-        return Step(f"{words}, for each of its {len(groups)} factors", withheld=True)
+        return Step(f"{words}, for each of its factors", withheld=True)
     factors = [_squares([shown(element, at.setting) for element in group]) for group in groups]
     return Step(f"{words}, for each factor:", (_equal(flat_product(factors), ZERO),))
 
