@@ -28,6 +28,7 @@ from kowalevski_cas.notation import (
     Product,
     Quotient,
     Vector,
+    times,
 )
 from kowalevski_cas.notation.errors import dotted, undotted
 from kowalevski_cas.paper.components import component
@@ -181,7 +182,11 @@ def _solved(
     for k, name in enumerate(unknown):
         pairs = zip(matrix, constant, strict=True)
         changed = [[*line[:k], -value, *line[k + 1 :]] for line, value in pairs]
-        yield Motion((name,), formula_in(whole), formula_in(determinant(changed)))
+        row = formula_in(whole), formula_in(determinant(changed))
+        left = {index for one in row for index in at.scalar(one).denominator}
+        gone = sorted({index for value in values for index in value.denominator} - left)
+        below = [formula_in(Element(at.ring, {0: at.ring.divisors[n]}, {})) for n in gone]
+        yield Motion((name,), *(times(*below, one) for one in row))  # what cancels is remembered
 
 
 def _partial(element: Element, name: str) -> Element:

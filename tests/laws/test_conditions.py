@@ -3,7 +3,7 @@
 from itertools import product
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas import System
@@ -47,6 +47,7 @@ def test_what_is_divided_by_is_named(formula, around):
 @given(st.sampled_from(LEAVES), st.sampled_from(AROUND))
 def test_what_the_motion_divides_by_is_named(formula, around):
     """Also where nothing is left of it: the equations of motion say nothing where it vanishes."""
+    assume("F" not in formula or "dt" not in around)  # F would move by an equation of its own
     formula = around.replace("%s", formula)
     given = r"F=\frac1y,\ G(x)=\frac xy,\ \{x,z\}=1,\ {\bf A}=\begin{pmatrix}F&1\\0&x\end{pmatrix}"
     system = System(rf"\dot u=({formula})-({formula}),\ \dot x=y,\ \dot y=z,\ \dot z=x,\ {given}")
