@@ -38,8 +38,6 @@ class Expanded:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Expanded) and bool(self.value == other.value)
 
-    __hash__ = None  # type: ignore[assignment]
-
 
 class Arithmetic(Polynomials):
     """Polynomial expressions in SymEngine's symbols."""

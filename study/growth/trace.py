@@ -60,8 +60,6 @@ class Recorded:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Recorded) and bool(self.value == other.value)
 
-    __hash__ = None  # type: ignore[assignment]
-
 
 class Recording(Polynomials):
     """The arithmetic of FLINT, with a list of all that is done."""
