@@ -123,10 +123,7 @@ def each(
 
 
 def _as_done(
-    work: Callable[[Item], Result],
-    items: Iterable[Item],
-    jobs: int,
-    heard: Callable[..., None],
+    work: Callable[[Item], Result], items: Iterable[Item], jobs: int, heard: Callable[..., None]
 ) -> Generator[_Process[Item, Result], None, None]:
     """The processes, when their work is done or has failed; an item is taken when one is free."""
     waiting = (_Process(work, item, place) for place, item in enumerate(items))

@@ -209,8 +209,7 @@ def _verified(arguments: argparse.Namespace) -> int:
         from kowalevski_cas.cli.report import write
 
         work = session.watched(
-            lambda result: write(result.run, result.paper, arguments.report, result.folder),
-            results,
+            lambda result: write(result.run, result.paper, arguments.report, result.folder), results
         )
         for _, said in work:
             print(said, file=sys.stderr)
