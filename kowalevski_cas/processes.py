@@ -142,10 +142,7 @@ class _Answer(Generic[Result]):
 
 
 def _answers(
-    work: Callable[[Item], Result],
-    items: Iterable[Item],
-    jobs: int,
-    heard: Callable[..., None],
+    work: Callable[[Item], Result], items: Iterable[Item], jobs: int, heard: Callable[..., None]
 ) -> Generator[tuple[int, _Answer[Result]], None, None]:
     """What came of the items at these places; an item is taken when somebody is free."""
     take = _taken(items)
@@ -193,10 +190,7 @@ class _Process(Generic[Item, Result]):
     """
 
     def __init__(
-        self,
-        work: Callable[[Item], Result],
-        number: int,
-        others: Sequence[_Process[Item, Result]],
+        self, work: Callable[[Item], Result], number: int, others: Sequence[_Process[Item, Result]]
     ) -> None:
         self.work, self.number, self.others = work, number, others
         self.start()

@@ -144,11 +144,7 @@ def add_timeout(
 ) -> None:
     """The argument by which a command is told its limit."""
     parser.add_argument(
-        "--timeout",
-        type=_seconds,
-        default=seconds,
-        metavar="SECONDS",
-        help=f"{what} ({seconds:g})",
+        "--timeout", type=_seconds, default=seconds, metavar="SECONDS", help=f"{what} ({seconds:g})"
     )
 
 
