@@ -126,9 +126,7 @@ def _columns(one: Published) -> list[Terms]:
     return [derivative(exponents, rates, {}) for exponents in every]
 
 
-def _entries(
-    columns: Sequence[Terms],
-) -> tuple[int, Iterator[tuple[int, int, Fraction]]]:
+def _entries(columns: Sequence[Terms]) -> tuple[int, Iterator[tuple[int, int, Fraction]]]:
     """The number of rows of a matrix, and its entries with their places."""
     rows: dict[Exponents, int] = {}
     for column in columns:

@@ -15,15 +15,7 @@ from kowalevski_cas.motion.general import AnyMotion
 from kowalevski_cas.motion.methods.integrators import initial_state
 from kowalevski_cas.pictures import new_figure
 from study.charts import curve, digit, legend_below, seconds
-from study.motions import (
-    INTEGRATORS,
-    MOTIONS,
-    Array,
-    parameters,
-    relative_error,
-    timed,
-    tolerances,
-)
+from study.motions import INTEGRATORS, MOTIONS, Array, parameters, relative_error, timed, tolerances
 from study.step import Measured, Row, Task
 
 TITLE = "work against precision"

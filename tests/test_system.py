@@ -558,10 +558,7 @@ def test_what_moves_is_no_value_of_an_integral(side):
         ),
         (r"\dot x=1, \dot x=2", r"2 equations for 1 unknown \(x\)"),
         (r"\dot x=F, F=x=1", "F=x=1 gives F twice: leave one side out"),
-        (
-            r"\dot{\mathbf{x}}=y",
-            r"give its components: print \\mathbf\{x\}=\(x,y,z\) beside it",
-        ),
+        (r"\dot{\mathbf{x}}=y", r"give its components: print \\mathbf\{x\}=\(x,y,z\) beside it"),
     ],
 )
 def test_what_is_no_system_is_refused(field, message):

@@ -14,11 +14,7 @@ section = Section("1", "Main equations")
 OMEGA = (r"\omega_1", r"\omega_2", r"\omega_3")
 ALPHA = (r"\alpha_1", r"\alpha_2", r"\alpha_3")
 BETA = (r"\beta_1", r"\beta_2", r"\beta_3")
-FRAME = {
-    r"\boldsymbol{\omega}": OMEGA,
-    r"\boldsymbol{\alpha}": ALPHA,
-    r"\boldsymbol{\beta}": BETA,
-}
+FRAME = {r"\boldsymbol{\omega}": OMEGA, r"\boldsymbol{\alpha}": ALPHA, r"\boldsymbol{\beta}": BETA}
 AXES = {
     r"\mathbf{e}_1": ("e_{11}", "e_{12}", "e_{13}"),
     r"\mathbf{e}_2": ("e_{21}", "e_{22}", "e_{23}"),
@@ -42,12 +38,7 @@ eq3 = section.display(
 {\bs \beta} = {\bs \beta} \times {\bs \omega}""",
 )
 
-any_body = Scene(
-    "any body",
-    vectors=FRAME,
-    variables=(*ALPHA, *BETA),
-    constants=OMEGA,
-).moving(eq3)
+any_body = Scene("any body", vectors=FRAME, variables=(*ALPHA, *BETA), constants=OMEGA).moving(eq3)
 
 eq4 = section.states(
     FirstIntegral,

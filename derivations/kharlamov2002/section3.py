@@ -234,9 +234,7 @@ squares = section.states(
 area_on_set = section.states(
     Implication,
     section.lemma(
-        "appelrot-area",
-        r"\ell=\frac{x_1w_2+x_2w_1}{2x_1x_2}",
-        "the area integral on (18)",
+        "appelrot-area", r"\ell=\frac{x_1w_2+x_2w_1}{2x_1x_2}", "the area integral on (18)"
     ),
     on=complex_unit_field,
     says="the area integral on (18)",

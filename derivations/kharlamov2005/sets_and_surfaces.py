@@ -12,10 +12,7 @@ known = complex_variables.variables
 
 with_M4 = at_critical.naming("M_1", zero_level[1]).naming("M_2", zero_level[2])
 
-constants = Scene(
-    "constants",
-    constants=("h", "k", "g", "j", "m", r"\ell", "p", "r"),
-)
+constants = Scene("constants", constants=("h", "k", "g", "j", "m", r"\ell", "p", "r"))
 
 
 def offer() -> CriticalSets:

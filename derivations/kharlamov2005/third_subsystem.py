@@ -9,13 +9,11 @@ from ..kharlamov_savushkin2004.setting import complex_variables
 section = Section("2", "The third critical subsystem", copied=False)
 
 forces = section.display(
-    "forces",
-    r"A = y_2w_1+x_1w_2+z_1\omega_3, \quad B = x_2w_1+y_1w_2+z_2\omega_3",
+    "forces", r"A = y_2w_1+x_1w_2+z_1\omega_3, \quad B = x_2w_1+y_1w_2+z_2\omega_3"
 )
 
 R = section.display(
-    "R",
-    r"R_1 = w_2A-w_1B, \quad R_2 = 2w_1w_2\left(\frac{A}{w_1}-\frac{B}{w_2}\right)'",
+    "R", r"R_1 = w_2A-w_1B, \quad R_2 = 2w_1w_2\left(\frac{A}{w_1}-\frac{B}{w_2}\right)'"
 )
 
 written_out = section.lemma(

@@ -47,11 +47,9 @@ section.states(
     ids=("O4.h", "O4.k", "O4.g"),
 )
 
-constants = Scene(
-    "constants",
-    constants=("s", r"\tau_3", "p", "r"),
-    nonzero=("s",),
-).defining(on_O4_values)
+constants = Scene("constants", constants=("s", r"\tau_3", "p", "r"), nonzero=("s",)).defining(
+    on_O4_values
+)
 
 double_root = section.states(
     Identity,

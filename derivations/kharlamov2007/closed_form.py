@@ -48,19 +48,11 @@ def offer() -> HyperellipticForm:
     squares = (*(radicals[k] for k in (1, 3, 4, 7)), *hats)
     return HyperellipticForm(
         constants=Values(
-            with_constants,
-            ("s", r"\tau_3", "x_1x_2", "x_1x_2+z_1z_2"),
-            complex_variables.variables,
+            with_constants, ("s", r"\tau_3", "x_1x_2", "x_1x_2+z_1z_2"), complex_variables.variables
         ),
         variables=Values(
             plane,
-            (
-                root[1],
-                r"\tau_3\xi+q",
-                r"\tau_3\xi-q",
-                r"\tau_3-X",
-                r"\tau_3\xi^2+\sigma X",
-            ),
+            (root[1], r"\tau_3\xi+q", r"\tau_3\xi-q", r"\tau_3-X", r"\tau_3\xi^2+\sigma X"),
             plane.variables,
         ),
         integrals=Values(values, (*on_O4_values,), CONSTANTS),
@@ -69,11 +61,7 @@ def offer() -> HyperellipticForm:
             squares,
             (*COORDINATES, r"\mu_1", r"\hat{\mu}_2", "s", r"\tau_3", "r", r"\sigma", r"\kappa"),
         ),
-        parts=Values(
-            here,
-            (*hatted_parts,),
-            (*COORDINATES, *RADICALS, *CONSTANTS, r"\hat{d}"),
-        ),
+        parts=Values(here, (*hatted_parts,), (*COORDINATES, *RADICALS, *CONSTANTS, r"\hat{d}")),
         phase_point=Values(
             here,
             (*hatted_velocity, *hatted_fields),

@@ -56,12 +56,7 @@ for k in (1, 2):
         says="the products have the squares of the radicals",
         ids=(f"one-variable.mu{k}",),
     )
-section.states(
-    Identity,
-    quotient,
-    on=with_P,
-    says=r"$\varepsilon E^2$, in two forms",
-)
+section.states(Identity, quotient, on=with_P, says=r"$\varepsilon E^2$, in two forms")
 
 # With u2 = n/v the formulas keep their form, for both signs ε; what has a hat is regular
 # where v = 0. A factor common to n and v changes no state: n may well be constant.

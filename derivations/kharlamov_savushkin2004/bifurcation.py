@@ -15,11 +15,7 @@ energy = section.lemma(
 )
 
 values = (
-    Scene(
-        "constants",
-        constants=("a", "b", "m", r"\ell"),
-        nonzero=("m",),
-    )
+    Scene("constants", constants=("a", "b", "m", r"\ell"), nonzero=("m",))
     .adjoining(r_without_c, p_without_c)
     .defining(energy, phi, roots_of_phi)
 )

@@ -10,8 +10,7 @@ section = Section("6", "Elliptic functions", copied=False)
 SN, CN, DN = r"\mathrm{sn}", r"\mathrm{cn}", r"\mathrm{dn}"
 
 roots_of_phi = section.display(
-    "roots-of-phi",
-    r"A = \frac{\ell+1}{2m}, \quad C = \frac{\ell-1}{2m}",
+    "roots-of-phi", r"A = \frac{\ell+1}{2m}, \quad C = \frac{\ell-1}{2m}"
 )
 
 factors = section.lemma(

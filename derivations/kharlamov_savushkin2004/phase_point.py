@@ -50,11 +50,7 @@ velocity = section.display(
 rates = section.display("rates", r"\dot s_1 = \tfrac12S_1f_1,\quad \dot s_2 = \tfrac12S_2f_2")
 
 by_s = (
-    Scene(
-        variables=("s_1", "s_2"),
-        constants=("r", "b", "m", r"\ell"),
-        nonzero=("m", "r", "d"),
-    )
+    Scene(variables=("s_1", "s_2"), constants=("r", "b", "m", r"\ell"), nonzero=("m", "r", "d"))
     .solving("a", r[1])
     .adjoining(radicals)
     .defining(psi, phi, fields, velocity)
@@ -142,11 +138,7 @@ complex_point = (
 )
 
 section.states(
-    Identity,
-    eq15,
-    on=complex_point,
-    says="the point lies on $N^4$",
-    ids=("point.F1", "point.F2"),
+    Identity, eq15, on=complex_point, says="the point lies on $N^4$", ids=("point.F1", "point.F2")
 )
 section.states(
     Identity,
@@ -156,11 +148,7 @@ section.states(
     ids=("point.m", "point.l"),
 )
 section.states(
-    Identity,
-    s,
-    on=complex_point,
-    says="$s_1$ and $s_2$ at the point",
-    ids=("point.s1", "point.s2"),
+    Identity, s, on=complex_point, says="$s_1$ and $s_2$ at the point", ids=("point.s1", "point.s2")
 )
 
 solved = section.lemma(

@@ -10,9 +10,7 @@ from .third_integral import constants, level, solved
 section = Section("3", "Separation of variables", copied=False)
 
 near_N4 = complex_variables.having(
-    constants=("c_1", "c_2"),
-    conjugates=(("c_1", "c_2"),),
-    nonzero=("x_1", "x_2", "c_1", "c_2"),
+    constants=("c_1", "c_2"), conjugates=(("c_1", "c_2"),), nonzero=("x_1", "x_2", "c_1", "c_2")
 ).defining(F1, eq13[1], eq13[2], F2, constants)
 
 with_root = (
@@ -49,11 +47,7 @@ section.states(
     given=(eq15[2],),
 )
 section.states(
-    Implication,
-    m_conjugate,
-    on=with_root,
-    says="the conjugate formula for $m$",
-    given=(eq15[2],),
+    Implication, m_conjugate, on=with_root, says="the conjugate formula for $m$", given=(eq15[2],)
 )
 section.states(
     Implication,
@@ -65,8 +59,7 @@ section.states(
 )
 
 relations = section.display(
-    "relations",
-    r"k = r^4m^2, \qquad 2g-p^2h = r^4m, \qquad \ell^2 = 2p^2m^2+2hm+1",
+    "relations", r"k = r^4m^2, \qquad 2g-p^2h = r^4m, \qquad \ell^2 = 2p^2m^2+2hm+1"
 )
 
 s = section.display(
@@ -100,11 +93,7 @@ omega3 = section.lemma(
 )
 
 solved_for = (
-    Scene(
-        variables=("x_1", "x_2", "z_1", "z_2", "w_1", "w_2"),
-        constants=("m",),
-        time=r"\tau",
-    )
+    Scene(variables=("x_1", "x_2", "z_1", "z_2", "w_1", "w_2"), constants=("m",), time=r"\tau")
     .moving(*(eq10[k] for k in (1, 2, 5, 6, 7, 8)))
     .with_unit(unit[1], tau[1])
     .having(conjugates=tuple(pair for pair in PAIRS if pair != ("y_1", "y_2")))
@@ -177,9 +166,4 @@ section.states(
     equation=separated[1],
 )
 section.states(Definition, any_c, on=on_N4, says="$a$ and $b$ for any $c$", equation=separated)
-section.states(
-    Identity,
-    separated,
-    on=on_N4,
-    says="the separated equations",
-)
+section.states(Identity, separated, on=on_N4, says="the separated equations")

@@ -10,11 +10,7 @@ from .levels import quartic
 section = Section("3", "Coinciding roots", copied=False)
 
 common = (
-    Scene(
-        "M⁴ and O⁴",
-        constants=("s", r"\tau_3", "r", "u"),
-        nonzero=("s", r"\tau_3"),
-    )
+    Scene("M⁴ and O⁴", constants=("s", r"\tau_3", "r", "u"), nonzero=("s", r"\tau_3"))
     .adjoining(
         section.lemma(
             "p-where-k-vanishes",

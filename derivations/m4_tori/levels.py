@@ -96,11 +96,7 @@ r^2(z_1-z_2)^2 = (Y-r^2)^2-2(p^2-r^2)W^2""",
 section.identity(
     "by-xi",
     r"R(u)R(-u) = j^8Q\left(\frac{u^2-r^4}{j^2}\right)",
-    on=Scene(
-        "levels by ξ",
-        constants=("u", "h", "j", "p", "r"),
-        nonzero=("j",),
-    ).defining(quartic),
+    on=Scene("levels by ξ", constants=("u", "h", "j", "p", "r"), nonzero=("j",)).defining(quartic),
     says="the roots of $Q$ by those of $R$",
 )
 

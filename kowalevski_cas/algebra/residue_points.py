@@ -109,11 +109,7 @@ def valuation(values: Mapping[str, Any], signs: Mapping[str, int], prime: int) -
 
 
 def _linear(
-    equation: Program,
-    name: str,
-    curve: Mapping[str, Any],
-    signs: Mapping[str, int],
-    prime: int,
+    equation: Program, name: str, curve: Mapping[str, Any], signs: Mapping[str, int], prime: int
 ) -> Rational:
     """The solution of an equation that is linear in one unknown, as a function of T."""
     zero, one = (

@@ -4,15 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from kowalevski_cas.audit.audited import (
-    GIVEN,
-    MISSING,
-    NEW,
-    SUSPECT,
-    UNREADABLE,
-    WRONG,
-    Audited,
-)
+from kowalevski_cas.audit.audited import GIVEN, MISSING, NEW, SUSPECT, UNREADABLE, WRONG, Audited
 from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.macros import Expanded

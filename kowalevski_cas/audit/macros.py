@@ -9,14 +9,7 @@ import re
 from bisect import bisect_right
 from dataclasses import dataclass, field
 
-from kowalevski_cas.audit.definitions import (
-    MACRO,
-    Definitions,
-    Macro,
-    definitions,
-    group_at,
-    skip,
-)
+from kowalevski_cas.audit.definitions import MACRO, Definitions, Macro, definitions, group_at, skip
 from kowalevski_cas.audit.source import Source, SourceError
 from kowalevski_cas.audit.tokens import set_apart
 

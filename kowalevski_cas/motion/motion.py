@@ -14,13 +14,7 @@ from functools import cached_property
 from kowalevski_cas.motion.frame import fields, straightened
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import Parameters, Real, precision, usable
-from kowalevski_cas.motion.regimes import (
-    Arc,
-    Regime,
-    regime_of,
-    signs_of,
-    without_rounding,
-)
+from kowalevski_cas.motion.regimes import Arc, Regime, regime_of, signs_of, without_rounding
 
 
 @dataclass(frozen=True)

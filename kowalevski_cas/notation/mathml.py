@@ -6,14 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from kowalevski_cas.notation.formula import (
-    Changed,
-    Conjugate,
-    Formula,
-    Name,
-    Number,
-    Root,
-)
+from kowalevski_cas.notation.formula import Changed, Conjugate, Formula, Name, Number, Root
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import SIGNS, styled, symbol
 

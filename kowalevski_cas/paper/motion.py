@@ -43,9 +43,7 @@ from kowalevski_cas.problem.space import Change, Equation, Meaningless, Motion
 
 
 def velocities(
-    equations: Sequence[Formula],
-    variables: Sequence[str],
-    vectors: Mapping[str, tuple[str, ...]],
+    equations: Sequence[Formula], variables: Sequence[str], vectors: Mapping[str, tuple[str, ...]]
 ) -> dict[str, str]:
     """The variables of which equations print higher derivatives, and those derivatives' names."""
     found: dict[str, str] = {}
@@ -149,10 +147,7 @@ def marks(equations: Sequence[Formula]) -> set[str]:
 
 
 def _solved(
-    equations: Sequence[Equation],
-    unknown: Sequence[str],
-    known: Sequence[Motion],
-    setting: Meaning,
+    equations: Sequence[Equation], unknown: Sequence[str], known: Sequence[Motion], setting: Meaning
 ) -> Iterator[Motion]:
     """The rows for variables whose rates stand in equations, with those that are known.
 

@@ -8,14 +8,7 @@ from dataclasses import replace
 from kowalevski_cas.notation import Formula, Name, Root
 from kowalevski_cas.problem.goals import Count, Exists, Goal, Kernel, Problem, Rank, Simple, simple
 from kowalevski_cas.problem.mentions import Mentions, mentions
-from kowalevski_cas.problem.space import (
-    Adjoined,
-    Change,
-    Raised,
-    Setting,
-    Space,
-    Step,
-)
+from kowalevski_cas.problem.space import Adjoined, Change, Raised, Setting, Space, Step
 
 
 class Reach:

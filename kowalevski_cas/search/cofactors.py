@@ -105,9 +105,7 @@ def _divided(
     return found[0], [ordered[k] for k in range(len(order))]
 
 
-def _autoreduced(
-    divisors: Sequence[fmpq_mpoly],
-) -> tuple[list[fmpq_mpoly], list[list[fmpq_mpoly]]]:
+def _autoreduced(divisors: Sequence[fmpq_mpoly]) -> tuple[list[fmpq_mpoly], list[list[fmpq_mpoly]]]:
     """Each divisor modulo those before it, and the quotients of these divisions."""
     everything = tuple(range(divisors[0].context().nvars()))
     reduced: list[fmpq_mpoly] = []

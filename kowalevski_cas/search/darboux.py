@@ -179,10 +179,7 @@ class _Ansatz:
     """The coefficients of F and K as unknowns, in the names c, k, and those of the constants."""
 
     def __init__(
-        self,
-        field: PolynomialField,
-        powers: Sequence[Exponents],
-        cofactors: Sequence[Exponents],
+        self, field: PolynomialField, powers: Sequence[Exponents], cofactors: Sequence[Exponents]
     ) -> None:
         self.field, self.monomials, self.cofactors = field, powers, cofactors
         constants = field.names[field.size :]

@@ -4,16 +4,7 @@ from __future__ import annotations
 
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence
-from kowalevski_cas.problem.goals import (
-    Count,
-    Exists,
-    Fails,
-    Follows,
-    Goal,
-    Kernel,
-    Positive,
-    Rank,
-)
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Kernel, Positive, Rank
 from kowalevski_cas.search.bound import found, never
 from kowalevski_cas.search.count import others, roots
 from kowalevski_cas.search.follows import FollowsFinder

@@ -26,9 +26,7 @@ DENOMINATORS = (1, 2, 3, 3, 7)
 
 
 def points(
-    constraints: Sequence[fmpq_mpoly],
-    variables: Sequence[int],
-    avoid: Sequence[fmpq_mpoly] = (),
+    constraints: Sequence[fmpq_mpoly], variables: Sequence[int], avoid: Sequence[fmpq_mpoly] = ()
 ) -> Iterator[Assignment]:
     """Rational points where the constraints vanish and the expressions to avoid do not.
 

@@ -6,9 +6,7 @@ from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.problem.differentials import chosen, differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Minors
-from kowalevski_cas.problem.goals import (
-    Rank,
-)
+from kowalevski_cas.problem.goals import Rank
 from kowalevski_cas.search.place import Candidate, PointFinder
 
 

@@ -61,9 +61,7 @@ def _alternatives(
         yield [factor * entry for entry in row]
 
 
-def _products(
-    combinations: Combinations,
-) -> Iterator[tuple[tuple[bool, int], list[Group], int]]:
+def _products(combinations: Combinations) -> Iterator[tuple[tuple[bool, int], list[Group], int]]:
     """The groups of factors of elements of the basis, and a power of their product in the ideal.
 
     The best ones have a sum of squares in them, and few terms.

@@ -11,13 +11,7 @@ from itertools import chain, count
 from typing import Any, Self
 
 from kowalevski_cas.library import MADE
-from kowalevski_cas.notation import (
-    Formula,
-    heads,
-    read,
-    read_display,
-    to_plain,
-)
+from kowalevski_cas.notation import Formula, heads, read, read_display, to_plain
 from kowalevski_cas.paper.claims import Claim, FirstIntegral
 from kowalevski_cas.paper.derivation import Section
 from kowalevski_cas.paper.scene import Scene

@@ -80,11 +80,7 @@ class Mender(Teller):
         if mended is None:
             return None
         return Correction(
-            printed_of(neighbour),
-            neighbour.words,
-            *mended,
-            neighbour.printed,
-            neighbour.edit,
+            printed_of(neighbour), neighbour.words, *mended, neighbour.printed, neighbour.edit
         )
 
     def mended(self, statement: Statement) -> tuple[Verdict, tuple[Condition, ...], str] | None:

@@ -80,10 +80,7 @@ class Teller(Bench):
 
             told = steps(statement, decided.verdicts)
         return replace(
-            outcome,
-            counterexample=against,
-            steps=told,
-            rests_on=self.rests_on(statement),
+            outcome, counterexample=against, steps=told, rests_on=self.rests_on(statement)
         )
 
     def unread(

@@ -6,14 +6,7 @@ import pytest
 from flint import fmpz, nmod
 
 from kowalevski_cas.algebra import load_points
-from kowalevski_cas.algebra.modular import (
-    LOWEST,
-    POINTS,
-    PRIMES,
-    bound_of,
-    primes,
-    residue_point,
-)
+from kowalevski_cas.algebra.modular import LOWEST, POINTS, PRIMES, bound_of, primes, residue_point
 from kowalevski_cas.algebra.points import NoPoint, Question
 from kowalevski_cas.algebra.programs import Programs
 from kowalevski_cas.algebra.residue_points import Rational, plan

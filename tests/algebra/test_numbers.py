@@ -9,13 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import EXACT, load
-from kowalevski_cas.algebra.numbers import (
-    Substitution,
-    number_ring,
-    rank,
-    rational,
-    square_root,
-)
+from kowalevski_cas.algebra.numbers import Substitution, number_ring, rank, rational, square_root
 from tests.algebra.strategies import build, fractions, neutrals, tower
 
 RINGS = {name: number_ring(load(name)) for name in EXACT}

@@ -10,14 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
-from kowalevski_cas.motion import (
-    Inadmissible,
-    Motion,
-    Parameters,
-    coincidences,
-    load,
-    regime_of,
-)
+from kowalevski_cas.motion import Inadmissible, Motion, Parameters, coincidences, load, regime_of
 from kowalevski_cas.motion.methods.closed import Closed
 from kowalevski_cas.motion.methods.integrators import initial_state, integrate
 from kowalevski_cas.motion.transverse import degenerate, distance, exponent, kind, mean, transverse

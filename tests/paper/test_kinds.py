@@ -272,11 +272,7 @@ def test_a_condition_that_the_set_excludes_proves_nothing(kind, tex):
 
 @pytest.mark.parametrize(
     ("tex", "verdict", "where"),
-    [
-        ("2v=2x", "proved", []),
-        ("x^2=xv", "conditional", [Name("x")]),
-        ("x=-v", "refuted", []),
-    ],
+    [("2v=2x", "proved", []), ("x^2=xv", "conditional", [Name("x")]), ("x=-v", "refuted", [])],
 )
 def test_equivalence(oscillator, tex, verdict, where):
     found = oscillator.outcome(Equivalence, tex, to=oscillator("x=v"))
@@ -419,11 +415,7 @@ def test_a_root_that_moves_is_differentiated_without_a_division():
 
 @pytest.mark.parametrize(
     ("tex", "verdict"),
-    [
-        (r"f(s) = s^2 - 1", "proved"),
-        (r"f(s) = s^2 + 1", "refuted"),
-        (r"f(s) = f(s)", "error"),
-    ],
+    [(r"f(s) = s^2 - 1", "proved"), (r"f(s) = s^2 + 1", "refuted"), (r"f(s) = f(s)", "error")],
 )
 def test_definition_of_a_function(name, tex, verdict):
     section = Section("1", "A function")

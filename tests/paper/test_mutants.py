@@ -114,9 +114,7 @@ OF_EACH_KIND = {
 
 MUTABLE = [
     pytest.param(
-        key,
-        id="-".join(key),
-        marks=[] if key in OF_EACH_KIND.values() else [pytest.mark.slow],
+        key, id="-".join(key), marks=[] if key in OF_EACH_KIND.values() else [pytest.mark.slow]
     )
     for key in CLAIMS
     if key[1] != "eq9.i"  # it has one neighbour, which is true: the print itself is the mutant

@@ -79,8 +79,7 @@ def correction(
 
 
 AWAY_FROM_THETA = condition(
-    r"x_1x_2",
-    r"the printed expression has $\sqrt{x_1x_2}$ in a denominator",
+    r"x_1x_2", r"the printed expression has $\sqrt{x_1x_2}$ in a denominator"
 )
 DEGENERATE = condition(
     "a^2-b^2",

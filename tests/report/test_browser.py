@@ -12,10 +12,7 @@ from kowalevski_cas.report.marks import MARKS
 from tests.report.browser import PROGRAM, Browser
 from tests.report.fixtures import document
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(PROGRAM is None, reason="there is no Chromium"),
-]
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(PROGRAM is None, reason="there is no Chromium")]
 
 WIDE = """[...document.querySelectorAll("main *, header *")].filter(one =>
   one.getBoundingClientRect().right > innerWidth + 1 && !one.closest(".math, .graph"))

@@ -81,10 +81,7 @@ def test_what_a_motion_is_divided_by_is_no_condition():
 
 @pytest.mark.parametrize(
     ("system", "seed", "integral"),
-    [
-        (OSCILLATOR, "x", "-x^2 - u^2"),
-        (OSCILLATOR, "xy", "2xy + 2uv"),
-    ],
+    [(OSCILLATOR, "x", "-x^2 - u^2"), (OSCILLATOR, "xy", "2xy + 2uv")],
 )
 def test_the_integral_of_an_equation_with_constant_coefficients(system, seed, integral):
     *_, last = closed(space_of(system), seed)

@@ -52,11 +52,7 @@ def found(field):
         (henon_heiles(1, 6), "2 2 3 3", ["-3 -1 6 8", "-1 1 4 6"]),
         (henon_heiles(16, 16), "2 2 3 3", ["-7 -1 6 12", "-1 3/2 7/2 6"]),
         (TODA, "2 2 1 1 1", ["-1 1 1 2 3", "-1 1 1 2 3", "-2 -1 1 2 3"]),
-        (
-            KOWALEVSKI,
-            "1 1 1 2 2 2",
-            ["-1 0 1 2 3 4", "-1 -1 2 2 3 4", "-1 0 1 2 3 4"],
-        ),
+        (KOWALEVSKI, "1 1 1 2 2 2", ["-1 0 1 2 3 4", "-1 -1 2 2 3 4", "-1 0 1 2 3 4"]),
     ],
 )
 def test_published_exponents(field, weights, exponents):

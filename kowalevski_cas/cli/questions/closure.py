@@ -23,12 +23,7 @@ from kowalevski_cas.notation import (
     to_latex,
     total,
 )
-from kowalevski_cas.paper.claims import (
-    FirstIntegral,
-    Identity,
-    InvariantRelations,
-    LocalDimension,
-)
+from kowalevski_cas.paper.claims import FirstIntegral, Identity, InvariantRelations, LocalDimension
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
@@ -70,10 +65,7 @@ def search(
             ]
             said = f"near a real point the set has dimension {size}: ${in_latex(point)}$"
             yield Finding(
-                LocalDimension,
-                scene,
-                said,
-                attributes={"equations": relations, "dimension": size},
+                LocalDimension, scene, said, attributes={"equations": relations, "dimension": size}
             )
         for integral in closure.integrals():
             said = "it is constant along every motion, by the form of that equation"

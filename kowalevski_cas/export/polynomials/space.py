@@ -15,11 +15,7 @@ class Space(checker.Space):
     ring: Traced
 
     def step(
-        self,
-        kind: checker.Json,
-        name: checker.Json,
-        tree: checker.Json,
-        more: checker.Json = None,
+        self, kind: checker.Json, name: checker.Json, tree: checker.Json, more: checker.Json = None
     ) -> None:
         super().step(kind, name, tree, more)
         if kind == "let":

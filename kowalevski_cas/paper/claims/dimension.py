@@ -52,9 +52,7 @@ class Dimension(Claim):
             if any(not space.finder.partial(value, name).is_zero for value in values)
         )
         yield Follows(
-            on(self._with_multipliers),
-            (tuple(map(vanishes, multipliers)),),
-            (*given, *combined),
+            on(self._with_multipliers), (tuple(map(vanishes, multipliers)),), (*given, *combined)
         )
 
     def search(

@@ -8,15 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
-from kowalevski_cas.notation import (
-    Formula,
-    Name,
-    Negative,
-    Number,
-    PoissonBracket,
-    times,
-    total,
-)
+from kowalevski_cas.notation import Formula, Name, Negative, Number, PoissonBracket, times, total
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import function, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration

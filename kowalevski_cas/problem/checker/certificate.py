@@ -10,18 +10,7 @@ from dataclasses import dataclass
 from .evidence import locate
 from .polynomials import Ring
 from .problem import Problem, Theorem
-from .reading import (
-    Budget,
-    Json,
-    Rejected,
-    integer,
-    items,
-    need,
-    parsed,
-    printable,
-    record,
-    say,
-)
+from .reading import Budget, Json, Rejected, integer, items, need, parsed, printable, record, say
 
 
 @dataclass(frozen=True)
