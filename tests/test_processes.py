@@ -13,7 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.cli.exits import CommandError
-from kowalevski_cas.processes import ProcessDied, each, tell, time_limit, watched
+from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
+from kowalevski_cas.processes import each
 
 SHORT, LONG = 0.1, 60
 
