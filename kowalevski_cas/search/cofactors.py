@@ -75,12 +75,23 @@ def _elements(
 def vanishes_on(element: Element, known: Sequence[Element]) -> bool:
     """Whether an element is seen, without a division, to vanish wherever known ones do."""
     flat = Flat(element.ring)
-    dividend, everything = flat.polynomial(element), [tuple(range(flat.size))]
-    divisors = sorted((flat.polynomial(one) for one in known), key=len)
-    return bool(known) and any(
-        _divide_in_turn(dividend, chosen, everything, flat.relations(), depth=2) is not None
-        for chosen in (divisors, _autoreduced(divisors)[0])
-    )
+    given = [*sorted(map(flat.polynomial, known), key=len), *flat.relations()]
+    reduced: list[fmpq_mpoly] = []
+    for divisor in given:
+        reduced.append(_remainder(divisor, reduced))
+    dividend = flat.polynomial(element)
+    return bool(known) and any(not _remainder(dividend, some) for some in (given, reduced))
+
+
+def _remainder(polynomial: fmpq_mpoly, divisors: Sequence[fmpq_mpoly]) -> fmpq_mpoly:
+    """What the divisions by one divisor after another leave, until they change nothing."""
+    before = None
+    while polynomial != before:
+        before = polynomial
+        for divisor in divisors:
+            if divisor:
+                polynomial = divmod(polynomial, divisor)[1]
+    return polynomial
 
 
 def _divided(
