@@ -23,8 +23,9 @@ from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, UNDECIDED, CommandError
 from kowalevski_cas.cli.motion_formats import FORMATS
 from kowalevski_cas.files import write
+from kowalevski_cas.limits import time_limit
 from kowalevski_cas.motion.methods import METHODS
-from kowalevski_cas.processes import each, time_limit
+from kowalevski_cas.processes import each
 
 if TYPE_CHECKING:
     import numpy as np

@@ -54,9 +54,13 @@ class NotationError(ValueError):
 
     def __init__(self, message: str, tex: str, position: int) -> None:
         super().__init__(message)
-        self.message = message
         self.tex = tex
         self.position = max(0, min(position, len(tex)))
+
+    @property
+    def message(self) -> str:
+        """What is wrong."""
+        return str(self.args[0])
 
     def __reduce__(self) -> tuple[type[NotationError], tuple[str, str, int]]:
         """An error may cross from one process to another."""
@@ -86,14 +90,21 @@ def _window(tex: str, position: int) -> tuple[str, int]:
     return line, column
 
 
-def undeclared(name: str, declared: Iterable[str], tex: str, position: int) -> NotationError:
-    """The error for a name that the vocabulary does not have, with the nearest that it has."""
-    near = nearest(name, declared)
-    message = f"{name} is not declared here"
-    if near:
-        listed = near[0] if len(near) == 1 else ", ".join(near[:-1]) + " or " + near[-1]
-        message += f"; did you mean {listed}?"
-    return NotationError(message, tex, position)
+class Undeclared(NotationError):
+    """A name that is not declared; its message tells the nearest that are."""
+
+    def __init__(
+        self, message: str, tex: str, position: int, name: str, declared: Iterable[str]
+    ) -> None:
+        super().__init__(message, tex, position)
+        self.name, self.declared = name, declared
+
+    @property
+    def message(self) -> str:
+        """What is wrong, and which names may have been meant: sought when somebody asks."""
+        *others, last = nearest(self.name, self.declared) or [""]
+        near = f"{', '.join(others)} or {last}" if others else last
+        return super().message + (f"; did you mean {near}?" if near else "")
 
 
 def nearest(name: str, declared: Iterable[str], limit: int = 3) -> list[str]:
