@@ -23,11 +23,11 @@ from kowalevski_cas.report.document import (
     Sign,
     Table,
     Text,
+    anchor,
 )
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.graph import picture
 from kowalevski_cas.report.marks import MARKS
-from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.passages import Passages
 from kowalevski_cas.report.places import Section, labels, names
 from kowalevski_cas.report.plates import Plate
@@ -36,29 +36,16 @@ from kowalevski_cas.report.witnesses import Witness, arithmetics
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 
 
-def contents(
-    run: Run,
-    sections: Sequence[Section],
-    certified: Mapping[str, str] | None = None,
-    programs: Sequence[Witness] = (),
-    plates: Sequence[Plate] = (),
-    evidence: str = "",
-) -> Document:
-    """The report of a run.
+class Contents:
+    """The report of a run, and its parts.
 
     Args:
         run: what was decided.
         sections: the paper in its order, with the same outcomes.
         certified: the digests of the certificates that the checker accepts, by claim.
         programs: which programs confirm which certificates.
-        plates: the pictures of the derivation.
         evidence: where the certificates are, as an address.
     """
-    return Contents(run, sections, certified or {}, programs, evidence).document(plates)
-
-
-class Contents:
-    """The parts of a report of a run, with the arguments of :func:`contents`."""
 
     def __init__(
         self,
@@ -75,7 +62,8 @@ class Contents:
         copied = any(section.copied for section in sections)
         self.findings = Findings(self.phrases, run.outcomes, copied)
 
-    def document(self, plates: Sequence[Plate]) -> Document:
+    def document(self, plates: Sequence[Plate] = ()) -> Document:
+        """The report, with the pictures of the derivation."""
         run = self.run
         blocks = [
             *self.verdict(),

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 from kowalevski_cas.notation import Formula, Relation
-from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.compare import compared
 from kowalevski_cas.report.document import Block, Claim, Display, Emphasis, Heading, Paragraph, Text
 from kowalevski_cas.report.sentences import (
     Phrases,
+    alike,
     capital,
     capitalised,
     counted,

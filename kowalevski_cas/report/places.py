@@ -12,7 +12,7 @@ from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper import derivation as paper
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Display, Printed, Texts
-from kowalevski_cas.report.names import anchor
+from kowalevski_cas.report.document import anchor
 from kowalevski_cas.verify.outcome import Outcome, Run
 
 
