@@ -107,14 +107,11 @@ class Contents:
         yield Paragraph(self._confirmed())
         rows = []
         for section in self.sections:
-            signs = listed([self._sign(o) for o in section.outcomes], " ")
-            signs = tuple(" " if part == ", " else part for part in signs)
+            links = (Link(f"claim.{anchor(o.claim)}", (Sign(o.verdict),)) for o in section.outcomes)
+            signs = tuple(part for link in links for part in (" ", link))[1:]
             link = Link(f"section.{anchor(section.number)}", self.phrases.title(section))
             rows.append(((link,), signs))
         yield Table((0.36, 0.6), (("Section",), ("Its formulas and statements",)), tuple(rows))
-
-    def _sign(self, outcome: Outcome) -> Text:
-        return (Link(f"claim.{anchor(outcome.claim)}", (Sign(outcome.verdict),)),)
 
     def _legend(self) -> Iterator[Block]:
         """What the marks mean, and “valid for”."""
@@ -166,7 +163,7 @@ class Contents:
 
     def graph(self) -> Iterator[Block]:
         """What rests on what."""
-        drawn = picture(self.run.outcomes, self._boxes())
+        drawn = picture(self.run.outcomes, {o.claim: self._box(o) for o in self.run.outcomes})
         yield Heading(("What rests on what",), "section.picture")
         if not drawn.boxes:
             yield Paragraph(("Each claim was decided from the equations of motion alone.",))
@@ -185,10 +182,6 @@ class Contents:
             many = counted(len(drawn.alone), "statement")
             said = (*said, f" Omitted: {many} that neither rest on another nor carry one.")
         yield Paragraph(said, "note")
-
-    def _boxes(self) -> dict[str, str]:
-        """What stands in the boxes."""
-        return {outcome.claim: self._box(outcome) for outcome in self.run.outcomes}
 
     def _box(self, outcome: Outcome) -> str:
         """A number, and what is stated if that is short."""
