@@ -235,11 +235,18 @@ class Texts:
 
     def changes(self, places: frozenset[Printed]) -> frozenset[object]:
         """What differs from the derivation at these places, as a key."""
-        changed: set[object] = {item for item in self.edits.items() if item[0] in places}
+        changed: set[object] = {
+            item for item in self.edits.items() if item[0] in places and not self._prints(*item)
+        }
         if self.sources:
             ids = _displays(places)
             changed |= {item for item in self.sources.items() if item[0] in ids}
         return frozenset(changed)
+
+    def _prints(self, printed: Printed, formula: Formula) -> bool:
+        """Whether a formula is seen to stand at a place, as one that is changed back."""
+        k, statements = printed.number, self._read.get(printed.display.id, ())
+        return any(one.formula == formula for one in statements[k - 1 : k])
 
 
 def _scale(formula: Formula) -> Formula | None:

@@ -90,10 +90,10 @@ class Unit(Claim):
 
     def _other(self, texts: Texts) -> Formula:
         """The equation with the other sign on its right side."""
-        edits = [n.edit for n in self.neighbours(texts) if n.edit is not None]
-        if not edits:
+        edit = next((n.edit for n in self.neighbours(texts)), None)
+        if edit is None:
             raise Meaningless(f"the square of a unit is expected at {self.own.place}")
-        changed = edits[0].formula
+        changed = edit.formula
         return texts.statement(self.own).formula if texts.formula(self.own) == changed else changed
 
     def _holds(self, row: Printed, on: Elaborations) -> bool:
