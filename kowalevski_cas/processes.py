@@ -1,9 +1,8 @@
 """Work in processes of its own, which are watched: limits of time hold wherever they are.
 
-A process tells where a limit begins and where it ends. If it takes longer, or dies there, it is
-ended from outside, and a new one does the work again and gives up where the first one stood. So a
-limit needs no help from what is computed, be it compiled code or an import, and whatever had been
-begun under it is gone.
+A process tells where a limit begins and where it ends (``limits.py``). If it takes longer, or dies
+there, it is ended from outside, and a new one does the work again and gives up where the first one
+stood.
 """
 
 from __future__ import annotations
@@ -12,20 +11,19 @@ import os
 import pickle
 import signal
 import sys
+from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
-from contextlib import closing, contextmanager, suppress
+from contextlib import closing, suppress
+from io import BufferedReader
 from math import inf
 from select import select
 from time import monotonic
-from typing import BinaryIO, Generic, NoReturn, TypeVar
+from typing import Generic, NoReturn, TypeVar
 
-from kowalevski_cas import UserError
+from kowalevski_cas.limits import LENGTH, ProcessDied, Watched, begin, watched
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
-
-LENGTH = 8
-"""Bytes before each message that say how long it is."""
 
 CHUNK = 1 << 20
 """Bytes that are read at once."""
@@ -35,62 +33,6 @@ GRACE = 1.0
 
 LONGEST = 3600.0
 """Seconds for which nobody looks at the clock."""
-
-
-class ProcessDied(UserError, RuntimeError):
-    """A process ended before its work was done; the message says how."""
-
-
-class _Watched:
-    """What a watched process knows: whom it tells, and the limits at which it gives up."""
-
-    def __init__(self, stream: BinaryIO, given_up: dict[int, Exception]) -> None:
-        self.stream, self.given_up = stream, given_up
-        self.limits = 0
-
-    def tell(self, *message: object) -> None:
-        data = pickle.dumps(message)
-        self.stream.write(len(data).to_bytes(LENGTH) + data)
-        self.stream.flush()
-
-
-_here: _Watched | None = None
-
-
-def watched() -> bool:
-    """Whether somebody watches this process, so that limits hold in it."""
-    return _here is not None
-
-
-def tell(*words: object) -> None:
-    """Tell the words to whoever watches this process; nobody hears them elsewhere."""
-    if _here is not None:
-        _here.tell("words", *words)
-
-
-@contextmanager
-def time_limit(seconds: float | None) -> Iterator[None]:
-    """A limit for a block, in a process that is watched; there is none elsewhere or with ``None``.
-
-    Limits nest. The blocks of a work have to come in the same order whenever it is done.
-
-    Raises:
-        TimeoutError: the block takes longer; it is not entered.
-        ProcessDied: a process has died in the block.
-    """
-    if seconds is None or _here is None:
-        yield
-        return
-    here = _here
-    here.limits += 1
-    number = here.limits
-    if number in here.given_up:
-        raise here.given_up[number]
-    here.tell("begin", number, monotonic() + seconds)
-    try:
-        yield
-    finally:
-        here.tell("end", number)
 
 
 def each(
@@ -104,93 +46,126 @@ def each(
 
     If they need not be ``ordered``, each comes as soon as it is there.
 
-    Each item is worked on in a copy of this process, where the system makes such copies, and
-    ``jobs`` of them at once: a fork costs milliseconds, a new start would cost as much as a proof.
+    ``jobs`` copies of this process work at once, where the system makes such copies: a fork costs
+    milliseconds, a new start would cost as much as a proof. The items are sent, and have to be
+    plain data. Who is done with one takes another. Of a sequence every second process takes what
+    is left at the end, so that neighbours, which often need the same, are done in one process.
     ``heard`` is called with what is told there and the place of the item. Nothing is left running
     if this ends early.
 
     Raises:
         ProcessDied: a process died, and not under a limit, and so did one that was begun anew.
     """
-    done = dict[int, _Process[Item, Result]]()
+    done = dict[int, _Answer[Result]]()
     following = 0
-    with closing(_as_done(work, items, jobs, heard)) as finished:
-        for process in finished:
-            done[process.place if ordered else following] = process
+    with closing(_answers(work, items, jobs, heard)) as answers:
+        for place, answer in answers:
+            done[place if ordered else following] = answer
             while following in done:
                 yield done.pop(following).result
                 following += 1
 
 
-def _as_done(
+class _Answer(Generic[Result]):
+    """What came of an item: a result, or an error."""
+
+    def __init__(self, results: Sequence[Result], error: BaseException | None = None) -> None:
+        self.results, self.error = results, error
+
+    @property
+    def result(self) -> Result:
+        """The result; the error is raised."""
+        if self.error is not None:
+            raise self.error
+        return self.results[0]
+
+
+def _answers(
     work: Callable[[Item], Result], items: Iterable[Item], jobs: int, heard: Callable[..., None]
-) -> Generator[_Process[Item, Result], None, None]:
-    """The processes, when their work is done or has failed; an item is taken when one is free."""
-    waiting = (_Process(work, item, place) for place, item in enumerate(items))
+) -> Generator[tuple[int, _Answer[Result]], None, None]:
+    """What came of the items at these places; an item is taken when somebody is free."""
+    take = _taken(items)
     if not hasattr(os, "fork"):
-        for process in waiting:
-            process.results = [work(process.item)]
-            yield process
+        while (one := take(0)) is not None:
+            yield one[0], _Answer([work(one[1])])
         return
     running = list[_Process[Item, Result]]()
     try:
-        while True:
-            while len(running) < max(1, jobs) and (more := next(waiting, None)) is not None:
-                more.start()
-                running.append(more)
-            if not running:
-                return
+        while len(running) < max(1, jobs) and (one := take(len(running))) is not None:
+            running.append(_Process(work, len(running), running))
+            running[-1].give(*one)
+        while running:
             _listen(running, heard)
-            finished = [one for one in running if one.done]
-            running = [one for one in running if not one.done]
-            yield from finished
+            for process in [one for one in running if one.answer is not None]:
+                place, answer = process.place, process.answer
+                assert answer is not None
+                if (one := take(process.number)) is not None:
+                    process.give(*one)
+                else:
+                    running.remove(process)
+                    process.end()
+                yield place, answer
     finally:
-        left = [process for process in running if process.runs]
-        for process in left:
+        for process in running:
             process.send(signal.SIGTERM)
-        for process in left:
+        for process in running:
             process.tidy()
             process.end()
 
 
-class _Process(Generic[Item, Result]):
-    """A process that works on an item, seen by the one that watches it."""
+def _taken(items: Iterable[Item]) -> Callable[[int], tuple[int, Item] | None]:
+    """What the process with a number takes next, with its place; nothing if nothing is left."""
+    if not isinstance(items, Sequence):
+        numbered = enumerate(items)
+        return lambda _: next(numbered, None)
+    left = deque(enumerate(items))
+    return lambda number: (left.pop() if number % 2 else left.popleft()) if left else None
 
-    def __init__(self, work: Callable[[Item], Result], item: Item, place: int) -> None:
-        self.work, self.item, self.place = work, item, place
-        self.given_up: dict[int, Exception] = {}
-        self.results: list[Result] = []
-        self.error: BaseException | None = None
-        self.runs = self.again = False
+
+class _Process(Generic[Item, Result]):
+    """A process that works on one item after the other, seen by the one that watches it.
+
+    ``others`` are those that run beside it.
+    """
+
+    def __init__(
+        self, work: Callable[[Item], Result], number: int, others: Sequence[_Process[Item, Result]]
+    ) -> None:
+        self.work, self.number, self.others = work, number, others
+        self.start()
 
     def start(self) -> None:
-        """Begin the work, or begin it anew."""
+        """Begin a process that waits for an item."""
         self.limits: dict[int, float] = {}
         """The limits under which it works, and when they end."""
         self.unread = bytearray()
         sys.stdout.flush()
         sys.stderr.flush()
-        self.reading, writing = os.pipe()
+        self.reading, told = os.pipe()
+        asked, self.writing = os.pipe()
         self.pid = os.fork()
         if self.pid == 0:
-            os.close(self.reading)
-            _do(self.work, self.item, _Watched(os.fdopen(writing, "wb"), self.given_up))
-        os.close(writing)
-        if _here is None:
+            for one in {self, *self.others}:  # who waits has to see that nobody asks any more
+                os.close(one.reading)
+                os.close(one.writing)
+            _serve(self.work, os.fdopen(asked, "rb"), Watched(os.fdopen(told, "wb")))
+        os.close(told)
+        os.close(asked)
+        if not watched():
             os.setpgid(self.pid, self.pid)  # a group of its own, which ends with it
-        self.runs = True
 
-    @property
-    def done(self) -> bool:
-        """Whether the work is done, or has failed."""
-        return bool(self.results) or self.error is not None
+    def give(self, place: int, item: Item) -> None:
+        """Let it work on an item."""
+        self.place, self.item = place, item
+        self.answer: _Answer[Result] | None = None
+        self.given_up: dict[int, Exception] = {}
+        self.again = False
+        self.ask()
 
-    @property
-    def result(self) -> Result:
-        """What the work has given; its error is raised."""
-        if self.error is not None:
-            raise self.error
-        return self.results[0]
+    def ask(self) -> None:
+        """Send it the item, and the limits under which it does not come any more."""
+        with suppress(BrokenPipeError):  # it has died: whoever listens hears that
+            os.write(self.writing, pickle.dumps((self.item, self.given_up)))
 
     @property
     def deadline(self) -> float:
@@ -215,11 +190,9 @@ class _Process(Generic[Item, Result]):
                 case "words":
                     heard(*words, self.place)
                 case "result":
-                    self.results = words
+                    self.answer = _Answer(words)
                 case "error":
-                    self.error = words[0]
-        if self.done:
-            self.end()
+                    self.answer = _Answer([], words[0])
 
     def give_up(self, limit: int | None, error: Exception | None = None) -> None:
         """End the process; the next one does not come under this limit, if there is any.
@@ -231,16 +204,17 @@ class _Process(Generic[Item, Result]):
         if limit is not None:
             self.given_up[limit] = error
         elif self.again:
-            self.error = error
-            return
+            self.answer = _Answer([], error)
         else:
             self.again = True
         self.start()
+        if self.answer is None:
+            self.ask()
 
     def send(self, number: signal.Signals) -> None:
         """Send a signal to the process, and to those that it has begun."""
         with suppress(ProcessLookupError):
-            (os.kill if _here else os.killpg)(self.pid, number)
+            (os.kill if watched() else os.killpg)(self.pid, number)
 
     def tidy(self) -> None:
         """Let the process take away what it has written for the time of its work."""
@@ -252,8 +226,8 @@ class _Process(Generic[Item, Result]):
     def end(self) -> str:
         """End the process, and those that it has begun; how it has ended."""
         os.close(self.reading)
+        os.close(self.writing)
         self.send(signal.SIGKILL)
-        self.runs = False
         code = os.waitstatus_to_exitcode(os.waitpid(self.pid, 0)[1])
         return f"exit code {code}" if code >= 0 else signal.strsignal(-code) or f"signal {-code}"
 
@@ -269,17 +243,21 @@ def _listen(running: Sequence[_Process[Item, Result]], heard: Callable[..., None
             one.give_up(min(one.limits, key=lambda n: one.limits[n]), TimeoutError())
 
 
-def _do(work: Callable[[Item], Result], item: Item, here: _Watched) -> NoReturn:
-    """Work on an item in this process, tell the answer, and end."""
-    global _here
-    _here = here
+def _serve(work: Callable[[Item], Result], asked: BufferedReader, here: Watched) -> NoReturn:
+    """Work in this process on what is asked, tell the answers, and end when nobody asks."""
+    begin(here)
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        try:
-            result = work(item)
-            sys.stdout.flush()
-            here.tell("result", result)
-        except BaseException as error:
-            here.tell("error", error)
+        while asked.peek(1):
+            item, here.given_up = pickle.load(asked)
+            here.limits = 0
+            try:
+                result = work(item)
+                sys.stdout.flush()
+                here.tell("result", result)
+            except Exception as error:
+                here.tell("error", error)
+    except BaseException as error:
+        here.tell("error", error)
     finally:
         os._exit(1)

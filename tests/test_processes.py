@@ -3,13 +3,18 @@
 import os
 import signal
 import subprocess
+import sys
+from itertools import pairwise
 from tempfile import TemporaryDirectory
 from time import monotonic, sleep
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from kowalevski_cas.cli.exits import CommandError
-from kowalevski_cas.processes import ProcessDied, each, tell, time_limit, watched
+from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
+from kowalevski_cas.processes import each
 
 SHORT, LONG = 0.1, 60
 
@@ -43,9 +48,76 @@ def test_results_come_in_the_order_of_the_items():
     assert list(each(str, [])) == []
 
 
-def test_each_item_has_a_process_of_its_own():
-    assert len({os.getpid(), *each(lambda _: os.getpid(), range(3))}) == 4
+def test_items_are_done_in_processes_that_are_watched():
+    assert os.getpid() not in each(lambda _: os.getpid(), range(3))
     assert not watched() and one(watched)
+
+
+def test_a_process_that_is_done_with_an_item_takes_another():
+    by = [*each(lambda n: sleep(0.2 * (n == 0)) or os.getpid(), range(20), jobs=2)]
+    assert len(set(by)) == 2 and by.count(by[0]) == 1
+
+
+def test_neighbours_in_a_sequence_are_done_in_one_process():
+    by = [*each(lambda _: sleep(0.01) or os.getpid(), range(20), jobs=2)]
+    assert sum(a != b for a, b in pairwise(by)) == 1
+
+
+def test_items_that_are_made_one_by_one_are_taken_when_they_are_needed():
+    taken = []
+    items = (taken.append(n) or n for n in range(20))
+    answers = each(lambda n: n, items, jobs=2)
+    assert next(answers) == 0 and len(taken) <= 5
+    assert [*answers] == [*range(1, 20)] == taken[1:]
+
+
+@given(st.lists(st.integers(0, 9)), st.integers(1, 4), st.booleans())
+@settings(max_examples=20, deadline=None)
+def test_every_item_is_done_once(items, jobs, known):
+    results = each(lambda n: n + 1, items if known else iter(items), jobs)
+    assert [*results] == [n + 1 for n in items]
+
+
+def test_a_limit_is_of_one_item_and_the_others_are_not_done_again():
+    def work(n):
+        tell(n)
+        try:
+            with time_limit(SHORT):
+                sleep(LONG * (n == 2))
+        except TimeoutError:
+            return "late"
+        return n
+
+    begun = []
+    found = each(work, range(5), jobs=1, heard=lambda n, _: begun.append(n))
+    assert [*found] == [0, 1, "late", 3, 4]
+    assert begun == [0, 1, 2, 2, 3, 4]
+
+
+def test_a_process_that_dies_twice_is_the_error_of_its_item_only():
+    answers = each(lambda n: killed() if n == 1 else n, range(3), jobs=1)
+    assert next(answers) == 0
+    with pytest.raises(ProcessDied, match="Killed"):
+        next(answers)
+
+
+def test_who_waits_for_an_item_ends_when_nobody_asks_any_more():
+    """The one who asks is killed, and closes nothing: no process stays behind."""
+    code = (
+        "import os, time\n"
+        "from kowalevski_cas.limits import tell\n"
+        "from kowalevski_cas.processes import each\n"
+        "work = lambda seconds: tell(os.getpid()) or time.sleep(seconds)\n"
+        "heard = lambda pid, _: print(pid, flush=True)\n"
+        "list(each(work, [0.5, 0.5, 0.5], jobs=3, heard=heard))"
+    )
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE) as asking:
+        pids = [int(asking.stdout.readline()) for _ in range(3)]
+        asking.kill()
+    until = monotonic() + 5
+    while any(map(_runs, pids)):
+        assert monotonic() < until
+        sleep(0.02)
 
 
 def test_so_many_work_at_once():

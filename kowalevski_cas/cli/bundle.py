@@ -18,9 +18,8 @@ from kowalevski_cas import __version__
 from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.check import tell
 from kowalevski_cas.cli.exits import NOTHING, CommandError
-from kowalevski_cas.cli.report import certified, explained
+from kowalevski_cas.cli.report import Explained, certified, explained
 from kowalevski_cas.files import write_all
-from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.problem import checker
 from kowalevski_cas.report.pdf import page
 from kowalevski_cas.report.places import Section
@@ -51,10 +50,10 @@ def run(arguments: argparse.Namespace) -> int:
         if target.exists() and any(target.iterdir()):
             raise CommandError(f"{target} is not empty: remove it, or write elsewhere")
 
-    def written(found: tuple[Path, Derivation]) -> tuple[Checked, str]:
-        return _write(*explained(*found, arguments.timeout), found[0], arguments.output)
+    def written(found: Explained) -> tuple[Checked, str]:
+        return _write(*found, arguments.output)
 
-    done = session.watched(written, chosen)
+    done = session.watched(written, explained(chosen, arguments.timeout))
     for _, said in done:
         print(said, file=sys.stderr)
     return max(tell([checked]) for checked, _ in done)

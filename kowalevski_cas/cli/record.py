@@ -17,7 +17,6 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, DISAGREEMENT, UNDECIDED, CommandError
 from kowalevski_cas.files import write_all
-from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify import record
 from kowalevski_cas.verify.certificate import FOLDER, Stored
 from kowalevski_cas.verify.committed import wanted
@@ -33,22 +32,23 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    found = session.derivations(arguments.derivations)
-    work = session.watched(lambda one: _decided(*one, arguments.timeout), found)
-    return max(_written(folder, *done) for (folder, _), done in zip(found, work, strict=True))
+    chosen = session.derivations(arguments.derivations)
+    found = session.watched(
+        lambda one: session.certificates(*one, arguments.timeout, anew=True), chosen
+    )
+    stored = [
+        {name: Stored(at / FOLDER / f"{name}.json", json.loads(text)) for name, text in one.items()}
+        for (at, _), (one, _) in zip(chosen, found, strict=True)
+    ]
+    runs = session.runs(chosen, EXACT, timeout=arguments.timeout, stored=stored)
+    return max(
+        _written(folder, _decided(one, missing), texts)
+        for (folder, _), (one, _), (texts, missing) in zip(chosen, runs, found, strict=True)
+    )
 
 
-def _decided(folder: Path, derivation: Derivation, timeout: float) -> tuple[Run, dict[str, str]]:
-    """A run of a derivation with evidence that is found anew, and the certificates.
-
-    What is decided, and has no certificate all the same, is an error.
-    """
-    texts, missing = session.certificates(folder, derivation, timeout, anew=True)
-    stored = {
-        name: Stored(folder / FOLDER / f"{name}.json", json.loads(text))
-        for name, text in texts.items()
-    }
-    found = session.run(folder, derivation, EXACT, timeout=timeout, stored=stored)
+def _decided(found: Run, missing: Mapping[str, str]) -> Run:
+    """A run in which what is decided, and has no certificate all the same, is an error."""
     for outcome in found.outcomes:
         if disagreement(outcome.verdicts):
             raise CommandError(f"{outcome.claim}: {outcome.message}", DISAGREEMENT)
@@ -58,7 +58,7 @@ def _decided(folder: Path, derivation: Derivation, timeout: float) -> tuple[Run,
         else o
         for o in found.outcomes
     )
-    return replace(found, outcomes=tuple(outcomes)), texts
+    return replace(found, outcomes=tuple(outcomes))
 
 
 def _written(folder: Path, found: Run, texts: Mapping[str, str]) -> int:

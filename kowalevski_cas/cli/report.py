@@ -19,6 +19,9 @@ from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.committed import Checked, check_committed, statements
 from kowalevski_cas.verify.outcome import Run
 
+Explained = tuple[Run, Sequence[Section], Path]
+"""A run, its outcomes in the order of the paper, and the folder of the derivation."""
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
@@ -29,27 +32,28 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
+    chosen = session.derivations(arguments.derivations)
 
-    def written(found: tuple[Path, Derivation]) -> tuple[Checked, str]:
-        run, paper = explained(*found, arguments.timeout)
-        return write(run, paper, arguments.output, found[0])
+    def written(found: Explained) -> tuple[Checked, str]:
+        return write(*found, arguments.output)
 
-    for _, said in session.watched(written, session.derivations(arguments.derivations)):
+    for _, said in session.watched(written, explained(chosen, arguments.timeout)):
         print(said, file=sys.stderr)
     return AS_RECORDED
 
 
-def explained(
-    folder: Path, derivation: Derivation, timeout: float
-) -> tuple[Run, tuple[Section, ...]]:
-    """A run that tells its steps, and its outcomes in the order of the paper."""
-    run = session.run(folder, derivation, EXACT, explain=True, timeout=timeout)
-    run = replace(run, versions=session.versions())
-    return run, sections(run, derivation, derivation.texts())
+def explained(chosen: Sequence[tuple[Path, Derivation]], timeout: float) -> list[Explained]:
+    """Runs that tell their steps, with what a report needs."""
+    runs = session.runs(chosen, EXACT, explain=True, timeout=timeout)
+    versions = session.versions()
+    return [
+        (replace(run, versions=versions), sections(run, derivation, texts), folder)
+        for (folder, derivation), (run, texts) in zip(chosen, runs, strict=True)
+    ]
 
 
 def write(
-    run: Run, paper: Sequence[Section], folder: Path, derivation: Path
+    run: Run, paper: Sequence[Section], derivation: Path, folder: Path
 ) -> tuple[Checked, str]:
     """Write the report of a run; what the checker says of its certificates, and where it is."""
     checked, digests = certified(run, derivation)

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, TypeVar
 from kowalevski_cas import __version__
 from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.library import available, find, load, source
+from kowalevski_cas.limits import ProcessDied, tell, time_limit
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
@@ -22,11 +23,11 @@ from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
-from kowalevski_cas.processes import ProcessDied, each, tell, time_limit
+from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import FOLDER, Stored, load_certificates
 from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import RecordError, load_record
-from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.run import Session, shared
 
 if TYPE_CHECKING:
     from rich.progress import TaskID
@@ -66,29 +67,43 @@ def derivations(names: Sequence[str], only: Sequence[str] = ()) -> list[tuple[Pa
     return [f for f in found if not only or any(claim.id in only for claim in f[1].claims)]
 
 
-def run(
-    folder: Path,
-    derivation: Derivation,
+def runs(
+    chosen: Sequence[tuple[Path, Derivation]],
     arithmetics: Sequence[str],
     only: Sequence[str] = (),
     explain: bool = False,
     timeout: float | None = None,
-    stored: Mapping[str, Stored] | None = None,
+    stored: Sequence[Mapping[str, Stored]] = (),
     seed: int = 1,
-    texts: Texts | None = None,
-) -> Run:
-    """A run of a derivation, with the certificates in its folder; it tells how far it has come."""
-    if not derivation.claims:
-        raise CommandError(f"{derivation.name} makes no claims", NOTHING)
-    if stored is None:
-        stored = load_certificates(folder)
-    try:
-        return verify(
-            derivation, arithmetics, only, explain, tell, stored, timeout, texts, seed,
-            recorded(folder),
-        )  # fmt: skip
-    except NotationError as error:
-        raise CommandError(f"{derivation.name}: what it accepts cannot be read: {error}") from None
+) -> list[tuple[Run, Texts]]:
+    """Runs of derivations, with the texts that were read, and with progress on a terminal.
+
+    Evidence is what is ``stored`` for each of them, or the certificates in their folders.
+    """
+    sessions = []
+    stored = stored or [load_certificates(folder) for folder, _ in chosen]
+    for (folder, derivation), kept in zip(chosen, stored, strict=True):
+        if not derivation.claims:
+            raise CommandError(f"{derivation.name} makes no claims", NOTHING)
+        texts, record = read(derivation), recorded(folder)
+        try:
+            session = Session(derivation, arithmetics, explain, kept, timeout, texts, seed, record)
+        except NotationError as error:
+            said = f"{derivation.name}: what it accepts cannot be read: {error}"
+            raise CommandError(said) from None
+        sessions.append(session)
+    with progress_bar() as progress:
+        found = shared(sessions, only, progress)
+    return [(run, session.texts) for run, session in zip(found, sessions, strict=True)]
+
+
+def read(derivation: Derivation) -> Texts:
+    """The texts of a derivation, with all its displays read: once for all processes."""
+    texts = derivation.texts()
+    for display in derivation.displays():
+        with suppress(NotationError):  # whoever decides a claim about it says why
+            texts.statements(display)
+    return texts
 
 
 def recorded(folder: Path) -> Mapping[str, Mapping[str, object]]:
@@ -223,7 +238,7 @@ def natural(text: str) -> int:
 def watched(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
     """The results of ``work`` on every item, each in a process; with progress on a terminal."""
     with progress_bar() as progress:
-        return list(each(work, items, heard=progress))
+        return list(each(lambda place: work(items[place]), range(len(items)), heard=progress))
 
 
 def remove_others(folder: Path, names: Iterable[str]) -> None:

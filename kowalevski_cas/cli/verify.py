@@ -8,17 +8,15 @@ is as recorded if it denies no verdict of the record.
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from itertools import accumulate
 from pathlib import Path
 from time import sleep
 
 from kowalevski_cas import UserError
-from kowalevski_cas.algebra import EXACT, POINTS, load, load_points
+from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import (
     AS_RECORDED,
@@ -31,16 +29,12 @@ from kowalevski_cas.cli.exits import (
 )
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.library import READ, available, find, source
-from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
-from kowalevski_cas.verify.certificate import Stored, load_certificates
+from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.outcome import Run, Verdict
 from kowalevski_cas.verify.record import contradictions, differences, load_record, unexpected
 from kowalevski_cas.verify.teller import disagreement
-
-CORES = os.cpu_count() or 1
-"""How many processes work at once."""
 
 PAUSE = 0.2
 """Seconds between two looks at the files that are watched."""
@@ -73,75 +67,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run_derivations(arguments: argparse.Namespace) -> list[Result]:
     """Run the derivations and compare them with their records."""
     chosen = session.derivations(arguments.derivations, arguments.only)
-    stored = [load_certificates(folder) for folder, _ in chosen]
-    parts = [
-        (place, share)
-        for place, (_, derivation) in enumerate(chosen)
-        for share in _shares(derivation, arguments.only, stored[place], CORES // len(chosen))
-    ]
-    texts = [_read(derivation) for _, derivation in chosen]  # once for all processes
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
-    for name in arithmetics:
-        (load_points if name in POINTS else load)(name)
-
-    def run(part: tuple[int, Sequence[str]]) -> Run:
-        place, share = part
-        return session.run(
-            *chosen[place], arithmetics, share, arguments.report is not None,
-            arguments.timeout, stored[place], arguments.seed, texts[place],
-        )  # fmt: skip
-
-    runs: list[list[Run]] = [[] for _ in chosen]
-    for (place, _), found in zip(parts, session.watched(run, parts), strict=True):
-        runs[place].append(found)
-    parts_of = zip(chosen, texts, runs, strict=True)
-    return [_result(arguments, *one, words, found) for one, words, found in parts_of]
-
-
-def _read(derivation: Derivation) -> Texts:
-    """The texts of a derivation, with all its displays read."""
-    texts = derivation.texts()
-    for display in derivation.displays():
-        with suppress(NotationError):  # whoever decides a claim about it says why
-            texts.statements(display)
-    return texts
-
-
-def _shares(
-    derivation: Derivation, only: Sequence[str], stored: Mapping[str, Stored], parts: int
-) -> list[list[str]]:
-    """The claims of a derivation in parts, for as many cores: what is decided does not differ.
-
-    Claims that follow each other stand on the same scenes, which each process elaborates anew.
-    A claim costs what its statement does, as much as any other, and what its evidence does.
-    """
-    claims = [claim.id for claim in derivation.claims if not only or claim.id in only]
-    sizes = [stored[id].path.stat().st_size if id in stored else 0 for id in claims]
-    ends = [*accumulate(len(sizes) * size + sum(sizes) + 1 for size in sizes)]
-    shares: dict[int, list[str]] = {}
-    for id, end in zip(claims, ends, strict=True):
-        shares.setdefault(max(1, parts) * (end - 1) // ends[-1], []).append(id)
-    return list(shares.values()) or [[]]
-
-
-def _result(
-    arguments: argparse.Namespace,
-    folder: Path,
-    derivation: Derivation,
-    texts: Texts,
-    runs: Sequence[Run],
-) -> Result:
-    """The parts of a run, put together in the order of the paper, beside the record."""
-    outcomes = {outcome.claim: outcome for run in runs for outcome in run.outcomes}
-    found = replace(
-        runs[0], outcomes=tuple(outcomes[c.id] for c in derivation.claims if c.id in outcomes)
+    runs = session.runs(
+        chosen, arithmetics, arguments.only, arguments.report is not None, arguments.timeout,
+        seed=arguments.seed,
+    )  # fmt: skip
+    versions = (
+        session.versions() if arguments.report is not None or arguments.format == "json" else {}
     )
-    if arguments.report is not None or arguments.format == "json":
-        found = replace(found, versions=session.versions())
-    return compared(folder, derivation, texts, found, not arguments.only)
+    return [
+        compared(*one, replace(run, versions=versions), texts, not arguments.only)
+        for one, (run, texts) in zip(chosen, runs, strict=True)
+    ]
 
 
-def compared(folder: Path, derivation: Derivation, texts: Texts, found: Run, whole: bool) -> Result:
+def compared(folder: Path, derivation: Derivation, found: Run, texts: Texts, whole: bool) -> Result:
     """A run beside the record in a folder, of all claims if it is whole."""
     record, said = load_record(folder), derivation.expected
     if record is None:
@@ -160,8 +100,9 @@ def told(
     folder: Path, derivation: Derivation, stored: Mapping[str, Stored], claim: str, seconds: float
 ) -> str:
     """What a terminal says of a claim, if it is not as recorded or expected; else nothing."""
-    found = session.run(folder, derivation, ["flint"], [claim], timeout=seconds, stored=stored)
-    result = compared(folder, derivation, derivation.texts(), found, False)
+    chosen = [(folder, derivation)]
+    (found,) = session.runs(chosen, ["flint"], [claim], timeout=seconds, stored=[stored])
+    result = compared(folder, derivation, *found, False)
     return "" if exit_code(result) == AS_RECORDED else load_format("pretty").render([result])
 
 
@@ -209,7 +150,7 @@ def _verified(arguments: argparse.Namespace) -> int:
         from kowalevski_cas.cli.report import write
 
         work = session.watched(
-            lambda result: write(result.run, result.paper, arguments.report, result.folder), results
+            lambda result: write(result.run, result.paper, result.folder, arguments.report), results
         )
         for _, said in work:
             print(said, file=sys.stderr)

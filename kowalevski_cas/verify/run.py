@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from itertools import count
 from time import perf_counter
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.library import library
+from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
@@ -16,7 +18,7 @@ from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
-from kowalevski_cas.processes import ProcessDied, each, tell, time_limit, watched
+from kowalevski_cas.processes import each
 from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import Stored, load_certificates
 from kowalevski_cas.verify.mender import Mender
@@ -53,12 +55,28 @@ def verify(
     session = Session(derivation, arithmetics, explain, certificates, timeout, texts, seed, record)
     if timeout is None or watched():
         return session.run(only, progress)
-
-    def heard(claim: str, done: int, total: int, _: int) -> None:
-        progress(claim, done, total)
-
-    (run,) = each(lambda chosen: session.run(chosen, tell), [only], heard=heard)
+    (run,) = shared([session], only, progress)
     return run
+
+
+def shared(
+    sessions: Sequence[Session], only: Sequence[str] = (), progress: Progress = lambda *_: None
+) -> list[Run]:
+    """The runs of sessions; processes share the claims of all of them."""
+    chosen = [(session, session.chosen(only)) for session in sessions]
+    tasks = [(session, claim) for session, claims in chosen for claim in claims]
+    begun = count()
+
+    def decided(number: int) -> Outcome:
+        session, claim = tasks[number]
+        tell(claim.id)
+        return session.outcome(claim)
+
+    def heard(claim: str, _: int) -> None:
+        progress(claim, next(begun), len(tasks))
+
+    outcomes = each(decided, range(len(tasks)), heard=heard)
+    return [session.result([next(outcomes) for _ in claims]) for session, claims in chosen]
 
 
 class Session(Mender):
@@ -72,16 +90,24 @@ class Session(Mender):
         """The runs of derivations on which this one rests, as far as they were asked."""
         return {}
 
-    def run(self, only: Sequence[str] = (), progress: Progress = lambda *_: None) -> Run:
-        """Decide the chosen claims."""
-        derivation = self.derivation
-        chosen = [c for c in derivation.claims if not only or c.id in only]
+    def chosen(self, only: Sequence[str]) -> list[Claim]:
+        """The claims with these ids, or all if there are none."""
         for name in self.arithmetics:  # no claim is charged for what is imported
             (load_points if name in POINTS else load)(name)
+        return [c for c in self.derivation.claims if not only or c.id in only]
+
+    def run(self, only: Sequence[str] = (), progress: Progress = lambda *_: None) -> Run:
+        """Decide the chosen claims."""
+        chosen = self.chosen(only)
         outcomes = []
         for done, claim in enumerate(chosen):
             progress(claim.id, done, len(chosen))
             outcomes.append(self.outcome(claim))
+        return self.result(outcomes)
+
+    def result(self, outcomes: Sequence[Outcome]) -> Run:
+        """The run in which these outcomes were found."""
+        derivation = self.derivation
         return Run(
             derivation=derivation.name,
             title=derivation.title,

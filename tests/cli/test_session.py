@@ -1,20 +1,19 @@
-"""What the commands share: claims in shares, and what is kept of an interrupted search."""
+"""What the commands share: runs in several processes, and what is kept of an interrupted search."""
 
 import json
 import os
 import subprocess
 import sys
 from argparse import Namespace
+from functools import partial
 from pathlib import Path
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
-from kowalevski_cas.cli import main, verify
+from kowalevski_cas.cli import main
 from kowalevski_cas.cli.session import pool
-from kowalevski_cas.cli.verify import _shares
-from kowalevski_cas.library import find, load
+from kowalevski_cas.library import find
+from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import load_certificates
 
 PAPER = load_certificates(find("kharlamov2002"))
@@ -26,23 +25,10 @@ circle.integral("x^2+y^2")
 """
 
 
-@given(parts=st.integers(-1, 100), data=st.data())
-def test_each_claim_is_in_one_share_and_no_share_is_empty(parts, data):
-    """An empty share would mean all claims, a lost one would be decided by nobody."""
-    derivation = load("kharlamov2002")
-    ids = [claim.id for claim in derivation.claims]
-    only = data.draw(st.lists(st.sampled_from(ids), max_size=4))
-    stored = {id: PAPER[id] for id in data.draw(st.sets(st.sampled_from(ids)))}
-    shares = _shares(derivation, only, stored, parts)
-    assert all(shares) and len(shares) <= max(1, parts)
-    chosen = [id for id in ids if not only or id in only]
-    assert [id for share in shares for id in share] == chosen
-
-
 def test_however_many_processes_decide_the_outcomes_are_the_same(monkeypatch, capsys):
     found = []
-    for cores in (1, 3):
-        monkeypatch.setattr(verify, "CORES", cores)
+    for jobs in (1, 3):
+        monkeypatch.setattr("kowalevski_cas.verify.run.each", partial(each, jobs=jobs))
         chosen = [f"--only={id}" for id in ("eq10.1", "eq14", "eq12", "eq21")]
         main(["verify", "kharlamov2002", "--format=json", *chosen])
         found.append(json.loads(capsys.readouterr().out, object_hook=untimed))
