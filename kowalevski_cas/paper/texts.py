@@ -39,8 +39,7 @@ class Display:
     """A displayed or inline formula of the paper, as printed.
 
     ``display[k]`` is its k-th statement in reading order, counted from 1, and iterating gives all
-    of them. ``copied`` says whether it is what the edition prints, sign by sign, or restates it;
-    ``label`` where it stands there: the number of the equation, or the page.
+    of them. ``label`` says where it stands in the edition: the number of the equation, or the page.
     """
 
     id: str
@@ -50,7 +49,6 @@ class Display:
     source: str = ""
     """Where a formula comes from that the paper itself does not print."""
     label: str = ""
-    copied: bool = True
 
     def __hash__(self) -> int:
         return hash(self.id)  # places are looked up all the time, and most displays differ in it
