@@ -52,9 +52,6 @@ class Display:
     label: str = ""
     copied: bool = True
 
-    def __hash__(self) -> int:
-        return hash(self.id)  # places are looked up all the time, and most displays differ in it
-
     def __getitem__(self, number: int) -> Printed:
         return Printed(self, number)
 
@@ -83,6 +80,9 @@ class Printed:
 
     display: Display
     number: int
+
+    def __hash__(self) -> int:
+        return hash((self.display.id, self.number))  # places are looked up all the time
 
     @property
     def place(self) -> str:
