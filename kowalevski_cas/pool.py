@@ -19,7 +19,8 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any, TypeVar
 
-from kowalevski_cas.processes import ProcessDied, each
+from kowalevski_cas.limits import ProcessDied
+from kowalevski_cas.processes import each
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")

@@ -1,9 +1,8 @@
 """Work in processes of its own, which are watched: limits of time hold wherever they are.
 
-A process tells where a limit begins and where it ends. If it takes longer, or dies there, it is
-ended from outside, and a new one does the work again and gives up where the first one stood. So a
-limit needs no help from what is computed, be it compiled code or an import, and whatever had been
-begun under it is gone.
+A process tells where a limit begins and where it ends (``limits.py``). If it takes longer, or dies
+there, it is ended from outside, and a new one does the work again and gives up where the first one
+stood.
 """
 
 from __future__ import annotations
@@ -14,20 +13,17 @@ import signal
 import sys
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
-from contextlib import closing, contextmanager, suppress
+from contextlib import closing, suppress
 from io import BufferedReader
 from math import inf
 from select import select
 from time import monotonic
-from typing import BinaryIO, Generic, NoReturn, TypeVar
+from typing import Generic, NoReturn, TypeVar
 
-from kowalevski_cas import UserError
+from kowalevski_cas.limits import LENGTH, ProcessDied, Watched, begin, watched
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
-
-LENGTH = 8
-"""Bytes before each message that say how long it is."""
 
 CHUNK = 1 << 20
 """Bytes that are read at once."""
@@ -37,63 +33,6 @@ GRACE = 1.0
 
 LONGEST = 3600.0
 """Seconds for which nobody looks at the clock."""
-
-
-class ProcessDied(UserError, RuntimeError):
-    """A process ended before its work was done; the message says how."""
-
-
-class _Watched:
-    """What a watched process knows: whom it tells, and the limits at which it gives up."""
-
-    def __init__(self, stream: BinaryIO) -> None:
-        self.stream = stream
-        self.given_up: dict[int, Exception] = {}
-        self.limits = 0
-
-    def tell(self, *message: object) -> None:
-        data = pickle.dumps(message)
-        self.stream.write(len(data).to_bytes(LENGTH) + data)
-        self.stream.flush()
-
-
-_here: _Watched | None = None
-
-
-def watched() -> bool:
-    """Whether somebody watches this process, so that limits hold in it."""
-    return _here is not None
-
-
-def tell(*words: object) -> None:
-    """Tell the words to whoever watches this process; nobody hears them elsewhere."""
-    if _here is not None:
-        _here.tell("words", *words)
-
-
-@contextmanager
-def time_limit(seconds: float | None) -> Iterator[None]:
-    """A limit for a block, in a process that is watched; there is none elsewhere or with ``None``.
-
-    Limits nest. The blocks of a work have to come in the same order whenever it is done.
-
-    Raises:
-        TimeoutError: the block takes longer; it is not entered.
-        ProcessDied: a process has died in the block.
-    """
-    if seconds is None or _here is None:
-        yield
-        return
-    here = _here
-    here.limits += 1
-    number = here.limits
-    if number in here.given_up:
-        raise here.given_up[number]
-    here.tell("begin", number, monotonic() + seconds)
-    try:
-        yield
-    finally:
-        here.tell("end", number)
 
 
 def each(
@@ -209,10 +148,10 @@ class _Process(Generic[Item, Result]):
             for one in {self, *self.others}:  # who waits has to see that nobody asks any more
                 os.close(one.reading)
                 os.close(one.writing)
-            _serve(self.work, os.fdopen(asked, "rb"), _Watched(os.fdopen(told, "wb")))
+            _serve(self.work, os.fdopen(asked, "rb"), Watched(os.fdopen(told, "wb")))
         os.close(told)
         os.close(asked)
-        if _here is None:
+        if not watched():
             os.setpgid(self.pid, self.pid)  # a group of its own, which ends with it
 
     def give(self, place: int, item: Item) -> None:
@@ -275,7 +214,7 @@ class _Process(Generic[Item, Result]):
     def send(self, number: signal.Signals) -> None:
         """Send a signal to the process, and to those that it has begun."""
         with suppress(ProcessLookupError):
-            (os.kill if _here else os.killpg)(self.pid, number)
+            (os.kill if watched() else os.killpg)(self.pid, number)
 
     def tidy(self) -> None:
         """Let the process take away what it has written for the time of its work."""
@@ -304,10 +243,9 @@ def _listen(running: Sequence[_Process[Item, Result]], heard: Callable[..., None
             one.give_up(min(one.limits, key=lambda n: one.limits[n]), TimeoutError())
 
 
-def _serve(work: Callable[[Item], Result], asked: BufferedReader, here: _Watched) -> NoReturn:
+def _serve(work: Callable[[Item], Result], asked: BufferedReader, here: Watched) -> NoReturn:
     """Work in this process on what is asked, tell the answers, and end when nobody asks."""
-    global _here
-    _here = here
+    begin(here)
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         while asked.peek(1):

@@ -25,6 +25,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_flint
 from kowalevski_cas.algebra.kernels import PRIME, kernel, residue
+from kowalevski_cas.limits import time_limit
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
@@ -38,7 +39,7 @@ from kowalevski_cas.problem.polynomial_fields import (
     monomials,
     primitive,
 )
-from kowalevski_cas.processes import each, time_limit
+from kowalevski_cas.processes import each
 from kowalevski_cas.search.branches import branches
 from kowalevski_cas.search.groebner import Basis
 from kowalevski_cas.search.integrals import first_integrals

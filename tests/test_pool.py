@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from kowalevski_cas.limits import ProcessDied
 from kowalevski_cas.pool import Pool
-from kowalevski_cas.processes import ProcessDied
 
 
 def square(number):

@@ -13,7 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kowalevski_cas.cli.exits import CommandError
-from kowalevski_cas.processes import ProcessDied, each, tell, time_limit, watched
+from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
+from kowalevski_cas.processes import each
 
 SHORT, LONG = 0.1, 60
 
@@ -103,10 +104,11 @@ def test_a_process_that_dies_twice_is_the_error_of_its_item_only():
 def test_who_waits_for_an_item_ends_when_nobody_asks_any_more():
     """The one who asks is killed, and closes nothing: no process stays behind."""
     code = (
-        "from kowalevski_cas.processes import each; import os, time\n"
+        "import os, time\n"
+        "from kowalevski_cas.limits import tell\n"
+        "from kowalevski_cas.processes import each\n"
+        "work = lambda seconds: tell(os.getpid()) or time.sleep(seconds)\n"
         "heard = lambda pid, _: print(pid, flush=True)\n"
-        "from kowalevski_cas.processes import tell\n"
-        "work = lambda n: tell(os.getpid()) or time.sleep(n)\n"
         "list(each(work, [0.5, 0.5, 0.5], jobs=3, heard=heard))"
     )
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE) as asking:

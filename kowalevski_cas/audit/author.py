@@ -12,12 +12,12 @@ from dataclasses import replace
 from itertools import zip_longest
 
 from kowalevski_cas.audit.session import AS_BEFORE, AuditSession, formulas
+from kowalevski_cas.limits import time_limit
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.processes import time_limit
 from kowalevski_cas.verify.corrections import printed_of, stated
 from kowalevski_cas.verify.outcome import Correction, Outcome, Verdict
 from kowalevski_cas.verify.statement import Statement

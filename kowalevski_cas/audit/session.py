@@ -13,13 +13,13 @@ from dataclasses import replace
 from functools import cached_property
 
 from kowalevski_cas.audit.roles import places_of
+from kowalevski_cas.limits import tell, time_limit
 from kowalevski_cas.notation import Edit, Formula, NotationError, edits
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.processes import tell, time_limit
 from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.corrections import true_ones
 from kowalevski_cas.verify.outcome import Outcome, Verdict

@@ -7,7 +7,6 @@ import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from functools import partial
 from importlib import import_module
 from signal import SIGINT, SIGTERM, default_int_handler, pthread_kill, signal
 from threading import Timer, current_thread, get_ident, main_thread
@@ -47,15 +46,21 @@ _HELP = argparse.RawDescriptionHelpFormatter
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command and return its exit code."""
     words = list(sys.argv[1:] if argv is None else argv)
-    return _run(" ".join(["kowalevski-cas", *words[:1]]), words, partial(_parser, words))
+    if words and words[0] in COMMANDS:
+        return run(f"kowalevski-cas {words[0]}", f"{__name__}.{words[0]}", words[1:])
+    return _run("kowalevski-cas", words, _overview)
 
 
 def run(program: str, module: str, words: Sequence[str]) -> int:
     """Run the command in the module with this name, called ``program``; return its exit code."""
 
     def parser() -> argparse.ArgumentParser:
-        found = argparse.ArgumentParser(program, epilog=EXIT_CODES, formatter_class=_HELP)
-        _fill(found, module)
+        command = import_module(module)
+        found = argparse.ArgumentParser(
+            program, description=command.__doc__, epilog=EXIT_CODES, formatter_class=_HELP
+        )
+        command.add_arguments(found)
+        found.set_defaults(run=command.run)
         return found
 
     return _run(program, words, parser)
@@ -115,8 +120,8 @@ def _prepare() -> None:
     sys.unraisablehook = _unraisable
 
 
-def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
-    """The parser of all commands; only the one that is asked for is imported."""
+def _overview() -> argparse.ArgumentParser:
+    """A parser that knows what commands there are, and runs none."""
     parser = argparse.ArgumentParser(
         prog="kowalevski-cas",
         description="Printed derivations of mathematical mechanics, proved or refuted.",
@@ -132,18 +137,8 @@ def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
     parser.set_defaults(run=overview)
     commands = parser.add_subparsers(title="commands", metavar="COMMAND")
     for name, summary in COMMANDS.items():
-        command = commands.add_parser(name, help=summary, epilog=EXIT_CODES, formatter_class=_HELP)
-        if name in words[:1]:
-            _fill(command, f"{__name__}.{name}")
+        commands.add_parser(name, help=summary)
     return parser
-
-
-def _fill(parser: argparse.ArgumentParser, name: str) -> None:
-    """Let a parser say and accept what the command in the module with this name does."""
-    module = import_module(name)
-    parser.description = module.__doc__
-    module.add_arguments(parser)
-    parser.set_defaults(run=module.run)
 
 
 def _silence() -> None:

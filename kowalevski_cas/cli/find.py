@@ -19,13 +19,13 @@ from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, UNDECIDED, CommandError
 from kowalevski_cas.files import write
 from kowalevski_cas.library import owner
+from kowalevski_cas.limits import tell, time_limit
 from kowalevski_cas.notation import NotationError, to_latex, to_plain
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.processes import tell, time_limit
 from kowalevski_cas.verify.found import Finding, with_findings
 from kowalevski_cas.verify.outcome import Outcome, Run
 from kowalevski_cas.verify.run import verify

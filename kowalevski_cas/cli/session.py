@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, TypeVar
 from kowalevski_cas import __version__
 from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.library import available, find, load, source
+from kowalevski_cas.limits import ProcessDied, tell, time_limit
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
@@ -22,7 +23,7 @@ from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
-from kowalevski_cas.processes import ProcessDied, each, tell, time_limit
+from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import FOLDER, Stored, load_certificates
 from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import RecordError, load_record

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 
-from kowalevski_cas.notation.errors import NotationError, undeclared
+from kowalevski_cas.notation.errors import NotationError, Undeclared
 from kowalevski_cas.notation.formula import Formula, Name
 from kowalevski_cas.notation.macros import GREEK
 from kowalevski_cas.notation.tokens import DEEPEST, Token
@@ -175,11 +175,9 @@ class Cursor:
             return Name(name)
         if name in vocabulary.functions:
             raise self.error(f"the argument of the function {name} is missing", token)
-        error = undeclared(name, {*vocabulary.ranks, *vocabulary.functions}, self.tex, token.start)
-        if is_known(letter):
-            raise error
-        message = error.message.replace(f"{name} is not declared", f"the macro {name} is not known")
-        raise NotationError(message, self.tex, token.start)
+        what = f"{name} is not declared" if is_known(letter) else f"the macro {name} is not known"
+        known = (*vocabulary.ranks, *vocabulary.functions)
+        raise Undeclared(f"{what} here", self.tex, token.start, name, known)
 
 
 def is_known(letter: str) -> bool:

@@ -12,37 +12,11 @@ _LETTER = re.compile(r"(?:[^_{]|\{[^{}]*\}|\{)*")
 # Letters that are taken for one another in print or in haste.
 _LOOKALIKES = tuple(
     frozenset(group.split())
-    for group in (
-        r"w \omega W \varpi",
-        r"a \alpha A",
-        r"b \beta B",
-        r"c C",
-        r"d \delta D",
-        r"e \epsilon \varepsilon E",
-        r"f \varphi \phi F",
-        r"g \gamma G",
-        r"h \eta H",
-        r"i \iota I",
-        r"j J",
-        r"k \kappa \varkappa K",
-        r"l \ell L",
-        r"m \mu M",
-        r"n \nu \eta N",
-        r"p \rho \varrho P",
-        r"q Q \theta",
-        r"r R",
-        r"s \sigma S",
-        r"t \tau T",
-        r"u \mu \upsilon U",
-        r"v \nu \upsilon V",
-        r"x \xi \chi X",
-        r"y \psi \gamma Y",
-        r"z \zeta Z",
-        r"\psi \Psi",
-        r"\phi \Phi \varphi",
-        r"\theta \Theta \vartheta",
-        r"\omega \Omega",
-    )
+    for group in r"""w \omega W \varpi, a \alpha A, b \beta B, c C, d \delta D,
+    e \epsilon \varepsilon E, f \varphi \phi F, g \gamma G, h \eta H, i \iota I, j J,
+    k \kappa \varkappa K, l \ell L, m \mu M, n \nu \eta N, p \rho \varrho P, q Q \theta, r R,
+    s \sigma S, t \tau T, u \mu \upsilon U, v \nu \upsilon V, x \xi \chi X, y \psi \gamma Y,
+    z \zeta Z, \psi \Psi, \phi \Phi \varphi, \theta \Theta \vartheta, \omega \Omega""".split(",")
 )
 
 
@@ -54,9 +28,13 @@ class NotationError(ValueError):
 
     def __init__(self, message: str, tex: str, position: int) -> None:
         super().__init__(message)
-        self.message = message
         self.tex = tex
         self.position = max(0, min(position, len(tex)))
+
+    @property
+    def message(self) -> str:
+        """What is wrong."""
+        return str(self.args[0])
 
     def __reduce__(self) -> tuple[type[NotationError], tuple[str, str, int]]:
         """An error may cross from one process to another."""
@@ -86,14 +64,21 @@ def _window(tex: str, position: int) -> tuple[str, int]:
     return line, column
 
 
-def undeclared(name: str, declared: Iterable[str], tex: str, position: int) -> NotationError:
-    """The error for a name that the vocabulary does not have, with the nearest that it has."""
-    near = nearest(name, declared)
-    message = f"{name} is not declared here"
-    if near:
-        listed = near[0] if len(near) == 1 else ", ".join(near[:-1]) + " or " + near[-1]
-        message += f"; did you mean {listed}?"
-    return NotationError(message, tex, position)
+class Undeclared(NotationError):
+    """A name that is not declared; its message tells the nearest that are."""
+
+    def __init__(
+        self, message: str, tex: str, position: int, name: str, declared: Iterable[str]
+    ) -> None:
+        super().__init__(message, tex, position)
+        self.name, self.declared = name, declared
+
+    @property
+    def message(self) -> str:
+        """What is wrong, and which names may have been meant: sought when somebody asks."""
+        *others, last = nearest(self.name, self.declared) or [""]
+        near = f"{', '.join(others)} or {last}" if others else last
+        return super().message + (f"; did you mean {near}?" if near else "")
 
 
 def nearest(name: str, declared: Iterable[str], limit: int = 3) -> list[str]:

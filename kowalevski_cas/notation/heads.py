@@ -14,12 +14,12 @@ from kowalevski_cas.notation.cursor import END, Cursor
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import EQUALITIES
 from kowalevski_cas.notation.layout import statements
-from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.macros import FUNCTIONS
 from kowalevski_cas.notation.tokens import BEGINNING, ENDING, Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
 CLOSING = r"\}"
+UNDECLARED = Vocabulary()
 
 
 class Heads(NamedTuple):
@@ -41,7 +41,7 @@ def heads(tex: str) -> tuple[Heads, ...]:
     >>> [*heads(r"\varphi(s) = 4ms^2, \quad {\bf e}_1 = (1,0)")][1].names
     ('\\mathbf{e}_1',)
     """
-    return tuple(_heads(tokens, tex) for tokens in statements(scan(tex), tex))
+    return tuple(_heads(tokens, tex) for tokens, _, _ in statements(tex))
 
 
 def _heads(tokens: list[Token], tex: str) -> Heads:
@@ -50,7 +50,7 @@ def _heads(tokens: list[Token], tex: str) -> Heads:
     if not signs <= EQUALITIES:
         return Heads((), ())
     runs = groupby(tokens, key=lambda token: token.kind == "relation")
-    members = [_Member(tex, [*run], Vocabulary()) for relation, run in runs if not relation]
+    members = [_Member(tex, [*run], UNDECLARED) for relation, run in runs if not relation]
     if len(members) < 2:
         return Heads((), ())
     found = [member.read() for member in members]

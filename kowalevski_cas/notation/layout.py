@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cache
+from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.lexer import scan
@@ -40,36 +42,55 @@ def split_display(tex: str) -> tuple[tuple[int, int], ...]:
     >>> split_display(r"$$ F_1 = 0,\quad F_2 = 0 $$")
     ((3, 10), (17, 24))
     """
-    return tuple(interval(tokens, tex) for tokens in statements(scan(tex), tex))
+    return tuple((start, end) for _, start, end in statements(tex))
 
 
-def interval(tokens: list[Token], tex: str) -> tuple[int, int]:
-    """Where a statement stands, with both braces of the groups that begin or end in it."""
-    start, end = tokens[0].start, tokens[-1].end
+class Placed(NamedTuple):
+    """The tokens of a statement, and where it stands in its display."""
+
+    tokens: list[Token]
+    start: int
+    end: int
+
+
+@cache
+def statements(tex: str) -> tuple[Placed, ...]:
+    """The statements of a display, with both braces of the groups that begin or end in them.
+
+    With a ± in it, it is two statements, and one for each value of an index with a range.
+    """
+    tokens, ranges = without_ranges(scan(tex), tex)
+    found = [one for own in _printed(tokens, tex) for one in each_value(own, ranges, tex)]
+    groups = _groups(tex)
+    return tuple(
+        Placed(one, *_interval(one, groups)) for statement in found for one in _signs_of(statement)
+    )
+
+
+def printed(tex: str) -> list[list[Token]]:
+    """The tokens of each statement as it is printed: with ±, and for all values of its indices."""
+    return _printed(without_ranges(scan(tex), tex)[0], tex)
+
+
+def _groups(tex: str) -> list[tuple[int, int]]:
+    """Where the groups in braces begin and end, inner ones first."""
     opened: list[int] = []
+    found: list[tuple[int, int]] = []
     for brace in BRACE.finditer(tex):
         if brace[0] == "{":
             opened.append(brace.start())
         elif brace[0] == "}" and opened:
-            first, last = opened.pop(), brace.end()
-            if first < start < last <= end or start <= first < end < last:
-                start, end = min(start, first), max(end, last)
+            found.append((opened.pop(), brace.end()))
+    return found
+
+
+def _interval(tokens: list[Token], groups: list[tuple[int, int]]) -> tuple[int, int]:
+    """From where to where tokens stand, with the groups that begin or end there."""
+    start, end = tokens[0].start, tokens[-1].end
+    for first, last in groups:
+        if first < start < last <= end or start <= first < end < last:
+            start, end = min(start, first), max(end, last)
     return start, end
-
-
-def statements(tokens: list[Token], tex: str) -> list[list[Token]]:
-    """The tokens of each statement of a display.
-
-    With a ± in it, it is two statements, and one for each value of an index with a range.
-    """
-    tokens, ranges = without_ranges(tokens, tex)
-    found = [one for own in _printed(tokens, tex) for one in each_value(own, ranges, tex)]
-    return [one for statement in found for one in _signs_of(statement)]
-
-
-def printed(tokens: list[Token], tex: str) -> list[list[Token]]:
-    """The tokens of each statement as it is printed: with ±, and for all values of its indices."""
-    return _printed(without_ranges(tokens, tex)[0], tex)
 
 
 def _printed(tokens: list[Token], tex: str) -> list[list[Token]]:

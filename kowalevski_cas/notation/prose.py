@@ -11,7 +11,6 @@ from kowalevski_cas.notation.cursor import Cursor, Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
 from kowalevski_cas.notation.layout import printed
-from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import Vocabulary
@@ -62,7 +61,7 @@ def _formulas(tex: str, vocabulary: Vocabulary) -> Prose:
     """The formulas between two dollars, with commas between them."""
     for parser in (_InWords, _Loosened):
         with suppress(NotationError):
-            each = (parser(tex, tokens, vocabulary) for tokens in printed(scan(tex), tex))
+            each = (parser(tex, tokens, vocabulary) for tokens in printed(tex))
             if runs := [run for one in each for run in (", ", one.statement()[0])]:
                 return tuple(runs[1:])
     return (f"${tex}$",)

@@ -11,7 +11,7 @@ for it is read as it stands.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import product
 
 from kowalevski_cas.notation.errors import NotationError
@@ -55,9 +55,8 @@ def without_ranges(tokens: list[Token], tex: str) -> tuple[list[Token], Ranges]:
 
 def each_value(tokens: list[Token], ranges: Ranges, tex: str) -> Iterator[list[Token]]:
     """A statement for all values of the indices in it; itself, if it has none."""
-    free = [*outside_sums(tokens)]
-    own = {name: v for name, v in ranges.items() if v and _is_index(free, name)}
-    if period := _PERIOD.fullmatch("".join(token.text for token in tokens)):
+    own = {n: v for n, v in ranges.items() if v and _is_index(outside_sums(tokens), n)}
+    if own and (period := _PERIOD.fullmatch("".join(token.text for token in tokens))):
         length = int(period[3] or period[4])
         own = {n: range(max(0, v[0] - length), v[-1] + 1) for n, v in own.items()}
     for values in product(*own.values()):
@@ -84,12 +83,12 @@ def _values(tokens: list[Token]) -> range | tuple[int, ...]:
     return every if ends else ()
 
 
-def _is_index(tokens: list[Token], letter: str) -> bool:
+def _is_index(tokens: Iterable[Token], letter: str) -> bool:
     """Whether a letter stands in an index."""
     return any(within and token.text == letter for token, within in _indexed(tokens))
 
 
-def _indexed(tokens: list[Token]) -> Iterator[tuple[Token, bool]]:
+def _indexed(tokens: Iterable[Token]) -> Iterator[tuple[Token, bool]]:
     """Each token, and whether it stands in an index."""
     depth, before = 0, ""
     for token in tokens:

@@ -13,8 +13,7 @@ from dataclasses import dataclass, field
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
 from kowalevski_cas.notation.formula import Formula
-from kowalevski_cas.notation.layout import interval, printed, statements
-from kowalevski_cas.notation.lexer import scan
+from kowalevski_cas.notation.layout import printed, statements
 from kowalevski_cas.notation.parser import Parser
 from kowalevski_cas.notation.vocabulary import Vocabulary
 
@@ -47,7 +46,7 @@ def read(tex: str, vocabulary: Vocabulary, parser: type[Parser] = Parser) -> For
     >>> read(r"\frac12 x", Vocabulary(frozenset({"x"}))).factors[1]
     Name(name='x')
     """
-    found = printed(scan(tex), tex)
+    found = printed(tex)
     if not found:
         raise NotationError("there is no formula here", tex, 0)
     if len(found) > 1:
@@ -66,9 +65,8 @@ def read_display(
     ['F_1=0', 'F_2=0']
     """
     read_so_far = []
-    for tokens in statements(scan(tex), tex):
+    for tokens, start, end in statements(tex):
         piece = parser(tex, tokens, vocabulary).statement()
-        start, end = interval(tokens, tex)
         read_so_far.append(Statement(piece[0], tex, start, end, _spans(piece)))
     return tuple(read_so_far)
 

@@ -18,7 +18,7 @@ from kowalevski_cas.algebra.numbers import rank, rational
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Negative, Number, Sum
 from kowalevski_cas.problem.collect import collect
-from kowalevski_cas.problem.count import check_free, check_roots, check_solutions, square
+from kowalevski_cas.problem.count import check_free, check_roots, check_solutions
 from kowalevski_cas.problem.differentials import chosen, differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import (
@@ -32,20 +32,9 @@ from kowalevski_cas.problem.evidence import (
     Roots,
     Shown,
     Solutions,
-    Squares,
 )
 from kowalevski_cas.problem.examine import Examiner, Unproved, Vacuous, is_real, need_point
-from kowalevski_cas.problem.goals import (
-    Count,
-    Exists,
-    Fails,
-    Follows,
-    Goal,
-    Kernel,
-    Positive,
-    Rank,
-    Simple,
-)
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Kernel, Rank, Simple
 from kowalevski_cas.problem.kernel import check_complete, check_further, check_no_solution
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.prune import moves
@@ -157,27 +146,6 @@ class Judge(Examiner):
         self.accepted.uses(used)
         self._unconditional(at)
 
-    # -- signs ---------------------------------------------------------------------
-
-    def _positive(self, goal: Positive, evidence: Squares, at: Evaluation, sign: bool) -> None:
-        value, known = at.scalar(goal.formula), at.differences(goal.given)
-        rest = value
-        for number, base in evidence.squares:
-            rest = rest - square(number, base, at)
-        used = list(self._settle([rest], known, Proof(evidence.rows), at))
-        if evidence.zero is None:
-            raise Unproved("it is not shown that it vanishes nowhere")
-        used += self._settle([at.ring.one], [*known, value], evidence.zero, at)
-        self.accepted.divides([value, *known])
-        self.accepted.uses(used)
-        self._point(at, evidence.point, known)
-
-    def _not_positive(self, goal: Positive, evidence: At, at: Evaluation, sign: bool) -> None:
-        place = self._point(at, evidence.point, at.differences(goal.given))
-        value = rational(place(at.scalar(goal.formula)))
-        if value is None or value > 0:
-            raise Unproved("it is positive at the point, or not rational")
-
     # -- counts --------------------------------------------------------------------
 
     def _count(self, goal: Count, evidence: Roots, at: Evaluation, sign: bool) -> None:
@@ -282,8 +250,6 @@ _RULES: dict[tuple[type, type, bool], Rule] = {
     (Rank, At, True): Judge._rank,
     (Rank, At, False): Judge._rank,
     (Rank, Minors, False): Judge._minors,
-    (Positive, Squares, True): Judge._positive,
-    (Positive, At, False): Judge._not_positive,
     (Count, Roots, True): Judge._count,
     (Count, Roots, False): Judge._count,
     (Count, Solutions, False): Judge._solutions,

@@ -28,19 +28,8 @@ from kowalevski_cas.problem.evidence import (
     Roots,
     Shown,
     Solutions,
-    Squares,
 )
-from kowalevski_cas.problem.goals import (
-    Count,
-    Exists,
-    Fails,
-    Follows,
-    Goal,
-    Kernel,
-    Positive,
-    Problem,
-    Rank,
-)
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Kernel, Problem, Rank
 from kowalevski_cas.problem.space import (
     Adjoined,
     Change,
@@ -63,7 +52,6 @@ SHAPES: dict[type[Any], str] = {
     Follows: "space given conclusions",
     Fails: "space given conclusions",
     Rank: "space functions given rank",
-    Positive: "space given formula",
     Count: "space equations names number",
     Kernel: "space factor solutions integrals weights degree",
     Proof: "product? cofactors:rows? cases? power?",
@@ -72,7 +60,6 @@ SHAPES: dict[type[Any], str] = {
     Minors: "minors:rows",
     Found: "values evidence",
     Regardless: "inner:goal points",
-    Squares: "point squares cofactors:rows zero?",
     Factor: "factor squares cofactors:row? granted?",
     Roots: "point root form eliminant solved cofactors:rows quotients factors minors",
     Solutions: "points",
@@ -96,7 +83,7 @@ def _keys(kind: type[Any], shape: str) -> Iterator[_Key]:
 
 _KEYS = {kind: [*_keys(kind, shape)] for kind, shape in SHAPES.items()}
 _GOALS: dict[str, type[Any]] = {
-    kind.__name__.lower(): kind for kind in (Exists, Follows, Fails, Rank, Positive, Count, Kernel)
+    kind.__name__.lower(): kind for kind in (Exists, Follows, Fails, Rank, Count, Kernel)
 }
 _STEPS: dict[str, type[Any]] = {"let": Let, "root": Adjoined, "power": Raised}
 _WORDS = {kind: word for word, kind in (*_GOALS.items(), *_STEPS.items())}
@@ -219,8 +206,6 @@ def _kind(data: Data, goal: Goal, holds: bool) -> type:
             return Shown
         case Rank() if not holds and "minors" in data:
             return Minors
-        case Positive() if holds:
-            return Squares
         case Kernel() if "further" in data:
             return Further
         case Count():

@@ -84,16 +84,6 @@ class Regardless:
 
 
 @dataclass(frozen=True)
-class Squares:
-    """A positive formula as a sum of squares, and why it does not vanish."""
-
-    squares: tuple[tuple[Formula, Formula], ...]
-    rows: tuple[Row, ...]
-    point: Point | None
-    zero: Proof | None = None
-
-
-@dataclass(frozen=True)
 class Factor:
     """A factor of minors as a sum of squares, perhaps modulo the equations.
 
@@ -141,7 +131,7 @@ class Further:
     point: Point
 
 
-Evidence = Shown | At | Minors | Found | Regardless | Squares | Roots | Solutions | Further
+Evidence = Shown | At | Minors | Found | Regardless | Roots | Solutions | Further
 
 
 @dataclass(frozen=True)

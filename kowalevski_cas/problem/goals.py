@@ -59,15 +59,6 @@ class Rank(Theorem):
 
 
 @dataclass(frozen=True, eq=False)
-class Positive(Theorem):
-    """The formula is positive wherever the given equations hold."""
-
-    space: Setting
-    formula: Formula
-    given: tuple[Equation, ...] = ()
-
-
-@dataclass(frozen=True, eq=False)
 class Count(Theorem):
     """For all constants for which there is a solution there are exactly ``number`` real ones.
 
@@ -97,7 +88,7 @@ class Kernel(Theorem):
     degree: int
 
 
-Simple = Follows | Rank | Positive | Count | Kernel
+Simple = Follows | Rank | Count | Kernel
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence
-from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Kernel, Positive, Rank
+from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Kernel, Rank
 from kowalevski_cas.search.bound import found, never
 from kowalevski_cas.search.count import others, roots
 from kowalevski_cas.search.follows import FollowsFinder
 from kowalevski_cas.search.kernels import complete, further
-from kowalevski_cas.search.positive import positive
 from kowalevski_cas.search.ranks import RankFinder
 
 
@@ -27,8 +26,6 @@ class Finder(FollowsFinder, RankFinder):
                 return self.shown(goal, at or self.of(goal.space))
             case Rank():
                 return self.independent(goal, at or self.of(goal.space))
-            case Positive():
-                return positive(goal, self)
             case Count():
                 return roots(goal, self)
             case Kernel():
@@ -46,8 +43,6 @@ class Finder(FollowsFinder, RankFinder):
                 return self.failure(goal, self.of(goal.space))
             case Rank():
                 return self.dependent(goal)
-            case Positive():
-                return None
             case Count():
                 return others(goal, self)
             case Kernel():

@@ -14,10 +14,10 @@ from pathlib import Path
 from types import MappingProxyType
 
 from kowalevski_cas.library import load
+from kowalevski_cas.limits import tell
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.processes import tell
 from kowalevski_cas.verify.bench import Bench
 from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
 from kowalevski_cas.verify.corrections import recorded_correction

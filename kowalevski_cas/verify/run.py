@@ -10,6 +10,7 @@ from time import perf_counter
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.library import library
+from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
@@ -17,7 +18,7 @@ from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
-from kowalevski_cas.processes import ProcessDied, each, tell, time_limit, watched
+from kowalevski_cas.processes import each
 from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import Stored, load_certificates
 from kowalevski_cas.verify.mender import Mender

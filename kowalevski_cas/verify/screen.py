@@ -19,7 +19,6 @@ from kowalevski_cas.problem.goals import (
     Follows,
     Goal,
     Kernel,
-    Positive,
     Rank,
     Simple,
 )  # fmt: skip
@@ -124,7 +123,7 @@ def _asked(goal: Goal, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
             yield _ask(at, goal, rows=differentials(chosen(goal, at), at), rank=goal.rank)
         case Kernel():
             unseen.append("that there are no more polynomials cannot be seen at points")
-        case Positive() | Count():
+        case Count():
             unseen.append("how many solutions are real cannot be seen at points")
 
 

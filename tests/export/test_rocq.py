@@ -110,7 +110,7 @@ def test_evidence_and_denials_of_each_kind(rocq, name):
 @pytest.mark.parametrize(
     ("name", "reason"),
     [
-        ("positive", "something is positive"),
+        ("positive", "a proof splits into cases"),
         ("count", "real solutions are counted"),
         ("critical-set", "a proof splits into cases"),
         ("rank", "Gaussian"),

@@ -197,17 +197,6 @@ def exists(draw):
     }
 
 
-def positive(draw):
-    """A formula that is not positive at the point."""
-    given = draw.vanishing(draw.choose.randint(0, 1))
-    return draw.space(), {
-        "goal": "positive",
-        "space": 0,
-        "given": given,
-        "formula": draw.with_value(-abs(draw.off()) * draw.choose.randint(0, 1)),
-    }
-
-
 def dependent(draw):
     """Functions of one function have dependent differentials."""
     tree = draw.with_value(draw.off())
@@ -268,7 +257,7 @@ VACUOUS = excluded, contradictory, unreal
 """Nothing satisfies what they suppose: they neither hold nor fail."""
 
 FALSE = (
-    identity, implication, alternatives, emptiness, motion, defined, rooted, exists, positive, dependent, counted,
+    identity, implication, alternatives, emptiness, motion, defined, rooted, exists, dependent, counted,
     refuted, *VACUOUS,
 )  # fmt: skip
 
@@ -301,12 +290,10 @@ def away(draw):
 
 
 def sum_of_squares(draw):
-    """One more than a square is positive."""
+    """One more than a square vanishes nowhere."""
     base = draw.formula()
-    formula = plus(1, ["^", base, 2])
-    zero = {"product": [[1, base]], "cofactors": [[1]], "cases": [{"cofactors": [[0, 1, 0]]}]}
-    draw.right = {"squares": [[1, 1], [1, base]], "cofactors": [[]], "zero": zero}
-    return draw.space(), {"goal": "positive", "space": 0, "given": [], "formula": formula}
+    draw.right = {"product": [[1, base]], "cofactors": [[1]], "cases": [{"cofactors": [[0, 1, 0]]}]}
+    return draw.space(), follows([], [[plus(1, ["^", base, 2]), 0]])
 
 
 def independent(draw):
@@ -404,23 +391,12 @@ def entries(draw, goal, sign):
         return
     for divisors, place in product(conditions(draw, goal), places):
         own = {"away": divisors} if divisors else {}
-        if goal["goal"] == "positive":
-            yield from squares(goal, {"point": place, **own})
-        elif (goal["goal"] == "fails") == (sign == "holds"):
+        if (goal["goal"] == "fails") == (sign == "holds"):
             yield {"point": place, **own}
         else:
             given = {"point": place} if goal["conclusions"] else {}
             yield from ({**given, **own, **proof} for proof in proofs(draw, goal))
             yield from ({**own, **proof} for proof in proofs(draw, goal) if not given)
-
-
-def squares(goal, own):
-    """Sums of squares that are none, or not the formula."""
-    yield own
-    row = [["/", goal["formula"], minus(*sides)] for sides in goal["given"]]
-    for found in ([], [[1, "x"]], [[1, goal["formula"]]], [[-1, 1]], [[goal["formula"], 1]]):
-        for zero in ({}, {"zero": {}}, {"zero": {"cofactors": [[0, 1][: len(row) + 1]]}}):
-            yield {**own, "squares": found, "cofactors": [row], **zero}
 
 
 def count(place, goal):

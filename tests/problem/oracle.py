@@ -396,23 +396,6 @@ def squares(names, values, data):
     return total
 
 
-def approximate(tree, values):
-    """A floating value."""
-    if isinstance(tree, str):
-        return values[tree]
-    if isinstance(tree, int):
-        return complex(tree)
-    op, *parts = tree
-    if op == "^":
-        return approximate(parts[0], values) ** parts[1]
-    if op == "sqrt":
-        return complex(parts[0]) ** 0.5
-    first, *rest = (approximate(part, values) for part in parts)
-    for other in rest:
-        first = {"+": first + other, "*": first * other}[op] if op != "/" else first / other
-    return -first if op == "-" else first
-
-
 def eliminated(coefficients, x):
     """The value of a polynomial with the leading coefficient 1."""
     lower = (c * x**k for k, c in enumerate(coefficients))
@@ -498,22 +481,6 @@ class Judge:
             require(len(found) == len(self.evidence["minors"]), "minors")
             for minor, row in zip(found, self.evidence["minors"], strict=True):
                 combined(self.names, values, minor, row, known)
-
-    def positive(self):
-        self.at()
-        (row,) = self.evidence["cofactors"]
-        for values in self.general():
-            known = self.names.differences(self.goal["given"], values)
-            formula = scalar(self.names, self.goal["formula"], values)
-            rest = formula - squares(self.names, values, self.evidence["squares"])
-            combined(self.names, values, rest, row, known)
-            settled(self.names, values, [number(1)], [*known, formula], self.evidence["zero"])
-
-    def not_positive(self):
-        self.at()
-        values = {n: approximate(t, {"i": 1j}) for n, t in self.evidence["point"]["values"]}
-        value = approximate(self.names.open(self.goal["formula"]), values)
-        require(abs(value.imag) < 1e-9 and value.real < 1e-9, "positive")
 
     def counted(self):
         names, data, goal = self.names, self.evidence, self.goal
@@ -666,7 +633,7 @@ class Judge:
 
 
 OPPOSITE = {
-    "follows": "fails", "fails": "follows", "rank": "no_rank", "positive": "not_positive",
+    "follows": "fails", "fails": "follows", "rank": "no_rank",
     "count": "no_count", "kernel": "no_kernel",
 }  # fmt: skip
 

@@ -25,7 +25,6 @@ from kowalevski_cas.problem.evidence import (
     Roots,
     Shown,
     Solutions,
-    Squares,
 )
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.goals import (
@@ -34,7 +33,6 @@ from kowalevski_cas.problem.goals import (
     Fails,
     Follows,
     Kernel,
-    Positive,
     Problem,
     Rank,
     identity,
@@ -454,43 +452,6 @@ class TestRank:
         goal = Rank(XY, row(["/", SQUARE, 2]), equations([["*", "x", "y"], 0]), 2)
         rows = (row(["/", "x", "y"]),)
         denial_rejected(goal, Minors(rows), "may be zero|not equal")
-
-
-class TestPositive:
-    POINT = at(x=0, y=0, i="i")
-
-    def squares(self, *squares, zero=((1,),), point=ORIGIN, rest=()):
-        proof = Proof(tuple(row(*one) for one in zero))
-        return Squares(
-            tuple((decode(a), decode(b)) for a, b in squares), (row(*rest),), point, proof
-        )
-
-    def test_a_square_of_what_is_not_real(self):
-        goal = Positive(COMPLEX, decode(-1))
-        rejected(goal, self.squares((1, "i"), zero=((-1,),), point=self.POINT), "not real")
-
-    def test_a_square_that_is_taken_away(self):
-        for number in (-1, 0, "x", ["sqrt", 2]):
-            goal = Positive(XY, decode(["*", -1, SQUARE]))
-            rejected(goal, self.squares((number, "x")))
-
-    def test_what_may_be_zero(self):
-        goal = Positive(XY, decode(SQUARE))
-        rejected(goal, replace(self.squares((1, "x")), zero=None), "nowhere")
-        rejected(goal, self.squares((1, "x"), zero=((0,),)), "not equal")
-        rejected(goal, self.squares((1, "x"), zero=((["/", 1, SQUARE],),)), "divided by")
-
-    def test_another_formula(self):
-        goal = Positive(XY, decode(plus(SQUARE, 1)))
-        circle = Positive(XY, decode(plus("x", 2)), equations([SUM, 1]))
-        rejected(goal, self.squares((1, "x"), (2, 1)), "not equal")
-        rejected(circle, self.squares((1, "x")), "not equal")
-
-    def test_a_denial_needs_a_number_that_is_not_positive(self):
-        goal = Positive(XY, decode("x"))
-        for tree in (1, ["sqrt", 2], minus(["sqrt", 2])):
-            denial_rejected(goal, At(at(x=tree, y=0)), "positive at the point, or not rational")
-        accepted(goal, At(ORIGIN), sign=False)
 
 
 class TestExists:

@@ -307,9 +307,6 @@ class TestConjugation:
     def test_a_real_root_of_what_is_not_real(self):
         space, point = {**self.PAIR, "steps": [["root", "r", "x"]]}, at(x=1, y=1, r=1)
         rejected([space], [follows([["conj", "r"], "r"])], [{"point": point}], "keep its square")
-        formula = {"goal": "positive", "space": 0, "given": [], "formula": ["+", "x", 1]}
-        entry = {"point": point, "squares": [[1, "r"], [1, 1]], "cofactors": [[]], "zero": {}}
-        rejected([space], [formula], [entry], "keep its square")
         assert accepted([space], [follows(["r", "r"])], [{"point": point}])
         for x, y, r in (("i", ["-", "i"], "i"), (["*", 2, "i"], ["*", -2, "i"], ["+", 1, "i"])):
             rejected([space], [follows(["r", "r"])], [{"point": at(x=x, y=y, r=r)}], "real|square")
@@ -429,18 +426,6 @@ class TestDenials:
         rank = {"goal": "rank", "space": 0, "functions": [["*", "x", "y"]], "given": [], "rank": 1}
         entry = {"goal": 0, "away": ["x"], "minors": [[], []]}
         rejected([XY], [rank], [entry], "unknown", "denied")
-
-
-class TestPositive:
-    def goal(self, formula, *given):
-        return {"goal": "positive", "space": 0, "given": [*given], "formula": formula}
-
-    def test_zero_is_not_positive(self):
-        entry = {"point": at(x=1, y=0), "squares": [[1, "x"]], "cofactors": [[]]}
-        rejected([XY], [self.goal(["^", "x", 2])], [entry], "may be zero")
-        rejected([XY], [self.goal(["^", "x", 2])], [{**entry, "zero": {}}], "not equal")
-        (found,) = accepted([XY], [self.goal(["^", "x", 2])], [{**entry, "away": ["x"]}])
-        assert found.where == ["x"]
 
 
 class TestCount:

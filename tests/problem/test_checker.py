@@ -203,7 +203,7 @@ class TestText:
 @pytest.mark.parametrize("exponent", [-1, 65, 10**9, True, "x", 1.5])
 def test_exponents(exponent):
     data = certificate("positive")
-    data["goals"][0]["formula"] = ["^", "x", exponent]
+    data["goals"][0]["given"][0][0] = ["^", "x", exponent]
     rejected(data, "odd|integer")
 
 
@@ -212,5 +212,5 @@ def test_work_is_bounded():
     tree = ["+", "x", "y", 1]
     for _ in range(4):
         tree = ["^", tree, 8]
-    data["goals"][0]["formula"] = tree
+    data["goals"][0]["given"][0][0] = tree
     rejected(data, "too")

@@ -17,7 +17,7 @@ FILES = sorted((Path(__file__).parent / "handwritten").glob("*.json"))
 TEXTS = {path.stem: path.read_text(encoding="utf-8") for path in FILES}
 SHARES = (0.05, pytest.param(1, marks=pytest.mark.slow))
 """How many of all changes are tried."""
-KINDS = ("follows", "fails", "rank", "exists", "positive", "count", "kernel")
+KINDS = ("follows", "fails", "rank", "exists", "count", "kernel")
 
 
 def accepted(data):

@@ -123,8 +123,8 @@ COSTLY = {
         *[["x", "x"]] * 900, evidence={**POINT, "product": [["x"]] * 900, "cofactors": [[]], "cases": [{}] * 900}
     ),
     "squares": lambda: text(
-        [{"goal": "positive", "space": 0, "given": [], "formula": "x"}],
-        [{**POINT, "squares": [[1, 0]] * 9000, "cofactors": [[]]}],
+        [follows([], [["x", 1]])],
+        [{**POINT, "product": [["x"] * 9000], "cofactors": [[0]], "cases": [{}]}],
     ),
     "monomials": lambda: text(
         [{"goal": "kernel", "space": 0, "factor": 0, "solutions": [1], "integrals": ["x", "y"], "weights": [1, 1], "degree": 1000}],

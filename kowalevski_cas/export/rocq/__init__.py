@@ -68,7 +68,7 @@ class Program(Format):
     It leaves out points whose coordinates are no Gaussian rational numbers, since their
     roots would have to be numbers that can be computed with, and what rests on them, but for
     identities, which are said without their point; and what needs an order or
-    real numbers: positive formulas, numbers of solutions, and splits into cases, since
+    real numbers: numbers of solutions, and splits into cases, since
     squares that add up to zero vanish for real numbers only. Nor does it compute ranks modulo a
     prime.
     """

@@ -248,7 +248,6 @@ KINDS: dict[str, tuple[Callable[..., None], Callable[..., None]]] = {
     "follows": (follows, fails),
     "fails": (fails, follows),
     "rank": (rank, no_rank),
-    "positive": (_inexpressible(REAL.format("something is positive")),) * 2,
     "count": (_inexpressible(REAL.format("real solutions are counted")),) * 2,
     "kernel": (_inexpressible(RANKS),) * 2,
 }

@@ -7,7 +7,7 @@ from itertools import product
 from math import prod
 from typing import ClassVar
 
-from .evidence import PROOF, combined, independent, locate, minors, settle, squares_of
+from .evidence import PROOF, combined, independent, locate, minors, settle
 from .reading import Json, items, names_in, need, pairs, part_of, record, say, say_all
 from .spaces import Space
 
@@ -127,40 +127,6 @@ class Rank(Goal):
         shown, size = ", ".join(map(say, trees)), data["rank"]
         whole = f"the differentials of {shown}, {size} in number, are independent at a real point"
         return whole + (f" with {say_all(data['given'])}" if data["given"] else "")
-
-
-class Positive(Goal):
-    """A formula is positive where the given equations hold."""
-
-    KEYS = "given formula"
-
-    def __init__(self, space: Space, data: Json) -> None:
-        self.space = space
-        with space.statement():
-            self.given = space.differences(data["given"])
-            self.formula = space.scalar(data["formula"])
-
-    def holds(self, evidence: Json) -> None:
-        """It is a sum of squares there, and not zero."""
-        record(evidence, "point squares cofactors", "away zero")
-        space, (row,) = self.space, items(evidence["cofactors"], 1)
-        locate(space, evidence["point"], self.given)
-        rest = self.formula - squares_of(space, evidence["squares"])
-        need(combined(space, rest, row, self.given), "the two sides are not equal")
-        if "zero" in evidence:
-            settle(space, [space.ring.number(1)], [*self.given, self.formula], evidence["zero"])
-        else:
-            space.inverse(self.formula)
-
-    def denied(self, evidence: Json) -> None:
-        """At a point it is a number that is not positive."""
-        record(evidence, "point", "away")
-        value = locate(self.space, evidence["point"], self.given)(self.formula).value()
-        need(value is not None and value <= 0, "it is positive, or no rational number")
-
-    @staticmethod
-    def words(data: Json) -> str:
-        return f"{say(data['formula'])} > 0{wherever(data)}"
 
 
 def names_of(data: Json) -> set[str]:

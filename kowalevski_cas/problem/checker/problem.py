@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from .counts import Count
 from .evidence import locate, numbers_of
 from .formulas import rational
-from .goals import Fails, Follows, Goal, Positive, Rank, names_of
+from .goals import Fails, Follows, Goal, Rank, names_of
 from .kernels import Kernel
 from .polynomials import Element, Ring
 from .reading import Json, integer, items, label, labels, need, pairs, record, say, say_all
@@ -18,7 +18,6 @@ KINDS: dict[str, type[Goal]] = {
     "follows": Follows,
     "fails": Fails,
     "rank": Rank,
-    "positive": Positive,
     "count": Count,
     "kernel": Kernel,
 }

@@ -1,0 +1,81 @@
+"""What a process tells that is watched: words, and the limits of time under which it works.
+
+A limit that it comes to is kept by whoever watches it (``processes.py``): what is computed need not
+help, be it compiled code or an import, and whatever had been begun under the limit is gone.
+"""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Iterator
+from contextlib import contextmanager
+from time import monotonic
+from typing import BinaryIO
+
+from kowalevski_cas import UserError
+
+LENGTH = 8
+"""Bytes before each message that say how long it is."""
+
+
+class ProcessDied(UserError, RuntimeError):
+    """A process ended before its work was done; the message says how."""
+
+
+class Watched:
+    """What a watched process knows: whom it tells, and the limits at which it gives up."""
+
+    def __init__(self, stream: BinaryIO) -> None:
+        self.stream = stream
+        self.given_up: dict[int, Exception] = {}
+        self.limits = 0
+
+    def tell(self, *message: object) -> None:
+        data = pickle.dumps(message)
+        self.stream.write(len(data).to_bytes(LENGTH) + data)
+        self.stream.flush()
+
+
+_here: Watched | None = None
+
+
+def begin(here: Watched) -> None:
+    """Say that this process is watched from now on."""
+    global _here
+    _here = here
+
+
+def watched() -> bool:
+    """Whether somebody watches this process, so that limits hold in it."""
+    return _here is not None
+
+
+def tell(*words: object) -> None:
+    """Tell the words to whoever watches this process; nobody hears them elsewhere."""
+    if _here is not None:
+        _here.tell("words", *words)
+
+
+@contextmanager
+def time_limit(seconds: float | None) -> Iterator[None]:
+    """A limit for a block, in a process that is watched; there is none elsewhere or with ``None``.
+
+    Limits nest. The blocks of a work have to come in the same order whenever it is done.
+
+    Raises:
+        TimeoutError: the block takes longer; it is not entered.
+        ProcessDied: a process has died in the block.
+    """
+    if seconds is None or _here is None:
+        yield
+        return
+    here = _here
+    here.limits += 1
+    number = here.limits
+    if number in here.given_up:
+        raise here.given_up[number]
+    here.tell("begin", number, monotonic() + seconds)
+    try:
+        yield
+    finally:
+        here.tell("end", number)
