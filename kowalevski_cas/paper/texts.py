@@ -8,10 +8,9 @@ with other texts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from dataclasses import field as default
-from functools import cache
 from typing import Any
 
 from kowalevski_cas.notation import (
@@ -164,7 +163,7 @@ class Texts:
     def expression(self, tex: str) -> Formula:
         """A formula that no place prints, in the same vocabulary."""
         if tex not in self._expressions:
-            self._expressions[tex] = read(tex, self.vocabulary)
+            self._expressions[tex] = self.vocabulary.names.get(tex) or read(tex, self.vocabulary)
         return self._expressions[tex]
 
     def formula(self, printed: Printed) -> Formula:
@@ -233,11 +232,11 @@ class Texts:
         """The TeX of a display."""
         return self.sources.get(display.id, display.tex)
 
-    def changes(self, places: frozenset[Printed]) -> frozenset[object]:
+    def changes(self, places: Collection[Printed]) -> frozenset[object]:
         """What differs from the derivation at these places, as a key."""
         changed: set[object] = {item for item in self.edits.items() if item[0] in places}
         if self.sources:
-            ids = _displays(places)
+            ids = {printed.display.id for printed in places}
             changed |= {item for item in self.sources.items() if item[0] in ids}
         return frozenset(changed)
 
@@ -251,9 +250,3 @@ def _scale(formula: Formula) -> Formula | None:
         case Product((*rest, Name("t"))):
             return times(*rest)
     return None
-
-
-@cache
-def _displays(places: frozenset[Printed]) -> frozenset[str]:
-    """The ids of the displays in which places stand."""
-    return frozenset(printed.display.id for printed in places)
