@@ -69,10 +69,6 @@ class Plain:
         """The formula in the operations of a space."""
         if is_arithmetic(formula) and not any(map(self._rank, mentions(formula))):
             return formula
-        return self._meant(formula) or formula.mapped(self)
-
-    def _meant(self, formula: Formula) -> Formula | None:
-        """What is no operation of a space, written out; ``None`` for others."""
         match formula:
             case RealPart(argument):
                 inner = self(argument)
@@ -96,16 +92,16 @@ class Plain:
                 return self(power if halves > 0 else Quotient(Number(1), power))
             case Power(Name(base), exponent) if not _is_whole(exponent):
                 return self._symbolic(base, exponent)
-            case PoissonBracket(left, right):
-                return self._brackets(self._components(left), self._components(right))
-        return self._shorthand(formula)
+        return self._shorthand(formula) or formula.mapped(self)
 
     def _rank(self, formula: Formula) -> int:
         return rank(formula, self.setting.texts.vocabulary)
 
     def _shorthand(self, formula: Formula) -> Formula | None:
-        """Sums over an index, lengths, squares of vectors and gradients; ``None`` for others."""
+        """Brackets, sums over an index, lengths, squares of vectors, gradients; or ``None``."""
         match formula:
+            case PoissonBracket(left, right):
+                return self._brackets(self._components(left), self._components(right))
             case Summation():
                 return self(written_out(formula))
             case Power(base, Number(exponent)) if (square := self._square(base)) is not None:
