@@ -163,7 +163,7 @@ class Texts:
     def expression(self, tex: str) -> Formula:
         """A formula that no place prints, in the same vocabulary."""
         if tex not in self._expressions:
-            self._expressions[tex] = self.vocabulary.names.get(tex) or read(tex, self.vocabulary)
+            self._expressions[tex] = read(tex, self.vocabulary)
         return self._expressions[tex]
 
     def formula(self, printed: Printed) -> Formula:
