@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 from kowalevski_cas.notation import Application, Formula, Name, PoissonBracket, Root
 from kowalevski_cas.notation.vocabulary import MATRIX
@@ -12,54 +12,54 @@ from kowalevski_cas.paper.texts import Printed
 
 
 class WrittenOut:
-    """The places of the functions, brackets, matrices and values of roots that places print.
+    """The places of the functions, brackets, matrices and values of roots that a place prints.
 
     Those that stand in their definitions are among them.
     """
 
     def __init__(self, plain: Plain) -> None:
         self.plain = plain
-        self.setting = setting = plain.setting
-        self._known: dict[Printed, tuple[Printed, ...]] = {}
+        self.setting = plain.setting
         self._functions: dict[str, list[str]] = {}
-        """The heads of the definitions of functions and of brackets, by the function."""
-        for name in setting.scene.definitions:
+        scene, words = self.setting.scene, self.setting.texts.vocabulary
+        for name in scene.definitions:
             function, arguments = head(name)
             if arguments:
                 self._functions.setdefault(function, []).append(name)
-        rank = setting.texts.vocabulary.rank
-        self._matrices = {name for name in setting.scene.definitions if rank(name) == MATRIX}
-        self._roots = any(setting.scene.roots.values())
+        self._matrices = {name for name in scene.definitions if words.rank(name) == MATRIX}
+        self._nothing = not (self._functions or self._matrices or [*scene.branches()])
+        self._known: dict[Printed, tuple[Printed, ...]] = {}
 
-    def __call__(self, places: Iterable[Printed]) -> Iterator[Printed]:
-        """What printed formulas write out."""
-        if self._functions or self._matrices or self._roots:
-            for place in places:
-                if place not in self._known:
-                    self._known[place] = tuple(self._of(self.setting.texts.formula(place)))
-                yield from self._known[place]
+    def __call__(self, place: Printed) -> tuple[Printed, ...]:
+        """What a printed formula writes out."""
+        if self._nothing:
+            return ()
+        if place not in self._known:
+            self._known[place] = tuple(self._of(self.setting.texts.formula(place)))
+        return self._known[place]
 
     def _of(self, formula: Formula) -> Iterator[Printed]:
         found: set[Printed] = set()
         waiting = [formula]
         while waiting:
-            for one in waiting.pop().nodes():
-                for name, place in self._meant(one):
-                    if place not in found:
-                        found.add(place)
-                        waiting.append(self.setting.definition(name))
-                        yield place
+            one = waiting.pop()
+            waiting += one.children()
+            for name, place in self._meant(one):
+                if place not in found:
+                    found.add(place)
+                    waiting.append(self.setting.definition(name))
+                    yield place
 
-    def _meant(self, formula: Formula) -> Sequence[tuple[str, Printed]]:
+    def _meant(self, formula: Formula) -> Iterator[tuple[str, Printed]]:
         """The definitions of what stands on top of a formula."""
-        names: Sequence[str] = ()
+        named: Iterable[str] = ()
         match formula:
             case Application(function):
-                names = self._functions.get(function, ())
+                named = self._functions.get(function, ())
             case PoissonBracket():
-                names = self._functions.get(BRACKET, ())
+                named = self._functions.get(BRACKET, ())
             case Name(name) if name in self._matrices:
-                names = (name,)
+                named = (name,)
             case Root() if (value := self.plain.printed_root(formula)) is not None:
-                return (value,)
-        return [(name, self.setting.scene.definitions[name]) for name in names]
+                yield value
+        yield from ((name, self.setting.scene.definitions[name]) for name in named)

@@ -69,7 +69,8 @@ class Statement:
             named = [place for step in space.steps for place in setting.places.get(step.name, ())]
             moving = [*setting.motion_places()] if space.field or space.change else []
             found |= dict.fromkeys([*named, *moving])
-            found |= dict.fromkeys(setting.written_out([*own, *named, *moving]))
+            for place in (*own, *named, *moving):
+                found |= dict.fromkeys(setting.written_out(place))
         return tuple(found)
 
     def search(self) -> Verdicts | None:
