@@ -6,10 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, Relation, to_plain
-from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.compare import compared
 from kowalevski_cas.report.document import Block, Display, Emphasis, Paragraph, Text
-from kowalevski_cas.report.sentences import Phrases, capitalised, listed
+from kowalevski_cas.report.sentences import Phrases, alike, capitalised, listed
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Condition, Outcome, Step
 

@@ -51,8 +51,7 @@ class HtmlSetter(Setter):
     def opened(self, bracket: str, tall: bool) -> str:
         return stretched(bracket) if tall else bracket
 
-    def closed(self, bracket: str, tall: bool) -> str:
-        return stretched(bracket) if tall else bracket
+    closed = opened
 
     def line(self, left: str, right: str, indent: int, leads: bool) -> str:
         space = f'<mspace width="{indent}em"></mspace>' if indent else ""
@@ -88,6 +87,7 @@ class HtmlWriter(Writer):
     page = "page.html"
     setter = HtmlSetter()
     room = 39.5
+    origin, emphases = "<p>{}</p>", ("<em>{}</em>", "<strong>{}</strong>")
 
     def __init__(self, beside: Path) -> None:
         self.beside = beside
@@ -101,14 +101,11 @@ class HtmlWriter(Writer):
         return {**super().parts(document), "contents": "\n".join(links)}
 
     def escaped(self, text: str) -> str:
-        return escape(text, quote=True)
+        return escape(text.replace("'", "’"))
 
     def text(self, text: Text) -> str:
         """No line is broken between a formula and the stop behind it."""
         return _STOP.sub(r'<span class="nobr">\1</span>', super().text(text))
-
-    def subtitle(self, text: str) -> str:
-        return f"<p>{text}</p>"
 
     def marks(self) -> str:
         light = "".join(f"--{verdict}: #{mark.colour};" for verdict, mark in MARKS.items())
@@ -123,7 +120,7 @@ class HtmlWriter(Writer):
         return self.setter.inline(formula)
 
     def code(self, text: str) -> str:
-        return f"<code>{self.escaped(' '.join(text.split()))}</code>"
+        return f"<code>{escape(' '.join(text.split()))}</code>"
 
     def sign(self, verdict: Verdict) -> str:
         mark = MARKS[verdict]
@@ -133,11 +130,8 @@ class HtmlWriter(Writer):
         )
 
     def link(self, link: Link) -> str:
-        target = self.escaped(link.target if link.outside else f"#{link.target}")
+        target = escape(link.target if link.outside else f"#{link.target}")
         return f'<a href="{target}">{self.text(link.text)}</a>'
-
-    def emphasis(self, text: str, strong: bool) -> str:
-        return f"<strong>{text}</strong>" if strong else f"<em>{text}</em>"
 
     def heading(self, block: Heading) -> str:
         level = block.level + 1
@@ -151,7 +145,7 @@ class HtmlWriter(Writer):
     def display(self, block: Display) -> str:
         """A display, for wide and for narrow pages if these differ."""
         if not block.formulas:
-            inner = f'<span class="source">{self.escaped(" ".join(block.source.split()))}</span>'
+            inner = f'<span class="source">{escape(" ".join(block.source.split()))}</span>'
         else:
             both = self.setter.displays(block.formulas, (self.room, _NARROW))
             wide, narrow = (f'<math display="block">{one}</math>' for one in both)
