@@ -49,7 +49,7 @@ def regular(
         ]
         for k in range(size)
     ]
-    return shown(steps, rows, [*known, *targets], conditions, at, names)
+    return shown(steps, rows, [*known, *targets], at, names)
 
 
 def _changed(
