@@ -40,7 +40,7 @@ class Plain(Printer):
     def _name(self, formula: Name, marks: str) -> str:
         parts = symbol(formula.name)
         letter = styled(parts.letter, parts.font)
-        index = "".join(parts.index)
+        index = "".join(parts.indices)
         low = index.translate(_LOW)
         if set(index) & set(low):
             low = f"_{index}" if len(index) == 1 else f"_({index})"

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from dataclasses import MISSING, fields
+from dataclasses import MISSING
 from hashlib import sha256
 from types import NoneType, UnionType
 from typing import Any, get_args, get_origin, get_type_hints
@@ -75,7 +75,7 @@ _Key = tuple[str, str, object]
 
 def _keys(kind: type[Any], shape: str) -> Iterator[_Key]:
     """Keys, their attributes, and the value with which one is left out."""
-    defaults = {one.name: one.default for one in fields(kind)}
+    defaults = getattr(kind, "_field_defaults", vars(kind))  # of a tuple, or of a dataclass
     for entry in shape.split():
         key, _, name = entry.rstrip("?").partition(":")
         yield key, name or key, defaults[name or key] if entry[-1] == "?" else MISSING
@@ -115,7 +115,7 @@ def _written(value: Any, spaces: list[Space]) -> Tree:
             return encode(value)
         case str() | int():
             return value
-        case tuple():
+        case tuple() if type(value) not in _KEYS:
             return [_written(one, spaces) for one in value]
         case Mapping():
             return [[name, encode(one)] for name, one in value.items()]

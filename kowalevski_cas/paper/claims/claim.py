@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
-from typing import Any, dataclass_transform
+from typing import Any, NamedTuple, dataclass_transform
 
 from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -18,8 +18,7 @@ from kowalevski_cas.problem.space import Meaningless, Setting
 Names = Callable[[Setting], Sequence[str]]
 
 
-@dataclass(frozen=True)
-class Neighbour:
+class Neighbour(NamedTuple):
     """A statement that differs a little: a mutant, or a candidate for a correction.
 
     It is that of a claim under texts in which, with an ``edit``, the formula at the place
@@ -41,7 +40,7 @@ class Neighbour:
 
 
 @dataclass_transform(eq_default=False, frozen_default=True)
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Claim(ABC):
     """One statement of the paper, on its scene.
 
@@ -59,11 +58,14 @@ class Claim(ABC):
     sentence: str = field(default="", kw_only=True)
 
     def __init_subclass__(cls, kw_only: bool = False) -> None:
-        dataclass(frozen=True, eq=False, kw_only=kw_only)(cls)
+        dataclass(frozen=True, eq=False, repr=False, kw_only=kw_only)(cls)
 
     def __post_init__(self) -> None:
         """Refuse displays and single values where tuples are expected."""
         check_attributes(self, f"the claim {self.id}")
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.id}>"
 
     @property
     def own(self) -> Printed:
