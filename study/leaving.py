@@ -13,9 +13,10 @@ from functools import partial
 import numpy as np
 from matplotlib.figure import Figure
 
-from kowalevski_cas.motion import Motion, load
+from kowalevski_cas.motion import Motion, formulas, load
+from kowalevski_cas.motion.arrays import Array, Complex
 from kowalevski_cas.motion.methods.integrators import initial_state
-from kowalevski_cas.motion.transverse import distance, exponent, kind
+from kowalevski_cas.motion.transverse import exponent, kind
 from kowalevski_cas.pictures import INK, new_figure
 from study.charts import curve, legend_below
 from study.motions import INTEGRATORS, MOTIONS, parameters, tolerances
@@ -69,6 +70,30 @@ def followed(method: str, motion: Motion) -> Measured:
         "rate": rate,
         "predicted": abs(exponent(motion.parameters).real),
     }
+
+
+def transverse(states: Array) -> tuple[Complex, Complex]:
+    """F1, F2 (…, 2) and the matrices (…, 2, 2) of d(F1,F2)/dt at states (…, 9)."""
+    functions, rates = formulas.offered("across"), formulas.offered("across_rates")
+    known = formulas.offered("complex_variables")(*np.moveaxis(states, -1, 0), 1j)
+    root = np.sqrt(known[0] * known[1])  # of x1x2
+    F1, F2, U1, U2 = functions(*known, root)
+    columns = [rates(*unit, U1, U2, *known[:2], root) for unit in ((1.0, 0.0), (0.0, 1.0))]
+    entries = np.broadcast_arrays(*(column[row] for row in (0, 1) for column in columns), F1)[:4]
+    matrix = 1j * np.stack(entries, axis=-1).reshape(*np.shape(F1), 2, 2)  # τ = it
+    return np.stack((F1, F2), axis=-1), matrix
+
+
+def distance(states: Array) -> Array:
+    r"""How far states (…, 9) are from N⁴: :math:`|F_1|` and :math:`|F_2|` in one number (…).
+
+    They are added in the ratio of the two entries of the matrix, so that the sum of
+    squares stays the same along an elliptic motion, to first order.
+    """
+    values, matrix = transverse(states)
+    ratio = abs(matrix[..., 1, 0] / matrix[..., 0, 1])
+    found: Array = np.sqrt(abs(values[..., 0]) ** 2 * ratio + abs(values[..., 1]) ** 2)
+    return found
 
 
 def draw(rows: Sequence[Row]) -> Figure:

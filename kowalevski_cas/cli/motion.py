@@ -115,10 +115,10 @@ def _followed(arguments: argparse.Namespace) -> Result:
 
     from kowalevski_cas.motion.formulas import source
     from kowalevski_cas.motion.general import General
-    from kowalevski_cas.motion.methods import MethodError, load
-    from kowalevski_cas.motion.methods.ball import Unresolved, enclosed
+    from kowalevski_cas.motion.methods import load
+    from kowalevski_cas.motion.methods.ball import enclosed
     from kowalevski_cas.motion.o4.motion import MotionO4
-    from kowalevski_cas.motion.parameters import exact
+    from kowalevski_cas.motion.parameters import MethodError, exact
     from kowalevski_cas.motion.result import Result
 
     if not 1 <= arguments.samples <= LARGEST_COUNT:
@@ -156,7 +156,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
             + (not isinstance(motion, General)) * ", and the closed form takes no longer there",
             UNDECIDED,
         ) from None
-    except (MethodError, Unresolved) as error:
+    except MethodError as error:
         raise CommandError(str(error), UNDECIDED) from None
     except ValueError as error:
         raise CommandError(str(error)) from None

@@ -19,9 +19,9 @@ Through a state that has no closed form goes a general motion, for the integrato
 """
 
 from kowalevski_cas.motion.general import General, through
-from kowalevski_cas.motion.methods import METHODS, MethodError, load
+from kowalevski_cas.motion.methods import METHODS, load
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.parameters import ParametersO4
-from kowalevski_cas.motion.parameters import Inadmissible, Parameters
+from kowalevski_cas.motion.parameters import Inadmissible, MethodError, Parameters
 from kowalevski_cas.motion.regimes import Regime, all_regimes, coincidences, regime_of

@@ -31,6 +31,10 @@ class Inadmissible(ValueError):
     """Constants for which there is no motion on N⁴; the message says why and what would do."""
 
 
+class MethodError(ArithmeticError):
+    """A method to follow a motion that gave up; the message says why."""
+
+
 @dataclass(frozen=True)
 class Lengths:
     """The lengths of two fields at right angles."""

@@ -35,8 +35,7 @@ from kowalevski_cas.motion.parameters import (
 )
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.regimes import NOISE, regime_of, without_rounding
-from kowalevski_cas.motion.start import Values, arc_of, start
-from kowalevski_cas.motion.variables import at_infinity, variables
+from kowalevski_cas.motion.start import Values, arc_of, at_infinity, start, variables
 
 ROUNDING = 1e-15
 """How far from a state, of its size, a motion may begin that is not improved."""

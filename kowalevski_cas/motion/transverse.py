@@ -24,35 +24,9 @@ from collections.abc import Iterator
 import numpy as np
 from flint import acb, arb
 
-from kowalevski_cas.motion import formulas
-from kowalevski_cas.motion.arrays import Array, Complex
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.parameters import Parameters, Real, ball, precision
 from kowalevski_cas.motion.regimes import Regime, all_regimes, ells, regime_of
-
-
-def transverse(states: Array) -> tuple[Complex, Complex]:
-    """F1, F2 (…, 2) and the matrices (…, 2, 2) of d(F1,F2)/dt at states (…, 9)."""
-    functions, rates = formulas.offered("across"), formulas.offered("across_rates")
-    known = formulas.offered("complex_variables")(*np.moveaxis(states, -1, 0), 1j)
-    root = np.sqrt(known[0] * known[1])  # of x1x2
-    F1, F2, U1, U2 = functions(*known, root)
-    columns = [rates(*unit, U1, U2, *known[:2], root) for unit in ((1.0, 0.0), (0.0, 1.0))]
-    entries = np.broadcast_arrays(*(column[row] for row in (0, 1) for column in columns), F1)[:4]
-    matrix = 1j * np.stack(entries, axis=-1).reshape(*np.shape(F1), 2, 2)  # τ = it
-    return np.stack((F1, F2), axis=-1), matrix
-
-
-def distance(states: Array) -> Array:
-    r"""How far states (…, 9) are from N⁴: :math:`|F_1|` and :math:`|F_2|` in one number (…).
-
-    They are added in the ratio of the two entries of the matrix, so that the sum of
-    squares stays the same along an elliptic motion, to first order.
-    """
-    values, matrix = transverse(states)
-    ratio = abs(matrix[..., 1, 0] / matrix[..., 0, 1])
-    found: Array = np.sqrt(abs(values[..., 0]) ** 2 * ratio + abs(values[..., 1]) ** 2)
-    return found
 
 
 def exponent(parameters: Parameters) -> complex:
@@ -92,10 +66,9 @@ def degenerate(a: Real, b: Real, m: Real) -> Iterator[tuple[Regime, float]]:
     for regime in all_regimes():
         low, high = ells(Parameters.of(a, b, m, 0), regime)
         margin = 1e-6 * (high - low)
-        if 0 < margin < np.inf:
-            ends = low + margin, high - margin
-            if signed(ends[0]) * signed(ends[1]) < 0:
-                yield regime, brentq(signed, *ends, xtol=margin)
+        first, last = low + margin, high - margin
+        if low < first < last < high < np.inf and signed(first) * signed(last) < 0:
+            yield regime, brentq(signed, first, last, xtol=margin)
 
 
 def kind(parameters: Parameters) -> str:

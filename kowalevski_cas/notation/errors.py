@@ -12,37 +12,11 @@ _LETTER = re.compile(r"(?:[^_{]|\{[^{}]*\}|\{)*")
 # Letters that are taken for one another in print or in haste.
 _LOOKALIKES = tuple(
     frozenset(group.split())
-    for group in (
-        r"w \omega W \varpi",
-        r"a \alpha A",
-        r"b \beta B",
-        r"c C",
-        r"d \delta D",
-        r"e \epsilon \varepsilon E",
-        r"f \varphi \phi F",
-        r"g \gamma G",
-        r"h \eta H",
-        r"i \iota I",
-        r"j J",
-        r"k \kappa \varkappa K",
-        r"l \ell L",
-        r"m \mu M",
-        r"n \nu \eta N",
-        r"p \rho \varrho P",
-        r"q Q \theta",
-        r"r R",
-        r"s \sigma S",
-        r"t \tau T",
-        r"u \mu \upsilon U",
-        r"v \nu \upsilon V",
-        r"x \xi \chi X",
-        r"y \psi \gamma Y",
-        r"z \zeta Z",
-        r"\psi \Psi",
-        r"\phi \Phi \varphi",
-        r"\theta \Theta \vartheta",
-        r"\omega \Omega",
-    )
+    for group in r"""w \omega W \varpi, a \alpha A, b \beta B, c C, d \delta D,
+    e \epsilon \varepsilon E, f \varphi \phi F, g \gamma G, h \eta H, i \iota I, j J,
+    k \kappa \varkappa K, l \ell L, m \mu M, n \nu \eta N, p \rho \varrho P, q Q \theta, r R,
+    s \sigma S, t \tau T, u \mu \upsilon U, v \nu \upsilon V, x \xi \chi X, y \psi \gamma Y,
+    z \zeta Z, \psi \Psi, \phi \Phi \varphi, \theta \Theta \vartheta, \omega \Omega""".split(",")
 )
 
 

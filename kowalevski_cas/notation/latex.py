@@ -6,15 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from kowalevski_cas.notation.errors import letter_and_index
-from kowalevski_cas.notation.formula import (
-    Changed,
-    Conjugate,
-    Formula,
-    Name,
-    Product,
-    Quotient,
-    Root,
-)
+from kowalevski_cas.notation.formula import Formula, Name, Product, Quotient
 from kowalevski_cas.notation.printer import Printer
 
 _COMMAND = re.compile(r"\\[A-Za-z]+$")
@@ -27,12 +19,12 @@ class Latex(Printer):
     minus, times, cross, prime, partial_d = "-", r"\cdot ", r"\times", "'", r"\partial"
     dots, const, braces = r"\ldots", r"\mathrm{const}", (r"\{", r"\}")
     bars = (r"\lvert ", r"\rvert")
+    word_form, fraction_form = r"\operatorname{{{}}}", r"\frac{{{}}}{{{}}}"
+    root_form, bar_form, sum_form = r"\sqrt{{{}}}", r"\overline{{{}}}", r"\sum_{{{}={}}}^{{{}}}"
+    change_forms = (r"\Meant{{{}}}", r"\Slip{{{}}}")
 
     def name(self, formula: Name) -> str:
         return formula.name
-
-    def upright(self, word: str) -> str:
-        return rf"\operatorname{{{word}}}"
 
     def sign(self, sign: str) -> str:
         return sign
@@ -51,9 +43,6 @@ class Latex(Printer):
             return rf"\left{opening}{text}\right{closing}"
         return opening + text + closing
 
-    def fraction(self, above: str, below: str) -> str:
-        return rf"\frac{{{above}}}{{{below}}}"
-
     def quotient(self, formula: Quotient) -> str:
         below = self(formula.denominator)
         # A product that begins with the scalar d must not pass for the d of a derivative.
@@ -64,12 +53,6 @@ class Latex(Printer):
     def raised(self, base: str, exponent: str) -> str:
         return f"{base}^{exponent}" if len(exponent) == 1 else f"{base}^{{{exponent}}}"
 
-    def root(self, formula: Root) -> str:
-        return rf"\sqrt{{{self(formula.argument)}}}"
-
-    def conjugate(self, formula: Conjugate) -> str:
-        return rf"\overline{{{self(formula.argument)}}}"
-
     def dotted(self, argument: Formula, order: int) -> str:
         if isinstance(argument, Name):
             inner = letter_and_index(argument.name)[0]
@@ -79,12 +62,6 @@ class Latex(Printer):
         while order > 3:
             inner, behind, order = f"{_DOTS[3]}{{{inner}}}{behind}", "", order - 3
         return f"{_DOTS[order]}{{{inner}}}{behind}"
-
-    def changed(self, formula: Changed) -> str:
-        return rf"\{'Slip' if formula.wrong else 'Meant'}{{{self(formula.argument)}}}"
-
-    def over(self, index: str, first: str, last: str) -> str:
-        return rf"\sum_{{{index}={first}}}^{{{last}}}"
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         body = r" \\ ".join(map(" & ".join, rows))

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from html import escape
 
-from kowalevski_cas.notation.formula import Changed, Conjugate, Formula, Name, Number, Root
+from kowalevski_cas.notation.formula import Conjugate, Formula, Name, Number
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import SIGNS, styled, symbol
 
@@ -23,6 +23,8 @@ class MathML(Printer):
     plus, minus, times, cross = (f"<mo>{sign}</mo>" for sign in "+−·×")
     d, partial_d, dots, const = (f"<mi>{text}</mi>" for text in ("d", "∂", "…", "const"))
     prime = "′"
+    word_form, root_form = "<mi>{}</mi>", "<msqrt>{}</msqrt>"
+    change_forms = ('<mrow class="meant">{}</mrow>', '<mrow class="slip">{}</mrow>')
     comma, thin = "<mo>,</mo>", '<mspace width="0.17em"></mspace>'
     round, square, braces, bars = (
         (f"<mo{_AS_IT_IS}>{left}</mo>", f"<mo{_AS_IT_IS}>{right}</mo>")
@@ -51,9 +53,6 @@ class MathML(Printer):
             dots -= min(dots, 4)
         index = "".join(map(_atom, parts.indices))
         return f"<msub>{text}{_one(index)}</msub>" if index else text
-
-    def upright(self, word: str) -> str:
-        return f"<mi>{word}</mi>"
 
     def sign(self, sign: str) -> str:
         return f"<mo>{escape(SIGNS[sign])}</mo>"
@@ -85,9 +84,6 @@ class MathML(Printer):
         text = text if isinstance(argument, Name) else self.bracketed(text)
         return self.raised(text, f"<mo>{self.prime * order}</mo>")
 
-    def root(self, formula: Root) -> str:
-        return f"<msqrt>{self(formula.argument)}</msqrt>"
-
     def conjugate(self, formula: Conjugate) -> str:
         return _over(self(formula.argument), "¯")
 
@@ -95,10 +91,6 @@ class MathML(Printer):
         if isinstance(argument, Name):
             return self._name(argument, order)
         return _over(self.bracketed(self(argument)), _DOTS[min(order, 4)])
-
-    def changed(self, formula: Changed) -> str:
-        kind = "slip" if formula.wrong else "meant"
-        return f'<mrow class="{kind}">{self(formula.argument)}</mrow>'
 
     def over(self, index: str, first: str, last: str) -> str:
         below = f"<mrow>{index}<mo>=</mo>{first}</mrow>"

@@ -33,6 +33,7 @@ class Plain(Printer):
 
     minus, times, cross, prime, partial_d = "−", "·", "×", "′", "∂"
     dots, const, braces = "…", "const", ("{", "}")
+    word_form, fraction_form, sum_form = "{}", "{}/{}", "∑_({}={})^({}) "
 
     def name(self, formula: Name) -> str:
         return self._name(formula, "")
@@ -46,9 +47,6 @@ class Plain(Printer):
             low = f"_{index}" if len(index) == 1 else f"_({index})"
         return unicodedata.normalize("NFC", letter + _MARKS.get(parts.font, "") + marks) + low
 
-    def upright(self, word: str) -> str:
-        return word
-
     def joined(self, parts: Iterable[str]) -> str:
         """The parts side by side; words, and roots without brackets, need a space."""
         joined = before = ""
@@ -61,9 +59,6 @@ class Plain(Printer):
 
     def factor(self, formula: Formula) -> str:
         return self.bracketed(self(formula)) if _slashed(formula) else super().factor(formula)
-
-    def fraction(self, above: str, below: str) -> str:
-        return f"{above}/{below}"
 
     def quotient(self, formula: Quotient) -> str:
         above, text = formula.numerator, self.term(formula.numerator)
@@ -91,9 +86,6 @@ class Plain(Printer):
         if isinstance(argument, Name):
             return self._name(argument, _DOT * order)
         return self.bracketed(self(argument)) + "˙" * order
-
-    def over(self, index: str, first: str, last: str) -> str:
-        return f"∑_({index}={first})^({last}) "
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         return f"({', '.join(f'({text})' for text in map(', '.join, rows))})"

@@ -64,6 +64,14 @@ class Printer(ABC):
     """The space beside a factor that is a word, as ``sn``."""
     round, square, bars = ("(", ")"), ("[", "]"), ("|", "|")
     braces: tuple[str, str]
+    word_form: str
+    fraction_form: str
+    root_form: str
+    bar_form: str
+    sum_form: str
+    """The sign of a sum with the index, the first value, the last one."""
+    change_forms = ("{}", "{}")
+    """What another formula has not, as it should stand, and as it should not."""
 
     def __call__(self, formula: Formula) -> str:
         """The formula as a source text."""
@@ -76,9 +84,9 @@ class Printer(ABC):
     def name(self, formula: Name) -> str:
         """A letter with its index."""
 
-    @abstractmethod
     def upright(self, word: str) -> str:
         """A word in upright letters."""
+        return self.word_form.format(word)
 
     def sign(self, sign: str) -> str:
         """The sign of a relation."""
@@ -88,9 +96,9 @@ class Printer(ABC):
     def joined(self, parts: Iterable[str]) -> str:
         """Factors side by side."""
 
-    @abstractmethod
     def fraction(self, above: str, below: str) -> str:
         """A fraction of two texts that need no brackets."""
+        return self.fraction_form.format(above, below)
 
     def quotient(self, formula: Quotient) -> str:
         """A fraction."""
@@ -101,20 +109,8 @@ class Printer(ABC):
         """A power."""
 
     @abstractmethod
-    def root(self, formula: Root) -> str:
-        """A square root."""
-
-    @abstractmethod
-    def conjugate(self, formula: Conjugate) -> str:
-        """A bar over everything."""
-
-    @abstractmethod
     def dotted(self, argument: Formula, order: int) -> str:
         """Dots over the letter of a name, or over a formula in brackets."""
-
-    @abstractmethod
-    def over(self, index: str, first: str, last: str) -> str:
-        """The sign of a sum with its limits."""
 
     @abstractmethod
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
@@ -125,10 +121,6 @@ class Printer(ABC):
         text = self(argument)
         text = text if isinstance(argument, Name) else self.bracketed(text)
         return text + self.prime * order
-
-    def changed(self, formula: Changed) -> str:
-        """A part with a mark, where the format has one."""
-        return self(formula.argument)
 
     def between(self, opening: str, text: str, closing: str) -> str:
         """A text in these brackets."""
@@ -210,6 +202,12 @@ class Printer(ABC):
         text = text if is_base(formula.base) else self.bracketed(text)
         return self.raised(text, self(formula.exponent))
 
+    def root(self, formula: Root) -> str:
+        return self.root_form.format(self(formula.argument))
+
+    def conjugate(self, formula: Conjugate) -> str:
+        return self.bar_form.format(self(formula.argument))
+
     def derivative(self, formula: Derivative) -> str:
         argument, mark, order = formula.argument, formula.mark, 1
         if mark not in ("dot", "prime"):
@@ -280,6 +278,13 @@ class Printer(ABC):
     def summation(self, formula: Summation) -> str:
         index, first, last = self(Name(formula.index)), self(formula.first), self(formula.last)
         return self.joined([self.over(index, first, last), self.term(formula.body)])
+
+    def over(self, index: str, first: str, last: str) -> str:
+        """The sign of a sum with its limits."""
+        return self.sum_form.format(index, first, last)
+
+    def changed(self, formula: Changed) -> str:
+        return self.change_forms[formula.wrong].format(self(formula.argument))
 
     def unwritten(self, formula: Unwritten) -> str:
         return self.dots

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from kowalevski_cas.notation.formula import Changed, Conjugate, Formula, Name, Root
+from kowalevski_cas.notation.formula import Formula, Name
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import symbol
 
@@ -26,6 +26,9 @@ class Typst(Printer):
     minus, times, cross, prime, partial_d = "-", "⋅ ", "×", "'", "∂"
     dots, const, braces = "…", 'upright("const")', ("{", "}")
     bars, thin = ("abs⟮", "⟯"), "thin "
+    word_form, fraction_form, root_form = 'op⟮"{}"⟯', "frac⟮{}, {}⟯", "sqrt⟮{}⟯"
+    bar_form, sum_form = "overline⟮{}⟯", "sum_⟮{} = {}⟯^⟮{}⟯"
+    change_forms = ("meant⟮{}⟯", "slip⟮{}⟯")
 
     def finished(self, text: str) -> str:
         return text.translate(_PRINTED)
@@ -41,26 +44,11 @@ class Typst(Printer):
         index = f"_({' '.join(map(_atom, parts.indices))})" if parts.indices else ""
         return (accent.format(letter) + index).translate(_GROUPING)
 
-    def upright(self, word: str) -> str:
-        return f'op⟮"{word}"⟯'
-
     def joined(self, parts: Iterable[str]) -> str:
         return " ".join(parts)
 
-    def fraction(self, above: str, below: str) -> str:
-        return f"frac⟮{above}, {below}⟯"
-
     def raised(self, base: str, exponent: str) -> str:
         return f"{base}^⟮{exponent}⟯"
-
-    def changed(self, formula: Changed) -> str:
-        return f"{'slip' if formula.wrong else 'meant'}⟮{self(formula.argument)}⟯"
-
-    def root(self, formula: Root) -> str:
-        return f"sqrt⟮{self(formula.argument)}⟯"
-
-    def conjugate(self, formula: Conjugate) -> str:
-        return f"overline⟮{self(formula.argument)}⟯"
 
     def primed(self, argument: Formula, order: int) -> str:
         """Primes; those of a name stand before its index, or they would be a part of that."""
@@ -76,9 +64,6 @@ class Typst(Printer):
         if isinstance(argument, Name):
             return self._name(argument, accent)
         return accent.translate(_GROUPING).format(self.bracketed(self(argument)))
-
-    def over(self, index: str, first: str, last: str) -> str:
-        return f"sum_⟮{index} = {first}⟯^⟮{last}⟯"
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         return f"mat⟮{'; '.join(map(', '.join, rows))}⟯"

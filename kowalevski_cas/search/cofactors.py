@@ -9,16 +9,15 @@ from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 from kowalevski_cas.algebra.flat import Flat
 from kowalevski_cas.algebra.flint import coefficients
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.search.ansatz import Combination, combination, multiple
-
-LARGEST_DEGREE = 2
-"""The largest degree of what is divided by where no division finds anything."""
 
 Monomial = tuple[int, ...]
 
+Combination = tuple[fmpq_mpoly, list[fmpq_mpoly]]
+"""A polynomial u and cofactors c: u times the target is the sum of c[k] times generator k."""
+
 
 def cofactors(
-    target: Element, generators: Sequence[Element], main: Sequence[tuple[str, ...]]
+    target: Element, generators: Sequence[Element], main: Sequence[tuple[str, ...]] = ()
 ) -> list[Element] | None:
     """Elements :math:`c_k` with ``target`` = sum of :math:`c_k` ``generators[k]``, or ``None``.
 
@@ -27,41 +26,15 @@ def cofactors(
     the division multiplies stay in the denominators of the result, and are the
     conditions under which it holds. A multiple of one generator is recognised
     first; then come all variables together (this division needs no condition),
-    and each of the sets in ``main``; then a combination whose coefficients are solved for.
+    and each of the sets in ``main``.
     """
     flat = Flat(target.ring)
     contents, numerators = zip(*(flat.without_roots(g) for g in generators), strict=True)
     dividend = flat.polynomial(target)
     sets = [tuple(range(flat.size)), *(flat.indices(names) for names in main)]
-    found = _divided(flat, dividend, numerators, sets)
-    return None if found is None else _elements(flat, target, generators, contents, found)
-
-
-def conditional_cofactors(target: Element, generators: Sequence[Element]) -> list[Element] | None:
-    """Cofactors that are divided by a polynomial of the least degree for which there are some.
-
-    A number has none: what it would be divided by vanishes where the generators do.
-    """
-    flat = Flat(target.ring)
-    contents, numerators = zip(*(flat.without_roots(g) for g in generators), strict=True)
-    dividend, relations = flat.polynomial(target), flat.relations(among=numerators)
-    if dividend.is_constant():
+    found = _divide_in_turn(dividend, numerators, sets, flat.relations(), depth=2)
+    if found is None:
         return None
-    least = multiple(dividend, [*numerators, *relations], LARGEST_DEGREE)
-    if least is None:
-        return None
-    unit, quotients = least
-    return _elements(flat, target, generators, contents, (unit, quotients[: len(numerators)]))
-
-
-def _elements(
-    flat: Flat,
-    target: Element,
-    generators: Sequence[Element],
-    contents: Sequence[Element],
-    found: Combination,
-) -> list[Element]:
-    """Cofactors of elements, from those of their numerators without their roots."""
     unit, quotients = found
     below = flat.inverse(unit) * flat.below(target)
     return [
@@ -70,65 +43,6 @@ def _elements(
         else flat.element(q) * below * (flat.below(g) * content).inverse()
         for q, g, content in zip(quotients, generators, contents, strict=True)
     ]
-
-
-def vanishes_on(element: Element, known: Sequence[Element]) -> bool:
-    """Whether an element is seen, without a division, to vanish wherever known ones do."""
-    flat = Flat(element.ring)
-    dividend, everything = flat.polynomial(element), [tuple(range(flat.size))]
-    divisors = sorted((flat.polynomial(one) for one in known), key=len)
-    return bool(known) and any(
-        _divide_in_turn(dividend, chosen, everything, flat.relations(), depth=2) is not None
-        for chosen in (divisors, _autoreduced(divisors)[0])
-    )
-
-
-def _divided(
-    flat: Flat,
-    dividend: fmpq_mpoly,
-    divisors: Sequence[fmpq_mpoly],
-    sets: Sequence[tuple[int, ...]],
-) -> Combination | None:
-    """Divide as the divisors stand, then combine them, then divide by them reduced."""
-    found = _divide_in_turn(dividend, divisors, sets, flat.relations(), depth=2)
-    if found is not None or len(divisors) < 2:
-        return found
-    combined = combination(dividend, [*divisors, *flat.relations(among=divisors)])
-    if combined is not None:
-        return flat.context.constant(1), combined[: len(divisors)]
-    order = sorted(range(len(divisors)), key=lambda k: len(divisors[k]))
-    reduced, steps = _autoreduced([divisors[k] for k in order])
-    found = _divide_in_turn(dividend, reduced, sets, flat.relations(), depth=2)
-    if found is None:
-        return None
-    ordered = dict(zip(order, _unreduced(found[1], steps), strict=True))
-    return found[0], [ordered[k] for k in range(len(order))]
-
-
-def _autoreduced(divisors: Sequence[fmpq_mpoly]) -> tuple[list[fmpq_mpoly], list[list[fmpq_mpoly]]]:
-    """Each divisor modulo those before it, and the quotients of these divisions."""
-    everything = tuple(range(divisors[0].context().nvars()))
-    reduced: list[fmpq_mpoly] = []
-    steps = []
-    for divisor in divisors:
-        usable = [d for d in reduced if not d.is_zero()]
-        unit, quotients, remainder = pseudo_divide(divisor, usable, everything)
-        assert unit.is_one()  # a leading coefficient in all variables is a number
-        places = iter(quotients)
-        steps.append([d if d.is_zero() else next(places) for d in reduced])
-        reduced.append(remainder)
-    return reduced, steps
-
-
-def _unreduced(
-    quotients: Sequence[fmpq_mpoly], steps: Sequence[Sequence[fmpq_mpoly]]
-) -> list[fmpq_mpoly]:
-    """Cofactors of the divisors, from those of the divisors modulo the ones before them."""
-    found = list(quotients)
-    for k in reversed(range(len(found))):
-        for j, step in enumerate(steps[k]):
-            found[j] = found[j] - found[k] * step
-    return found
 
 
 def _divide_in_turn(

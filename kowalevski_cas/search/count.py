@@ -20,7 +20,7 @@ from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.eliminants import Eliminant, eliminant
-from kowalevski_cas.search.groebner import remainder
+from kowalevski_cas.search.groebner import expressed, remainder
 from kowalevski_cas.search.levels import System, more_solutions, solutions, system_of, written_point
 from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.search.squares import sum_of_squares
@@ -121,7 +121,7 @@ class Builder:
         found = []
         for goal in goals:
             zero = [goal] * len(self.known)
-            row = zero if goal.is_zero else cofactors(goal, self.known, main)
+            row = zero if goal.is_zero else expressed(goal, self.known, main)
             if row is None:
                 return None
             found.append(tuple(map(formula_in, row)))

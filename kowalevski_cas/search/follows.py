@@ -14,8 +14,8 @@ from kowalevski_cas.problem.evidence import At, Proof, Shown
 from kowalevski_cas.problem.examine import is_real, value_of
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.place import Place
-from kowalevski_cas.search.cofactors import cofactors, conditional_cofactors, vanishes_on
-from kowalevski_cas.search.groebner import Combinations, complete
+from kowalevski_cas.search.cofactors import cofactors
+from kowalevski_cas.search.groebner import Combinations, combinations_of, complete, vanishes_on
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real_cases import proof_by_cases
 
@@ -124,19 +124,23 @@ def rows_of(
 ) -> tuple[list[list[Element]], int] | None:
     """Rows of cofactors for the goals, or for a power of them; none if they vanish.
 
-    They are sought by division; then by a Gröbner basis, which finds all that there are; and then
-    those that are divided by something.
+    They are sought by division; then by a Gröbner basis, which finds all that there are; then by
+    division in main variables, for powers, and with the least condition.
     """
     if all(goal.is_zero for goal in goals):
         return [], 1
-    rows = complete(combined(goal, known, main) for goal in goals)
-    if rows is not None or len(known) < 2:
+    several = len(known) > 1
+    rows = complete(combined(goal, known, () if several else main) for goal in goals)
+    if rows is not None or not several:
         return None if rows is None else (rows, 1)
-    combinations = Combinations(goals, known)
-    for power in range(1, LARGEST_POWER + 1):
-        if (rows := combinations.rows(goals, power)) is not None:
+    made = combinations_of(goals, known)
+    rows = made.rows(goals) or complete(combined(goal, known, main) for goal in goals)
+    if rows is not None:
+        return rows, 1
+    for power in range(2, LARGEST_POWER + 1):
+        if (rows := made.rows(goals, power)) is not None:
             return rows, power
-    rows = complete(conditional_cofactors(goal, known) for goal in goals)
+    rows = complete(map(made.divided, goals))
     return None if rows is None else (rows, 1)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from heapq import heapify, heappop, heappush
-from itertools import combinations
+from itertools import combinations, combinations_with_replacement
 from math import prod
 from operator import sub
 from typing import Any, TypeVar
@@ -18,11 +18,11 @@ from typing import Any, TypeVar
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mpoly_ctx, fmpz_mpoly_vec
 
 from kowalevski_cas.algebra.flat import Flat
-from kowalevski_cas.algebra.flint import terms_of
-from kowalevski_cas.algebra.kernels import TooLarge
+from kowalevski_cas.algebra.flint import terms_of, to_flint
+from kowalevski_cas.algebra.kernels import TooLarge, kernel
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.polynomial_fields import primitive
-from kowalevski_cas.search.cofactors import cofactors, conditional_cofactors
+from kowalevski_cas.search.cofactors import cofactors
 
 LONGEST = 500_000
 """How many terms are reduced to make a basis, before it is given up."""
@@ -32,6 +32,9 @@ LIMITS = (500, 10_000, 50_000)
 
 POWERS = 3
 """The largest power of a unit by which a target is multiplied."""
+
+LARGEST_DEGREE = 2
+"""The largest degree of what is divided by where nothing else is found."""
 
 Monomial = tuple[int, ...]
 Made = dict[int, fmpq_mpoly]
@@ -75,9 +78,14 @@ class Basis:
                 row[place] += row[k] * factor
         return row[: self.count]
 
+    @property
+    def kept(self) -> list[fmpq_mpoly]:
+        """The elements whose leading monomials no later one divides."""
+        return [self.elements[k] for k in self._kept]
+
     def reduced(self) -> list[fmpq_mpoly]:
         """A basis in which no monomial is divisible by the leading one of another element."""
-        found = [self.elements[k] for k in self._kept]
+        found = self.kept
         for k, own in enumerate(found):
             found[k] = remainder(own, (*found[:k], *found[k + 1 :]))
         return [one for one in found if one]
@@ -223,11 +231,37 @@ class Combinations:
         for factors in _multiples(self.units, self.conditions):
             row = self.basis.cofactors(self._graded(prod((target, *factors), start=one)))
             if row is not None:
-                break
-        else:
+                over = (factor.inverse() for factor in factors)
+                return self._entries(row, prod(over, start=flat.below(target)))
+        return None
+
+    def divided(self, target: Element) -> list[Element] | None:
+        """The row that divides by a polynomial of the least degree for which there is one.
+
+        It is no combination of the generators, for that would vanish wherever these do; so a number
+        has no such row.
+        """
+        own, flat = self._graded(target), self.flat
+        if self.basis is None or own.is_constant():
             return None
-        below = prod((factor.inverse() for factor in factors), start=flat.below(target))
-        entries = [self.ring.zero] * len(self.generators)
+        basis, one = self.basis.kept, self.context.constant(1)
+        used = {k for polynomial in (*basis, own) for k in _variables(polynomial)}
+        names = [one, *(self.context.gens()[k] for k in sorted(used))]
+        for degree in range(1, LARGEST_DEGREE + 1):
+            monomials = [prod(some) for some in combinations_with_replacement(names, degree)]
+            for vector in kernel([terms_of(remainder(m * own, basis)) for m in monomials]):
+                unit = self.context.constant(0)
+                for value, monomial in zip(vector, monomials, strict=True):
+                    unit += monomial * to_flint(value)
+                row = self.basis.cofactors(unit * own) if remainder(unit, basis) else None
+                if row is not None:
+                    over = flat.inverse(_in(flat.context, unit))
+                    return self._entries(row, over * flat.below(target))
+        return None
+
+    def _entries(self, row: Sequence[fmpq_mpoly], below: Element) -> list[Element]:
+        """The elements of a row of polynomials, which is divided by something."""
+        flat, entries = self.flat, [self.ring.zero] * len(self.generators)
         for place, content, polynomial in zip(self.kept, self.contents, row, strict=False):
             over = flat.below(self.generators[place]) * flat.element(_in(flat.context, content))
             entry = flat.element(_in(flat.context, polynomial))
@@ -252,12 +286,34 @@ def complete(rows: Iterable[Row | None]) -> list[Row] | None:
 def expressed(
     target: Element, generators: Sequence[Element], main: Sequence[tuple[str, ...]] = ()
 ) -> list[Element] | None:
-    """Cofactors of a target by division, or by a basis, or with the least condition."""
-    row = cofactors(target, generators, main)
-    if row is not None or len(generators) == 1:
-        return row
-    row = Combinations([target], generators).row(target)
-    return row or conditional_cofactors(target, generators)
+    """Cofactors of a target without a condition, or in main variables, or with the least one."""
+    if (row := cofactors(target, generators)) is not None or len(generators) == 1:
+        return row or cofactors(target, generators, main)
+    made = combinations_of([target], generators)
+    return made.row(target) or cofactors(target, generators, main) or made.divided(target)
+
+
+def combinations_of(targets: Sequence[Element], generators: Sequence[Element]) -> Combinations:
+    """Combinations whose units are denominators, and roots that are factors of a generator."""
+    ring = targets[0].ring
+    contents = (Flat(ring).without_roots(one)[0] for one in generators)
+    roots = [content for content in contents if content.parts.keys() != {0}]
+    units = [*roots, *ring.divided_by([*targets, *generators])]
+    return Combinations(targets, generators, units=units)
+
+
+def vanishes_on(element: Element, known: Sequence[Element]) -> bool:
+    """Whether an element is a combination of known ones, without a condition."""
+    flat = Flat(element.ring)
+    context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
+    given = [one for one in map(flat.polynomial, known) if one]
+    if not given:
+        return element.is_zero
+    try:
+        basis = reduced_basis([_in(context, one) for one in (*given, *flat.relations())])
+    except TooLarge:
+        return False
+    return remainder(_in(context, flat.polynomial(element)), basis).is_zero()
 
 
 def _content(polynomial: fmpq_mpoly, places: set[int]) -> fmpq_mpoly:

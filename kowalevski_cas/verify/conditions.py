@@ -20,7 +20,7 @@ from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.cofactors import vanishes_on
+from kowalevski_cas.search.groebner import vanishes_on
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.shown import written
 

@@ -13,7 +13,8 @@ from scipy.optimize import brentq
 from kowalevski_cas.motion import Inadmissible, Motion, Parameters, coincidences, load, regime_of
 from kowalevski_cas.motion.methods.closed import Closed
 from kowalevski_cas.motion.methods.integrators import initial_state, integrate
-from kowalevski_cas.motion.transverse import degenerate, distance, exponent, kind, mean, transverse
+from kowalevski_cas.motion.transverse import degenerate, exponent, kind, mean
+from study.leaving import distance, transverse
 from tests.motion.regions import EVERY_REGIME, SEPARATING, motion
 from tests.sample import sampled
 

@@ -1,6 +1,6 @@
 """Cofactors by Gröbner bases that are linear in some unknowns."""
 
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import load
@@ -51,6 +51,27 @@ def test_nothing_is_a_combination_of_nothing():
     assert combined(P, [AT.ring.zero]) is None
 
 
+def divided(target, generators):
+    """The row with the least condition, which is checked to combine the target."""
+    row = Combinations([target], generators).divided(target)
+    if row is not None:
+        total = sum((a * b for a, b in zip(row, generators, strict=True)), AT.ring.zero)
+        assert (total - target).is_zero
+    return row
+
+
+def test_the_least_condition_is_found():
+    (entry, _) = divided(P, [X * P + Q, Q])
+    assert entry.denominator and (entry * X - AT.ring.one).is_zero
+    assert divided(P, [X * Y * P]) is not None
+    assert divided(P, [X * Y * Q * P]) is None  # its degree would be 3
+
+
+def test_what_vanishes_with_the_generators_is_no_condition():
+    assert divided(P, [X, Y]) is None
+    assert divided(AT.ring.one, [X]) is None
+
+
 small = st.integers(-2, 2).map(AT.ring.number)
 coefficients = st.builds(lambda a, b, c: a + b * X + c * Y, small, small, small)
 
@@ -62,6 +83,15 @@ def test_each_combination_is_found_again(pairs, data):
     factors = [data.draw(coefficients) for _ in generators]
     target = sum((f * g for f, g in zip(factors, generators, strict=True)), AT.ring.zero)
     assert target.is_zero or combined(target, generators) is not None
+
+
+@given(coefficients, coefficients, st.data())
+def test_what_is_divided_by_is_found(unit, factor, data):
+    """If u t is combined from generators of which u is none, t is with a denominator."""
+    other, target = data.draw(coefficients) * Q, P + Q
+    generators = [unit * target + factor * other, other]
+    assume(not unit.is_zero and all(not one.is_zero for one in generators))
+    assert divided(target, generators) is not None
 
 
 ONE = AT.ring.one

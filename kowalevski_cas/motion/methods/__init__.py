@@ -28,10 +28,6 @@ METHODS = {
 _SCIPY = {"dop853": "DOP853", "radau": "Radau", "lsoda": "LSODA"}
 
 
-class MethodError(RuntimeError):
-    """A method that gave up; the message says why."""
-
-
 def load(name: str) -> Callable[[AnyMotion, Array], Array]:
     """The function ``states`` of the method with this name."""
     if name not in METHODS:

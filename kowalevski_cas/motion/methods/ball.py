@@ -14,15 +14,11 @@ from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.ball import SolutionO4
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.oscillation import Oscillation
-from kowalevski_cas.motion.parameters import ball, exact, precision
+from kowalevski_cas.motion.parameters import MethodError, ball, exact, precision
 from kowalevski_cas.motion.solution import PhasePoint, Variable
 
 LARGEST_PRECISION = 1 << 17
 """Bits of working precision after which an enclosure is given up."""
-
-
-class Unresolved(ArithmeticError):
-    """An enclosure that is still wide at the largest working precision."""
 
 
 def states(motion: Motion | MotionO4, times: Array) -> Array:
@@ -34,8 +30,8 @@ def enclosed(motion: Motion | MotionO4, times: Array) -> tuple[Array, Array]:
     """The states at these times (N, 9), and how far (N) a number in each can be from the exact one.
 
     They are the middles of enclosures, or zero if that is in them, with radii below 2⁻⁶⁴ of the
-    state's size, so that rounding is most of the error. Raises :class:`Unresolved` if an
-    enclosure stays wide.
+    state's size, so that rounding is most of the error. Raises
+    :class:`~kowalevski_cas.motion.parameters.MethodError` if an enclosure stays wide.
     """
     found = enclosures(motion, times.tolist(), 64)
     rows = [[0.0 if x.contains(0) else float(x.mid()) for x in state] for state in found]
@@ -51,14 +47,14 @@ def enclosures(
 ) -> list[list[arb]]:
     """For each time nine balls that contain the state, of radii below 2^−bits times its size.
 
-    Raises :class:`Unresolved` if the largest working precision does not suffice.
+    Raises ``MethodError`` if the largest working precision does not suffice.
     """
     found: list[list[arb]] = []
     left = [exact(time) for time in times]
     working = bits + 64
     while left:
         if working > LARGEST_PRECISION:
-            raise Unresolved(f"no enclosure of {bits} bits at t = {float(left[0]):g}")
+            raise MethodError(f"no enclosure of {bits} bits at t = {float(left[0]):g}")
         with precision(working):
             solution = SolutionO4(motion) if isinstance(motion, MotionO4) else _Solution(motion)
             while left:

@@ -8,10 +8,9 @@ import numpy as np
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array
-from kowalevski_cas.motion.compile import Function
 from kowalevski_cas.motion.general import AnyMotion, General
-from kowalevski_cas.motion.methods import MethodError
 from kowalevski_cas.motion.methods.closed import states as closed
+from kowalevski_cas.motion.parameters import MethodError
 
 TOLERANCE = 1e-12
 """The relative and absolute tolerance unless another is asked for."""
@@ -36,36 +35,33 @@ def initial_state(motion: AnyMotion) -> Array:
 def integrate(method: str, start: Array, times: Array, tolerance: float = TOLERANCE) -> Array:
     """The states at these times, in any order, of the motion with this state at t = 0.
 
-    Raises :class:`~kowalevski_cas.motion.methods.MethodError` if the integrator gives up.
+    Raises :class:`~kowalevski_cas.motion.parameters.MethodError` if the integrator gives up.
     """
     from scipy.integrate import solve_ivp
 
-    states = np.empty((len(times), len(start)))
+    rates = formulas.offered("equations")
+
+    def run(grid: Array) -> Array:
+        if grid[-1] == 0:
+            return start[None]
+        solution = solve_ivp(
+            lambda t, y: rates(*y.tolist()), (0.0, grid[-1]), start, method=method, t_eval=grid,
+            rtol=tolerance, atol=tolerance,
+        )  # fmt: skip
+        if not solution.success:
+            raise MethodError(f"{method} stopped at t = {solution.t[-1]:g}: {solution.message}")
+        states: Array = solution.y.T
+        return states
+
+    return both_ways(run, times)
+
+
+def both_ways(run: Callable[[Array], Array], times: Array) -> Array:
+    """The states at times in any order, by those at times on one way from 0, the farthest last."""
+    found = np.empty((len(times), 9))
     for sign in (1.0, -1.0):
         chosen = np.flatnonzero(times >= 0 if sign > 0 else times < 0)
-        chosen = chosen[np.argsort(sign * times[chosen])]
-        if not len(chosen):
-            continue
-        forward = sign * times[chosen]
-        if forward[-1] == 0:
-            states[chosen] = start
-            continue
-        solution = solve_ivp(
-            _towards(sign, formulas.offered("equations")),
-            (0.0, forward[-1]),
-            start,
-            method=method,
-            t_eval=forward,
-            rtol=tolerance,
-            atol=tolerance,
-        )
-        if not solution.success:
-            reached = sign * solution.t[-1]
-            raise MethodError(f"{method} stopped at t = {reached:g}: {solution.message}")
-        states[chosen] = solution.y.T
-    return states
-
-
-def _towards(sign: float, right: Function) -> Callable[[float, Array], list[float]]:
-    """The rates in a direction of time."""
-    return lambda t, y: [sign * rate for rate in right(*y.tolist())]
+        if len(chosen):
+            since, places = np.unique(np.abs(times[chosen]), return_inverse=True)
+            found[chosen] = run(sign * since)[places]
+    return found

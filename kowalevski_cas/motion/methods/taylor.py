@@ -7,8 +7,8 @@ import numpy as np
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.general import AnyMotion
-from kowalevski_cas.motion.methods import MethodError
-from kowalevski_cas.motion.methods.integrators import initial_state
+from kowalevski_cas.motion.methods.integrators import both_ways, initial_state
+from kowalevski_cas.motion.parameters import MethodError
 
 TOLERANCE = 1e-16
 
@@ -16,7 +16,7 @@ TOLERANCE = 1e-16
 def states(motion: AnyMotion, times: Array, tolerance: float = TOLERANCE) -> Array:
     """The states at these times, an array of shape (N, 9).
 
-    Raises :class:`~kowalevski_cas.motion.methods.MethodError` if heyoka stops.
+    Raises :class:`~kowalevski_cas.motion.parameters.MethodError` if heyoka stops.
     """
     return integrate(initial_state(motion), times, tolerance)
 
@@ -28,18 +28,14 @@ def integrate(start: Array, times: Array, tolerance: float = TOLERANCE) -> Array
     variables = heyoka.make_vars(*(f"x{index}" for index in range(9)))
     system = list(zip(variables, formulas.offered("equations")(*variables), strict=True))
     integrator = heyoka.taylor_adaptive(system, list(start), tol=tolerance)
-    found = np.empty((len(times), 9))
-    for sign in (1, -1):
-        chosen = np.flatnonzero(times >= 0 if sign > 0 else times < 0)
-        if not len(chosen):
-            continue
-        # The grid begins at 0 and is strictly monotonic, away from 0.
-        since, places = np.unique(np.abs(times[chosen]), return_inverse=True)
-        added = int(since[0] > 0)
-        grid = sign * np.concatenate([[0.0] * added, since])
+
+    def run(times: Array) -> Array:
+        added = int(times[0] != 0)  # the grid begins at 0
         integrator.time, integrator.state[:] = 0.0, start
-        outcome, *_, values = integrator.propagate_grid(grid)
+        outcome, *_, values = integrator.propagate_grid(np.append([0.0] * added, times))
         if outcome != heyoka.taylor_outcome.time_limit:
             raise MethodError(f"taylor stopped at t = {integrator.time:g}: {outcome}")
-        found[chosen] = values[added:][places]
-    return found
+        states: Array = values[added:]
+        return states
+
+    return both_ways(run, times)

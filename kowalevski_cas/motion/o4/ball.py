@@ -10,10 +10,9 @@ from flint import arb, arb_mat
 
 from kowalevski_cas.motion.frame import turned
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.o4.point import PhasePoint
+from kowalevski_cas.motion.o4.point import PhasePoint, Variable, cosines
 from kowalevski_cas.motion.o4.quadrature import Quadratures
 from kowalevski_cas.motion.o4.series import Series, matrix
-from kowalevski_cas.motion.o4.variable import Variable, cosines
 from kowalevski_cas.motion.parameters import ball
 
 

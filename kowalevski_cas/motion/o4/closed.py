@@ -8,10 +8,9 @@ from flint import arb, arb_mat
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.frame import turned
 from kowalevski_cas.motion.o4.motion import MotionO4
-from kowalevski_cas.motion.o4.point import PhasePoint
+from kowalevski_cas.motion.o4.point import PhasePoint, Variable
 from kowalevski_cas.motion.o4.quadrature import Quadratures
 from kowalevski_cas.motion.o4.series import Series, matrix
-from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.motion.phases import Phase, parts_needed
 

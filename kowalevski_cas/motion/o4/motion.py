@@ -19,7 +19,7 @@ class MotionO4:
     """A motion by its constants, two angles, and the signs of radicals.
 
     The angles say where u1 and u2 are on their arcs at t = 0 (see
-    :mod:`~kowalevski_cas.motion.o4.variable`). The ``signs`` are those of K1, μ2, A2, B2, K2 where
+    :mod:`~kowalevski_cas.motion.o4.point`). The ``signs`` are those of K1, μ2, A2, B2, K2 where
     both angles are between 0 and π, the other radicals being positive; they choose the torus, and
     the point on it. ``turn`` is (cos χ, sin χ) of the rotation that brings (α, β) = c to zero.
     ``point`` is the state at t = 0 from which integrators start, where it is not that of the closed

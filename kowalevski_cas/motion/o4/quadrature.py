@@ -18,8 +18,8 @@ import numpy as np
 
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.o4.motion import MotionO4
+from kowalevski_cas.motion.o4.point import Variable, cosines
 from kowalevski_cas.motion.o4.series import Series, matrix
-from kowalevski_cas.motion.o4.variable import Variable, cosines
 from kowalevski_cas.motion.parameters import Inadmissible
 
 BITS = 54

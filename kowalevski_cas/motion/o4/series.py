@@ -14,7 +14,7 @@ from math import acosh, ceil, log
 
 from flint import arb, arb_mat, ctx
 
-from kowalevski_cas.motion.o4.variable import Pair, Variable, cosines
+from kowalevski_cas.motion.o4.point import Pair, Variable, cosines
 from kowalevski_cas.motion.parameters import Inadmissible
 
 WIDEST, SHARE = 20.0, 0.98

@@ -24,9 +24,8 @@ from kowalevski_cas.motion.frame import BITS, given_state, turn_of, turned
 from kowalevski_cas.motion.methods.closed import states
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.o4.parameters import ParametersO4
-from kowalevski_cas.motion.o4.point import PhasePoint
+from kowalevski_cas.motion.o4.point import PhasePoint, Variable
 from kowalevski_cas.motion.o4.regimes import LEAST_GAP
-from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import Inadmissible, Real, ball, precision, root
 from kowalevski_cas.motion.phases import as_fraction
 from kowalevski_cas.motion.point import distance

@@ -11,9 +11,8 @@ from hypothesis import strategies as st
 from kowalevski_cas.motion import Inadmissible, formulas, load
 from kowalevski_cas.motion.formulas import offered
 from kowalevski_cas.motion.methods.ball import enclosures
-from kowalevski_cas.motion.o4.point import PhasePoint
+from kowalevski_cas.motion.o4.point import PhasePoint, Variable
 from kowalevski_cas.motion.o4.series import Series
-from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import ball, precision
 from kowalevski_cas.paper.closed_form import HyperellipticForm, Values
 from kowalevski_cas.paper.scene import Scene

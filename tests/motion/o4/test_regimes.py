@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from kowalevski_cas.motion import Inadmissible, MotionO4, ParametersO4, load
 from kowalevski_cas.motion.formulas import offered
+from kowalevski_cas.motion.o4.point import Variable
 from kowalevski_cas.motion.o4.regimes import regime_of
 from kowalevski_cas.motion.o4.start import on_O4
-from kowalevski_cas.motion.o4.variable import Variable
 from kowalevski_cas.motion.parameters import precision
 from kowalevski_cas.paper.closed_form import HyperellipticForm
 from tests.motion.o4.levels import EVERY_REGIME, KNOWN, admissible, motion, point, points
