@@ -17,7 +17,8 @@ def compared(
 ) -> tuple[tuple[Formula, ...], tuple[Formula, ...]]:
     r"""Formulas as printed and as they were meant, with marks on what differs.
 
-    >>> from kowalevski_cas.notation import Vocabulary, read, to_mathml
+    >>> from kowalevski_cas.notation import Vocabulary, read
+    >>> from kowalevski_cas.notation.mathml import to_mathml
     >>> words = Vocabulary(frozenset({"x", "y"}))
     >>> _, (meant,) = compared([read("2x", words)], [read("2xy", words)])
     >>> to_mathml(meant)

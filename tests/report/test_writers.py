@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from kowalevski_cas.notation import Negative, Number, Relation, to_mathml
+from kowalevski_cas.notation import Negative, Number, Relation
 from kowalevski_cas.notation.formula import Changed
+from kowalevski_cas.notation.mathml import to_mathml
 from kowalevski_cas.report.contents import contents
 from kowalevski_cas.report.document import Code, Document, Emphasis, Sign, Text
 from kowalevski_cas.report.html import HtmlWriter, render_html

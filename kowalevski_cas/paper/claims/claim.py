@@ -93,27 +93,23 @@ class Claim(ABC):
 
     def places(self) -> Iterator[Printed]:
         """The places of the paper that the claim names, its own first; not those of its scenes."""
-        for value in self._attributes():
-            if isinstance(value, Printed):
-                yield value
+        yield from (one for one in self._stands_on() if isinstance(one, Printed))
 
     def scenes(self) -> Iterator[Scene]:
         """The scenes on which the claim stands."""
-        for value in self._attributes():
-            if isinstance(value, Scene):
-                yield value
+        yield from (one for one in self._stands_on() if isinstance(one, Scene))
 
-    def _attributes(self) -> Iterator[object]:
-        """The attributes, those in tuples and in claims that are attributes included."""
+    def _stands_on(self) -> Iterator[Printed | Scene]:
+        """The attributes, and what is in tuples and in claims that are attributes, in its order."""
         waiting: list[object] = [getattr(self, own.name) for own in fields(self)]
         while waiting:
             value = waiting.pop(0)
-            if isinstance(value, tuple):
+            if isinstance(value, Printed | Scene):
+                yield value
+            elif isinstance(value, tuple):
                 waiting = [*value, *waiting]
             elif isinstance(value, Claim):
-                waiting = [*value._attributes(), *waiting]
-            else:
-                yield value
+                yield from value._stands_on()
 
     def establishes(self) -> Iterator[Printed]:
         """The places that are right if the claim is."""
