@@ -40,13 +40,8 @@ class Mark:
 
     @property
     def line(self) -> dict[str, Any]:
-        """What Matplotlib has to be told to draw a line with its points."""
-        return {"color": self.colour, "marker": self.marker, "linestyle": self.dashes}
-
-    def points(self, full: bool = True) -> dict[str, Any]:
-        """The same for points alone, full or hollow."""
-        fill = self.colour if full else "white"
-        return {**self.line, "linestyle": "none", "markerfacecolor": fill}
+        """What Matplotlib has to be told to draw a line."""
+        return {"color": self.colour, "linestyle": self.dashes}
 
 
 MARKS = (

@@ -54,14 +54,25 @@ def look(method: str) -> Mark:
     return mark(next(found, len(_MARKS)))
 
 
+def marked(one: Mark) -> dict[str, Any]:
+    """What Matplotlib has to be told to draw a line with its points."""
+    return {**one.line, "marker": one.marker}
+
+
+def points(one: Mark, full: bool = True) -> dict[str, Any]:
+    """The same for points alone, full or hollow."""
+    fill = one.colour if full else "white"
+    return {**marked(one), "linestyle": "none", "markerfacecolor": fill}
+
+
 def curve(axes: Axes, row: Row, x: str, y: str, label: str = "", least: float = 0.0) -> None:
     """Draw what a row measured: two lists, where ``None`` is no point.
 
     What is smaller than ``least``, or zero, is drawn there.
     """
     known = [(a, max(b, least)) for a, b in zip(row[x], row[y], strict=True) if b is not None]
-    name = label or shown(row["method"])
-    axes.plot([a for a, _ in known], [b for _, b in known], label=name, **look(row["method"]).line)
+    name, style = label or shown(row["method"]), marked(look(row["method"]))
+    axes.plot([a for a, _ in known], [b for _, b in known], label=name, **style)
 
 
 def legend_below(figure: Figure, axes: Axes, columns: int, **more: Any) -> None:

@@ -45,7 +45,7 @@ from kowalevski_cas.search.groebner import Basis
 from kowalevski_cas.search.integrals import first_integrals
 from kowalevski_cas.search.parameters import Ansatz, cofactor_monomials
 from kowalevski_cas.tools import TOOLS
-from study.charts import look, seconds, shown
+from study.charts import look, marked, seconds, shown
 from study.published import PUBLISHED, Published
 from study.step import Measured, Row, Task
 
@@ -275,7 +275,7 @@ def draw(rows: Sequence[Row]) -> Figure:
             own = [row for row in here if row["method"] == method]
             times = sorted(row["seconds"] for row in own if row["verdict"] == "finished")
             shares = [100 * k / len(own) for k, _ in zip(count(1), times, strict=False)]
-            axes.plot(times, shares, label=shown(method), **look(method).line)
+            axes.plot(times, shares, label=shown(method), **marked(look(method)))
         axes.set(xscale="log", xlabel="time for a system", ylim=(0, 104))
         axes.xaxis.set_major_formatter(FuncFormatter(seconds))
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from kowalevski_cas.library import available
 from kowalevski_cas.pictures import INK, Mark, mark, new_figure
-from study.charts import digit, seconds, shown
+from study.charts import digit, points, seconds, shown
 from study.labelled import Disagreement, Labelled, labelled, spread
 from study.methods import ACCEPTED, REJECTED, Method, methods
 from study.step import DISAGREEMENT, Measured, Row, Task
@@ -193,7 +193,7 @@ def _line(axes: Axes, line: int, one: Summary) -> None:
     time, low, high = one.times
     look, full = _mark(one)
     axes.plot([low, high], [line, line], color=look.colour, lw=1.0, zorder=2)
-    axes.plot([time], [line], zorder=3, ms=6, **look.points(full))
+    axes.plot([time], [line], zorder=3, ms=6, **points(look, full))
     if one.words:
         left, right = axes.get_xlim()
         after = low * high < left * right  # where there is more room

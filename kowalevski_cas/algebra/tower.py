@@ -195,10 +195,10 @@ class Element:
         if left == right:
             return Element(self.ring, self.ring.combined(self.parts, other.parts, combine), left)
         common = {k: max(left.get(k, 0), right.get(k, 0)) for k in (*left, *right)}
-        parts = self.ring.combined(self._over(common), other._over(common), combine)
+        parts = self.ring.combined(self.over(common), other.over(common), combine)
         return Element(self.ring, parts, common)
 
-    def _over(self, denominator: Mapping[int, int]) -> Parts:
+    def over(self, denominator: Mapping[int, int]) -> Parts:
         """The numerator over a larger denominator."""
         missing = {k: e - self.denominator.get(k, 0) for k, e in denominator.items()}
         factor = self.ring.divisor_product(missing)

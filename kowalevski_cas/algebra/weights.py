@@ -1,4 +1,4 @@
-"""Weights of variables under which given polynomials are homogeneous."""
+"""Homogeneous linear equations in whole numbers, as weights of variables obey them."""
 
 from __future__ import annotations
 
@@ -6,24 +6,6 @@ from collections.abc import Sequence
 from math import gcd
 
 from flint import fmpz_mat
-
-from kowalevski_cas.algebra.polynomials import Terms
-
-
-def gradings(polynomials: Sequence[Terms]) -> list[tuple[int, ...]]:
-    """A basis of the weights, of any sign, for which all polynomials are homogeneous.
-
-    >>> from fractions import Fraction
-    >>> one = Fraction(1)
-    >>> ((a, b),) = gradings([{(2, 0): one, (0, 1): one}])
-    >>> b == 2 * a
-    True
-    """
-    rows = []
-    for terms in polynomials:
-        first, *others = terms
-        rows += [[a - b for a, b in zip(first, other, strict=True)] for other in others]
-    return whole_solutions(rows, len(first))
 
 
 def whole_solutions(rows: Sequence[Sequence[int]], width: int) -> list[tuple[int, ...]]:

@@ -12,7 +12,7 @@ from kowalevski_cas.notation.formula import Formula, Name, Negative, Sum
 from kowalevski_cas.notation.latex import bracketed, to_latex
 from kowalevski_cas.notation.layout import split_display
 from kowalevski_cas.notation.lexer import scan
-from kowalevski_cas.notation.misprints import misprints
+from kowalevski_cas.notation.misprints import misprints, only_change
 from kowalevski_cas.notation.reader import Path, Statement, read_display
 from kowalevski_cas.notation.tokens import BRACE
 from kowalevski_cas.notation.vocabulary import Vocabulary
@@ -39,14 +39,6 @@ class Edit:
     def formula(self) -> Formula:
         """The whole statement after the change."""
         return replace(self.statement.formula, self.path, self.replacement)
-
-    def gives(self, formula: Formula) -> bool:
-        """Whether the statement is this formula after the change."""
-        try:
-            changed = subtree(formula, self.path)
-        except IndexError:
-            return False
-        return changed == self.replacement and self.formula == formula
 
     @property
     def tex(self) -> str:
@@ -110,11 +102,15 @@ class Edit:
 
 
 def edits(
-    statement: Statement, vocabulary: Vocabulary, names: frozenset[str] | None = None
+    statement: Statement,
+    vocabulary: Vocabulary,
+    names: frozenset[str] | None = None,
+    wanted: Formula | None = None,
 ) -> Iterator[Edit]:
     r"""Every edit of one place, the likelier kinds first: sign, index, letter, exponent, ...
 
-    ``names`` are the scalars that an edit may bring in, all that are declared if ``None``.
+    ``names`` are the scalars that an edit may bring in, all that are declared if ``None``. If a
+    formula is ``wanted``, those are left out that stand where no change can lead to it.
 
     >>> words = Vocabulary(frozenset({"x_1", "x_2"}))
     >>> [statement] = read_display("x_1 - x_2", words)
@@ -123,7 +119,7 @@ def edits(
     """
     seen: set[tuple[Path, Formula]] = set()
     offered = vocabulary.scalars if names is None else names
-    for slip in misprints(statement.formula, vocabulary, offered):
+    for slip in misprints(statement.formula, vocabulary, offered, wanted):
         if slip[1:3] not in seen:
             seen.add(slip[1:3])
             yield Edit(*slip, statement, vocabulary)
@@ -173,12 +169,8 @@ def is_small_change(before: Formula, after: Formula) -> bool:
     >>> [is_small_change(formulas[0], other) for other in formulas]
     [False, True, False]
     """
-    while type(before) is type(after):
-        old, new = before.children(), after.children()
-        different = [k for k, pair in enumerate(zip(old, new, strict=False)) if pair[0] != pair[1]]
-        if len(old) != len(new) or len(different) != 1:
-            break
-        before, after = old[different[0]], new[different[0]]
+    while (place := only_change(before, after)) is not None:
+        before, after = before.children()[place], after.children()[place]
     return before != after and abs(_size(before) - _size(after)) <= LARGEST_CHANGE
 
 

@@ -50,10 +50,13 @@ class _Place(NamedTuple):
 
 
 def misprints(
-    formula: Formula, vocabulary: Vocabulary, offered: Iterable[str]
+    formula: Formula, vocabulary: Vocabulary, offered: Iterable[str], wanted: Formula | None = None
 ) -> Iterator[Misprint]:
-    """Every slip in one place, the likelier kinds first; new names are among those offered."""
-    places = list(_places(formula))
+    """Every slip in one place, the likelier kinds first; new names are among those offered.
+
+    If a formula is ``wanted``, only places are looked at where a change can lead to it.
+    """
+    places = list(_places(formula, wanted))
     names = sorted(offered)
     present = {place.node.name for place in places if isinstance(place.node, Name)}
     names.sort(key=lambda name: name not in present)
@@ -71,22 +74,30 @@ def misprints(
             yield from slips(place)
 
 
-def _places(formula: Formula) -> Iterator[_Place]:
-    """All nodes, a parent before its children, from left to right."""
-    waiting = [_Place((), formula, None, False)]
+def only_change(before: Formula, after: Formula) -> int | None:
+    """The place of the one child in which two nodes differ; ``None`` if they differ elsewhere."""
+    old, new = before.children(), after.children()
+    if type(before) is not type(after) or len(old) != len(new):
+        return None
+    different = [k for k, (one, other) in enumerate(zip(old, new, strict=True)) if one != other]
+    return different[0] if len(different) == 1 else None
+
+
+def _places(formula: Formula, wanted: Formula | None) -> Iterator[_Place]:
+    """All nodes, or those on the way to the one that is changed, from left to right.
+
+    A parent comes before its children.
+    """
+    waiting = [(_Place((), formula, None, False), wanted)]
     while waiting:
-        place = waiting.pop()
+        place, other = waiting.pop()
         yield place
-        below = [
-            _Place(
-                (*place.path, index),
-                child,
-                place.node,
-                place.raised or (isinstance(place.node, Power) and index == 1),
-            )
-            for index, child in enumerate(place.node.children())
-        ]
-        waiting.extend(reversed(below))
+        changed = None if other is None else only_change(place.node, other)
+        for index, child in reversed([*enumerate(place.node.children())]):
+            if other is None or index == changed:
+                raised = place.raised or (isinstance(place.node, Power) and index == 1)
+                below = None if other is None else other.children()[index]
+                waiting.append((_Place((*place.path, index), child, place.node, raised), below))
 
 
 def _printed(formula: Formula) -> bool:

@@ -1,10 +1,13 @@
-"""The denominators that are printed, and what has to vanish for them to vanish."""
+"""What a setting divides by, in irreducible factors, and the denominators that are printed."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from fractions import Fraction
+from functools import cached_property, reduce
+from operator import mul
+from typing import NamedTuple
 
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Power, Product, Quotient
@@ -14,19 +17,61 @@ from kowalevski_cas.problem.space import Meaningless
 Shape = frozenset[object]
 """A polynomial up to a constant factor, as a key."""
 
-Denominators = dict[Formula, tuple[Element, set[Shape]]]
-"""Factors of denominators, each as an element, and what one over it is divided by, in factors."""
+
+class Divisor(NamedTuple):
+    """A divisor, or what may vanish of it; with its irreducible factors."""
+
+    element: Element
+    factors: dict[Shape, Element]
 
 
-def denominators(setting: Meaning, formulas: Iterable[Formula]) -> Denominators:
-    """The factors of all denominators in formulas of a setting that mean something there."""
-    found: Denominators = {}
-    for formula in _below(formulas):
-        with suppress(Meaningless, ZeroDivisionError):
-            element = setting.finder.scalar(formula)
-            divisors = element.ring.divided_by([element.inverse()])
-            found[formula] = element, set().union(*map(factors_of, divisors))
-    return found
+class Divisors:
+    """What elements of a setting are divided by, in FLINT; every polynomial is factored once."""
+
+    def __init__(self, setting: Meaning) -> None:
+        self.setting = setting
+        self._left: dict[int, Divisor] = {}
+
+    @cached_property
+    def granted(self) -> set[Shape]:
+        """The factors of what is taken for granted not to vanish."""
+        elements = map(self.setting.finder.scalar, self.setting.nonzero)
+        return {shape for one in elements for shape in _factors_below(one.inverse())}
+
+    @cached_property
+    def landmarks(self) -> dict[object, Formula]:
+        """The conditions of the declared loci as they are printed, by their shapes."""
+        setting = self.setting
+        printed = [setting.texts.expression(one.condition) for one in setting.scene.loci]
+        return {shape_of(setting.finder.scalar(setting.plain(f))): f for f in printed}
+
+    @cached_property
+    def printed(self) -> dict[Formula, Divisor]:
+        """The denominators in all definitions of the scene."""
+        texts, places = self.setting.texts, self.setting.scene.definitions.values()
+        return self.below([self.setting.plain(texts.formula(place)) for place in places])
+
+    def below(self, formulas: Iterable[Formula]) -> dict[Formula, Divisor]:
+        """The factors of all denominators in formulas that mean something in the setting."""
+        found = {}
+        for formula in _below(formulas):
+            with suppress(Meaningless, ZeroDivisionError):
+                element = self.setting.finder.scalar(formula)
+                found[formula] = Divisor(element, _factors_below(element.inverse()))
+        return found
+
+    def left(self, index: int) -> Divisor:
+        """What may vanish of the divisor with this index in the ring; without a factor, nothing."""
+        if index not in self._left:
+            ring = self.setting.finder.ring
+            element = Element(ring, {0: ring.divisors[index]}, {})
+            factors = factors_of(element)
+            new = {shape: one for shape, one in factors.items() if shape not in self.granted}
+            product = reduce(mul, new.values(), ring.one)
+            whole = all(value.denominator == 1 for value in element.terms()[0].values())
+            kept = whole and shape_of(product) == shape_of(element)
+            self._left[index] = Divisor(element if kept else product, new)
+        return self._left[index]
 
 
 def _below(formulas: Iterable[Formula]) -> Iterator[Formula]:
@@ -40,12 +85,16 @@ def _below(formulas: Iterable[Formula]) -> Iterator[Formula]:
                 yield factor.base if isinstance(factor, Power) else factor
 
 
-def factors_of(element: Element) -> set[Shape]:
-    """The irreducible factors of a numerator, as far as no root stands in it."""
-    from kowalevski_cas.algebra.factors import irreducible_factors  # only deciding needs FLINT
+def _factors_below(element: Element) -> dict[Shape, Element]:
+    """The irreducible factors of what an element is divided by."""
+    found = map(factors_of, element.ring.divided_by([element]))
+    return {shape: factor for factors in found for shape, factor in factors.items()}
 
-    irreducible = irreducible_factors(element.terms()[0]) if 0 in element.terms() else []
-    return {shape_of(element.ring.from_terms({0: terms})) for terms, _ in irreducible}
+
+def factors_of(element: Element) -> dict[Shape, Element]:
+    """The irreducible factors of a numerator without roots, in FLINT."""
+    factors = (Element(element.ring, {0: one}, {}) for one, _ in element.parts[0].factor()[1])
+    return {shape_of(factor): factor for factor in factors}
 
 
 def shape_of(element: Element) -> Shape:

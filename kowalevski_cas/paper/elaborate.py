@@ -26,7 +26,7 @@ from kowalevski_cas.notation import (
     Vector,
 )
 from kowalevski_cas.paper.components import component
-from kowalevski_cas.paper.denominators import Denominators, denominators
+from kowalevski_cas.paper.denominators import Divisors
 from kowalevski_cas.paper.motion import Moving
 from kowalevski_cas.paper.names import head, is_bold
 from kowalevski_cas.paper.plain import Plain
@@ -279,10 +279,9 @@ class Elaboration(Moving):
         return WrittenOut(self.plain)
 
     @cached_property
-    def denominators(self) -> Denominators:
-        """The denominators in all definitions of the scene."""
-        places = self.scene.definitions.values()
-        return denominators(self, [self.plain(self.texts.formula(place)) for place in places])
+    def divisors(self) -> Divisors:
+        """What elements of the setting are divided by."""
+        return Divisors(self)
 
     def formula(self, formula: str | Formula) -> Formula:
         """A formula, or LaTeX in the names of the scene, in the operations of a space."""

@@ -166,11 +166,7 @@ def _each(matrix: Rows, function: Callable[[Formula], Formula]) -> Rows:
 def _sum(left: Rows, right: Rows) -> Rows:
     if sizes(left) != sizes(right):
         raise Meaningless("matrices that differ in size are added")
-    return tuple(tuple(map(_plus, a, b)) for a, b in zip(left, right, strict=True))
-
-
-def _plus(a: Formula, b: Formula) -> Formula:
-    return Sum((a, b))
+    return tuple(tuple(map(Sum, zip(a, b, strict=True))) for a, b in zip(left, right, strict=True))
 
 
 def applied(matrix: Rows, column: Sequence[Formula]) -> tuple[Formula, ...]:

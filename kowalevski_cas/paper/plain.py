@@ -66,6 +66,8 @@ class Plain:
     def __call__(self, formula: Formula) -> Formula:
         """The formula in the operations of a space."""
         match formula:
+            case Name() | Number():
+                return formula
             case RealPart(argument):
                 inner = self(argument)
                 return Quotient(Sum((inner, Conjugate(inner))), Number(2))
@@ -88,13 +90,13 @@ class Plain:
                 return self(power if halves > 0 else Quotient(Number(1), power))
             case Power(Name(base), exponent) if not _is_whole(exponent):
                 return self._symbolic(base, exponent)
-            case PoissonBracket(left, right):
-                return self._brackets(self._components(left), self._components(right))
         return self._shorthand(formula) or formula.mapped(self)
 
     def _shorthand(self, formula: Formula) -> Formula | None:
-        """Sums over an index, lengths, squares of vectors and gradients; ``None`` for others."""
+        """Brackets, sums over an index, lengths, squares of vectors, gradients; or ``None``."""
         match formula:
+            case PoissonBracket(left, right):
+                return self._brackets(self._components(left), self._components(right))
             case Summation():
                 return self(written_out(formula))
             case Power(base, Number(exponent)) if (square := self._square(base)) is not None:

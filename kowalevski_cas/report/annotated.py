@@ -26,8 +26,8 @@ from kowalevski_cas.report.document import (
     Paragraph,
     Sign,
     Text,
+    anchor,
 )
-from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.paragraphs import FIRST, Placed
 from kowalevski_cas.report.places import Item, sections
 from kowalevski_cas.report.prose import read_article

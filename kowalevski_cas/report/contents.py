@@ -23,11 +23,11 @@ from kowalevski_cas.report.document import (
     Sign,
     Table,
     Text,
+    anchor,
 )
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.graph import picture
 from kowalevski_cas.report.marks import MARKS
-from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.passages import Passages
 from kowalevski_cas.report.places import Section, labels, names
 from kowalevski_cas.report.plates import Plate
@@ -36,29 +36,16 @@ from kowalevski_cas.report.witnesses import Witness, arithmetics
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
 
 
-def contents(
-    run: Run,
-    sections: Sequence[Section],
-    certified: Mapping[str, str] | None = None,
-    programs: Sequence[Witness] = (),
-    plates: Sequence[Plate] = (),
-    evidence: str = "",
-) -> Document:
-    """The report of a run.
+class Contents:
+    """The report of a run, and its parts.
 
     Args:
         run: what was decided.
         sections: the paper in its order, with the same outcomes.
         certified: the digests of the certificates that the checker accepts, by claim.
         programs: which programs confirm which certificates.
-        plates: the pictures of the derivation.
         evidence: where the certificates are, as an address.
     """
-    return Contents(run, sections, certified or {}, programs, evidence).document(plates)
-
-
-class Contents:
-    """The parts of a report of a run, with the arguments of :func:`contents`."""
 
     def __init__(
         self,
@@ -75,7 +62,8 @@ class Contents:
         copied = any(section.copied for section in sections)
         self.findings = Findings(self.phrases, run.outcomes, copied)
 
-    def document(self, plates: Sequence[Plate]) -> Document:
+    def document(self, plates: Sequence[Plate] = ()) -> Document:
+        """The report, with the pictures of the derivation."""
         run = self.run
         blocks = [
             *self.verdict(),
@@ -119,14 +107,11 @@ class Contents:
         yield Paragraph(self._confirmed())
         rows = []
         for section in self.sections:
-            signs = listed([self._sign(o) for o in section.outcomes], " ")
-            signs = tuple(" " if part == ", " else part for part in signs)
+            links = (Link(f"claim.{anchor(o.claim)}", (Sign(o.verdict),)) for o in section.outcomes)
+            signs = tuple(part for link in links for part in (" ", link))[1:]
             link = Link(f"section.{anchor(section.number)}", self.phrases.title(section))
             rows.append(((link,), signs))
         yield Table((0.36, 0.6), (("Section",), ("Its formulas and statements",)), tuple(rows))
-
-    def _sign(self, outcome: Outcome) -> Text:
-        return (Link(f"claim.{anchor(outcome.claim)}", (Sign(outcome.verdict),)),)
 
     def _legend(self) -> Iterator[Block]:
         """What the marks mean, and “valid for”."""
@@ -178,7 +163,7 @@ class Contents:
 
     def graph(self) -> Iterator[Block]:
         """What rests on what."""
-        drawn = picture(self.run.outcomes, self._boxes())
+        drawn = picture(self.run.outcomes, {o.claim: self._box(o) for o in self.run.outcomes})
         yield Heading(("What rests on what",), "section.picture")
         if not drawn.boxes:
             yield Paragraph(("Each claim was decided from the equations of motion alone.",))
@@ -197,10 +182,6 @@ class Contents:
             many = counted(len(drawn.alone), "statement")
             said = (*said, f" Omitted: {many} that neither rest on another nor carry one.")
         yield Paragraph(said, "note")
-
-    def _boxes(self) -> dict[str, str]:
-        """What stands in the boxes."""
-        return {outcome.claim: self._box(outcome) for outcome in self.run.outcomes}
 
     def _box(self, outcome: Outcome) -> str:
         """A number, and what is stated if that is short."""

@@ -6,6 +6,7 @@ has a method for each of these, and nothing else to decide.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -139,6 +140,11 @@ class Document(NamedTuple):
     short: str
     subtitle: tuple[Text, ...]
     blocks: tuple[Block, ...]
+
+
+def anchor(text: str) -> str:
+    """A name that both LaTeX and Typst take for a label."""
+    return re.sub(r"[^A-Za-z0-9.-]", "-", text)
 
 
 def paged(document: Document) -> Document:

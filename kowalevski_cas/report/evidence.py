@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from kowalevski_cas.notation import Formula, Relation, to_plain
-from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.compare import compared
 from kowalevski_cas.report.document import Block, Display, Emphasis, Paragraph, Text
-from kowalevski_cas.report.sentences import Phrases, capitalised, listed
+from kowalevski_cas.report.sentences import Phrases, alike, capitalised, listed
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Condition, Outcome, Step
 

@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
 from kowalevski_cas.notation import Formula, Relation
-from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.compare import compared
 from kowalevski_cas.report.document import Block, Claim, Display, Emphasis, Heading, Paragraph, Text
 from kowalevski_cas.report.sentences import (
     Phrases,
+    alike,
     capital,
     capitalised,
     counted,
@@ -85,8 +85,8 @@ class Findings:
         for n, how in found:
             if n == len(self.outcomes) > 2:
                 return f"All {what} hold {how}."
-        holds = [f"{in_words(n)} {_verb('hold', n)} {how}" for n, how in found if n]
-        fails = _joined([f"{in_words(n)} {_is(n)} {how}" for n, how in wrong])
+        holds = [f"{in_words(n)} hold{'s' * (n == 1)} {how}" for n, how in found if n]
+        fails = _joined([f"{in_words(n)} {'is' if n == 1 else 'are'} {how}" for n, how in wrong])
         more = f" {capital(fails)}." if fails else ""
         return f"Of {what}, {_joined(holds) or 'none is proved'}.{more}"
 
@@ -178,14 +178,6 @@ _OPEN = {
     Verdict.TIMEOUT: "not decided in the time allowed",
     Verdict.ERROR: "not decided, because something went wrong",
 }
-
-
-def _is(many: int) -> str:
-    return "is" if many == 1 else "are"
-
-
-def _verb(verb: str, many: int) -> str:
-    return f"{verb}s" if many == 1 else verb
 
 
 def _joined(items: Sequence[str]) -> str:

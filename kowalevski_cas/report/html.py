@@ -51,8 +51,7 @@ class HtmlSetter(Setter):
     def opened(self, bracket: str, tall: bool) -> str:
         return stretched(bracket) if tall else bracket
 
-    def closed(self, bracket: str, tall: bool) -> str:
-        return stretched(bracket) if tall else bracket
+    closed = opened
 
     def line(self, left: str, right: str, indent: int, leads: bool) -> str:
         space = f'<mspace width="{indent}em"></mspace>' if indent else ""
@@ -88,6 +87,7 @@ class HtmlWriter(Writer):
     page = "page.html"
     setter = HtmlSetter()
     room = 39.5
+    origin, emphases = "<p>{}</p>", ("<em>{}</em>", "<strong>{}</strong>")
 
     def __init__(self, beside: Path) -> None:
         self.beside = beside
@@ -106,9 +106,6 @@ class HtmlWriter(Writer):
     def text(self, text: Text) -> str:
         """No line is broken between a formula and the stop behind it."""
         return _STOP.sub(r'<span class="nobr">\1</span>', super().text(text))
-
-    def subtitle(self, text: str) -> str:
-        return f"<p>{text}</p>"
 
     def marks(self) -> str:
         light = "".join(f"--{verdict}: #{mark.colour};" for verdict, mark in MARKS.items())
@@ -135,9 +132,6 @@ class HtmlWriter(Writer):
     def link(self, link: Link) -> str:
         target = self.escaped(link.target if link.outside else f"#{link.target}")
         return f'<a href="{target}">{self.text(link.text)}</a>'
-
-    def emphasis(self, text: str, strong: bool) -> str:
-        return f"<strong>{text}</strong>" if strong else f"<em>{text}</em>"
 
     def heading(self, block: Heading) -> str:
         level = block.level + 1

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kowalevski_cas.notation import Formula
 from kowalevski_cas.notation.latex import Latex
 from kowalevski_cas.report.document import (
     Claim,
@@ -65,6 +64,7 @@ class LatexWriter(Writer):
 
     page = "page.tex"
     setter = LatexSetter()
+    origin, emphases = r"{}\par", (r"\emph{{{}}}", r"\textbf{{{}}}")
 
     def parts(self, document: Document) -> dict[str, str]:
         properties = {"property": ascii_only(document.title)}
@@ -73,18 +73,12 @@ class LatexWriter(Writer):
     def escaped(self, text: str) -> str:
         return escaped(text)
 
-    def subtitle(self, text: str) -> str:
-        return rf"{text}\par"
-
     def marks(self) -> str:
         return "\n".join(
             rf"\definecolor{{{v}}}{{HTML}}{{{mark.colour}}}"
             rf"\expandafter\def\csname sign.{v}\endcsname{{{mark.tex}}}"
             for v, mark in MARKS.items()
         )
-
-    def formula(self, formula: Formula) -> str:
-        return f"${self.setter.inline(formula)}$"
 
     def code(self, text: str) -> str:
         return rf"\texttt{{{escaped(' '.join(text.split()))}}}"
@@ -97,9 +91,6 @@ class LatexWriter(Writer):
         if link.outside:
             return rf"\href{{run:{link.target}}}{{{text}}}"
         return rf"\hyperlink{{{link.target}}}{{{text}}}"
-
-    def emphasis(self, text: str, strong: bool) -> str:
-        return rf"\textbf{{{text}}}" if strong else rf"\emph{{{text}}}"
 
     def heading(self, block: Heading) -> str:
         name = ("section", "subsection")[block.level - 1]

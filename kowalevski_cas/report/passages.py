@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Final
 
 from kowalevski_cas.notation import Formula, Relation
-from kowalevski_cas.report.alike import alike
 from kowalevski_cas.report.compare import compared
 from kowalevski_cas.report.document import (
     Block,
@@ -17,12 +16,12 @@ from kowalevski_cas.report.document import (
     Heading,
     Paragraph,
     Text,
+    anchor,
 )
 from kowalevski_cas.report.evidence import Evidence
 from kowalevski_cas.report.marks import MARKS
-from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.places import Item, Section, Stated
-from kowalevski_cas.report.sentences import Phrases, capital, listed, nonzero
+from kowalevski_cas.report.sentences import Phrases, alike, capital, listed, nonzero
 from kowalevski_cas.report.witnesses import Witness
 from kowalevski_cas.tools import title
 from kowalevski_cas.verify.outcome import Outcome, Verdict

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -14,13 +15,12 @@ from hashlib import sha256
 from importlib.util import find_spec
 from pathlib import Path
 from types import MappingProxyType
-from typing import Final, Literal
+from typing import Final
 
 from kowalevski_cas import UserError
 from kowalevski_cas.files import write
-from kowalevski_cas.report.contents import contents
+from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Document, Graph
-from kowalevski_cas.report.facts import facts
 from kowalevski_cas.report.graph import Picture
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.html import render_html
@@ -28,10 +28,8 @@ from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.places import Section
 from kowalevski_cas.report.plates import Plate, copy_plates, plates
 from kowalevski_cas.report.typst import render_typst
-from kowalevski_cas.report.witnesses import programs
-from kowalevski_cas.verify.outcome import Run
-
-Engine = Literal["auto", "latex", "typst"]
+from kowalevski_cas.report.witnesses import Witness, programs
+from kowalevski_cas.verify.outcome import Outcome, Run
 
 _SECONDS: Final = 120
 
@@ -42,12 +40,11 @@ class ReportError(UserError):
 
 @dataclass(frozen=True)
 class Written:
-    """The files of a report, the engine that made the PDF, and what is worth telling."""
+    """The files of a report, and what is worth telling."""
 
     html: Path
     tex: Path
     pdf: Path
-    engine: Literal["latex", "typst"]
     notes: tuple[str, ...] = ()
 
 
@@ -66,11 +63,36 @@ def page(
     """
     told = () if beside is None else programs(beside, run.derivation, certified)
     shown = () if beside is None else plates(beside, run.derivation)
-    document = contents(run, sections, certified, told, shown, evidence)
+    document = Contents(run, sections, certified, told, evidence).document(shown)
     return document, {
         f"{run.derivation}.html": render_html(document, beside or Path()),
         f"{run.derivation}.json": facts(run, certified, told),
     }
+
+
+def facts(run: Run, certified: Mapping[str, str], programs: Sequence[Witness]) -> str:
+    """A run as JSON, without what it measured of time: the same bytes from run to run."""
+
+    def claim(outcome: Outcome) -> dict[str, object]:
+        return {
+            "section": outcome.section,
+            "scene": outcome.scene,
+            "verdict": outcome.verdict,
+            "statement": outcome.digest,
+            "certificate": certified.get(outcome.claim),
+            "decided by": dict(outcome.verdicts),
+            "confirmed by": [one.name for one in programs if outcome.claim in one.claims],
+            "rests on": list(outcome.rests_on),
+            "read with the corrections of": list(outcome.corrected),
+        }
+
+    content = {
+        "derivation": run.derivation,
+        "digest": run.digest,
+        "versions": {**run.versions, **{one.name: one.version for one in programs}},
+        "claims": {outcome.claim: claim(outcome) for outcome in run.outcomes},
+    }
+    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
 
 
 def write_report(
@@ -79,15 +101,13 @@ def write_report(
     folder: Path,
     certified: Mapping[str, str] = MappingProxyType({}),
     evidence: str = "",
-    *,
-    engine: Engine = "auto",
 ) -> Written:
     """Write a report into a folder, as HTML, LaTeX and PDF, and the facts behind it as JSON.
 
     Each file appears whole or not at all: a failure or an interrupt leaves an earlier one as it
     was, and a PDF that was made of the same source and pictures is left alone.
     Links lead to the certificates, from the report at the address ``evidence``.
-    With ``engine="auto"`` LaTeX makes the PDF where it is installed and complete, else Typst.
+    LaTeX makes the PDF where it is installed and complete, else Typst.
     Pictures of the derivation that are in a folder below are shown (:mod:`.plates`), and so is
     which programs confirmed its certificates (:mod:`.witnesses`).
 
@@ -103,21 +123,19 @@ def write_report(
         write(folder / name, text)
     write(tex, source)
     notes: tuple[str, ...] = ()
-    if engine == "latex" or (engine == "auto" and latex_command()):
+    if has_latex():
         made = _made("latex", source, shown, folder)
         try:
             if not _ends(pdf, made):
                 write(pdf, latex_pdf(source, shown, folder) + made)
-            return Written(html, tex, pdf, "latex")
+            return Written(html, tex, pdf)
         except ReportError as error:
-            if engine == "latex":
-                raise
             notes = (f"{error} The PDF was made by Typst instead.",)
     source, picture = render_typst(document), svg(_drawing(document))
     made = _made("typst", source + picture, shown, folder)
     if not _ends(pdf, made):
         write(pdf, typst_pdf(source, picture, shown, folder) + made)
-    return Written(html, tex, pdf, "typst", notes)
+    return Written(html, tex, pdf, notes)
 
 
 def _drawing(document: Document) -> Picture:
@@ -141,38 +159,30 @@ def _ends(file: Path, end: bytes) -> bool:
 # ------------------------------------------------------------------------ LaTeX
 
 
-def latex_command() -> str | None:
-    """The LaTeX that is installed: latexmk, or pdflatex by itself, or none."""
-    if not shutil.which("pdflatex"):
-        return None
-    return "latexmk" if shutil.which("latexmk") else "pdflatex"
+def has_latex() -> bool:
+    """Whether a LaTeX is installed."""
+    return shutil.which("pdflatex") is not None
 
 
 def latex_pdf(source: str, shown: tuple[Plate, ...] = (), beside: Path = Path()) -> bytes:
     """The PDF that pdflatex makes of a document, which shows plates from the folder ``beside``.
 
     Raises:
-        ReportError: if there is no LaTeX, or it fails; the message has its first complaint.
+        ReportError: if it fails; the message has its first complaint.
     """
-    command = latex_command()
-    if command is None:
-        raise ReportError("No LaTeX was found: install latexmk and pdflatex, or use Typst.")
     with tempfile.TemporaryDirectory(prefix="kowalevski-") as name:
         folder = Path(name)
         (folder / "report.tex").write_text(source, encoding="utf-8")
         copy_plates(shown, beside, folder)
-        options = ["-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape", "report.tex"]
-        if command == "latexmk":
-            _latex(["latexmk", "-norc", "-pdf", *options], folder)
-        else:
-            for _ in range(3):
-                _latex(["pdflatex", *options], folder)
-                if not re.search(r"Rerun (to|LaTeX)", _log(folder)):
-                    break
+        for _ in range(4):
+            _latex(folder)
+            if not re.search(r"Rerun (to|LaTeX)", _log(folder)):
+                break
         return (folder / "report.pdf").read_bytes()
 
 
-def _latex(command: list[str], folder: Path) -> None:
+def _latex(folder: Path) -> None:
+    options = ["-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape", "report.tex"]
     surroundings = {
         **os.environ,
         "SOURCE_DATE_EPOCH": "0",
@@ -183,7 +193,7 @@ def _latex(command: list[str], folder: Path) -> None:
     }
     try:
         done = subprocess.run(
-            command,
+            ["pdflatex", *options],
             cwd=folder,
             env=surroundings,
             stdin=subprocess.DEVNULL,
@@ -192,11 +202,11 @@ def _latex(command: list[str], folder: Path) -> None:
             check=False,
         )
     except subprocess.TimeoutExpired:
-        raise ReportError(f"{command[0]} did not end within {_SECONDS} s.") from None
+        raise ReportError(f"pdflatex did not end within {_SECONDS} s.") from None
     if done.returncode:
         complaint = re.search(r"^! *(.+)", _log(folder), re.MULTILINE)
         what = complaint[1].rstrip(".") if complaint else f"exit code {done.returncode}"
-        raise ReportError(f"{command[0]} failed: {what}.")
+        raise ReportError(f"pdflatex failed: {what}.")
 
 
 def _log(folder: Path) -> str:
@@ -217,8 +227,7 @@ def typst_pdf(
     """
     if find_spec("typst") is None:
         raise ReportError(
-            "The PDF needs either LaTeX (latexmk and pdflatex) or the typst wheel: "
-            "pip install typst."
+            "The PDF needs either LaTeX (pdflatex) or the typst wheel: pip install typst."
         )
     with tempfile.TemporaryDirectory(prefix="kowalevski-") as name:
         folder = Path(name)
@@ -230,10 +239,8 @@ def typst_pdf(
             [sys.executable, "-c", _TYPST], cwd=folder, capture_output=True, check=False
         )
         if done.returncode:
-            said = done.stderr.decode(errors="replace").strip().splitlines() or [
-                "it gave no reason"
-            ]
-            raise ReportError(f"Typst failed: {said[-1] if said else done.returncode}.")
+            said = done.stderr.decode(errors="replace").strip() or "it gave no reason"
+            raise ReportError(f"Typst failed: {said.splitlines()[-1]}.")
         return (folder / "report.pdf").read_bytes()
 
 

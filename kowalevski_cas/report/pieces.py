@@ -107,7 +107,7 @@ def _piece(formula: Formula, printer: Printer) -> Piece:
             over, under = pieces(above, printer), pieces(below, printer)
             width = max(measured(over), measured(under)) + 0.24
             return Piece(printer(formula), width, inner=over, below=under, tall=True)
-        case Vector(rows) if _is_matrix(rows):
+        case Vector(rows) if all(isinstance(row, Vector) for row in rows):
             columns = zip(*(row.components for row in rows if isinstance(row, Vector)), strict=True)
             wide = (max(measured(pieces(cell, printer)) for cell in cells) for cells in columns)
             return Piece(printer(formula), sum(wide) + len(rows) + 0.8, tall=True)
@@ -117,11 +117,7 @@ def _piece(formula: Formula, printer: Printer) -> Piece:
             inside = pieces(argument, printer)
             tall = any(piece.tall for piece in inside)
             return Piece(printer(formula), measured(inside) + 0.9, tall=tall)
-    return Piece(printer(formula), _width(to_plain(formula)))
-
-
-def _is_matrix(rows: Sequence[Formula]) -> bool:
-    return all(isinstance(row, Vector) for row in rows)
+    return Piece(printer(formula), sum(map(_letter, to_plain(formula))))
 
 
 def _within(
@@ -174,12 +170,8 @@ def measured(side_by_side: Iterable[Piece]) -> float:
     return total
 
 
-def _width(text: str) -> float:
-    """The width of a line of plain text that is set as a formula, in em."""
-    return sum(map(_letter, text))
-
-
 def _letter(letter: str) -> float:
+    """The width of a letter of plain text that is set as a formula, in em."""
     if unicodedata.combining(letter):
         return 0.0
     if unicodedata.decomposition(letter).startswith(("<sub>", "<super>")):

@@ -12,7 +12,7 @@ from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper import derivation as paper
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Display, Printed, Texts
-from kowalevski_cas.report.names import anchor
+from kowalevski_cas.report.document import anchor
 from kowalevski_cas.verify.outcome import Outcome, Run
 
 
@@ -166,8 +166,10 @@ def _items(
         home = _home(claim)
         if home in order:
             place, outcome = places[order[home]], outcomes[claim.id]
-            at = place.whole if claim.printed is None else _row(place, claim.printed)
-            at.append(outcome)
+            if claim.printed is None:
+                place.whole.append(outcome)
+            else:
+                place.rows.setdefault(claim.printed.number, []).append(outcome)
             last = max(last, order[home])
         else:
             last = max([last, *mentioned])
@@ -198,10 +200,6 @@ def _home(claim: Claim) -> Display | None:
         return claim.printed.display
     displays = {printed.display for printed in claim.establishes()}
     return displays.pop() if len(displays) == 1 else None
-
-
-def _row(place: _Place, printed: Printed) -> list[Outcome]:
-    return place.rows.setdefault(printed.number, [])
 
 
 def _displayed(display: Display, place: _Place, texts: Texts, roles: Roles) -> Item:

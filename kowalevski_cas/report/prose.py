@@ -22,8 +22,8 @@ from kowalevski_cas.report.document import (
     Link,
     Table,
     Text,
+    anchor,
 )
-from kowalevski_cas.report.names import anchor
 from kowalevski_cas.report.paragraphs import Paragraphs, Placed, says
 
 _LEVELS: Final = {"part": 1, "chapter": 1, "section": 1, "subsection": 2, "subsubsection": 2}

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
-from typing import Final
+from typing import Final, TypeVar
 
 from kowalevski_cas.notation import Formula, Number, Relation, Vocabulary, read_prose
-from kowalevski_cas.report.document import Code, Inline, Link, Text
-from kowalevski_cas.report.names import anchor
+from kowalevski_cas.report.document import Code, Inline, Link, Text, anchor
 from kowalevski_cas.report.places import Name, Section
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
+
+T = TypeVar("T")
 
 ZERO: Final = Number(0)
 
@@ -28,6 +29,21 @@ def listed(items: Sequence[Text], last: str = " and ") -> Text:
     for k, item in enumerate(items):
         text += ((last if k == len(items) - 1 else ", ",) if k else ()) + item
     return text
+
+
+def alike(
+    things: Iterable[tuple[str, T]], aspect: Callable[[T], object] = lambda thing: thing
+) -> Iterator[tuple[tuple[str, ...], tuple[T, ...]]]:
+    """Claims and what they have, those together that are the same in the given aspect.
+
+    >>> list(alike([("a", 1), ("b", 2), ("c", 1)]))
+    [(('a', 'c'), (1, 1)), (('b',), (2,))]
+    """
+    found: dict[str, list[tuple[str, T]]] = {}
+    for claim, thing in things:
+        found.setdefault(repr(aspect(thing)), []).append((claim, thing))
+    for having in found.values():
+        yield tuple(claim for claim, _ in having), tuple(thing for _, thing in having)
 
 
 def in_words(many: int) -> str:

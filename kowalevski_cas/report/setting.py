@@ -72,7 +72,7 @@ class Setter(ABC):
 
     def _aligned(self, rows: Sequence[tuple[Piece, ...]], room: float) -> list[Line]:
         """The lines of all rows, aligned at their relations where each has a short left side."""
-        heads = [_head(row) for row in rows]
+        heads = [next((k for k, p in enumerate(r) if p.kind == "relation"), 0) for r in rows]
         widths = [measured(row[:head]) for row, head in zip(rows, heads, strict=True)]
         if not all(0 < width <= 0.3 * room for width in widths):
             return [line for row in rows for line in broken(row, room, self._apart, first=False)]
@@ -93,8 +93,3 @@ class Setter(ABC):
         before = self.printer.joined([inverse, self.opened("(", tall=True)])
         width = measured(piece.below) + 0.9
         return Piece(before, width, "open"), Piece(self.closed(")", tall=True), 0.6, "close")
-
-
-def _head(row: Sequence[Piece]) -> int:
-    """Where the first relation stands; 0 if there is none."""
-    return next((k for k, piece in enumerate(row) if piece.kind == "relation"), 0)

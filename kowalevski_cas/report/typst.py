@@ -6,7 +6,6 @@ import re
 from collections.abc import Sequence
 from typing import Final
 
-from kowalevski_cas.notation import Formula
 from kowalevski_cas.notation.typst import TYPST
 from kowalevski_cas.report.document import (
     Claim,
@@ -65,20 +64,15 @@ class TypstWriter(Writer):
 
     page = "page.typ"
     setter = TypstSetter()
+    origin, emphases = "#origin[{}]", ("#emph[{}];", "#strong[{}];")
 
     def escaped(self, text: str) -> str:
         return _SPECIAL.sub(r"\\\1", text)
-
-    def subtitle(self, text: str) -> str:
-        return f"#origin[{text}]"
 
     def marks(self) -> str:
         return "\n".join(
             f'  "{v}": ([{mark.typst}], rgb("#{mark.colour}")),' for v, mark in MARKS.items()
         )
-
-    def formula(self, formula: Formula) -> str:
-        return f"${self.setter.inline(formula)}$"
 
     def code(self, text: str) -> str:
         return f"#raw({_quoted(' '.join(text.split()))});"
@@ -89,9 +83,6 @@ class TypstWriter(Writer):
     def link(self, link: Link) -> str:
         target = _quoted(link.target) if link.outside else f"<{link.target}>"
         return f"#link({target})[{self.text(link.text)}];"
-
-    def emphasis(self, text: str, strong: bool) -> str:
-        return f"#{'strong' if strong else 'emph'}[{text}];"
 
     def heading(self, block: Heading) -> str:
         return f"\n{'=' * block.level} {self.text(block.text)} <{block.anchor}>\n"

@@ -8,24 +8,7 @@ from collections.abc import Iterable
 from importlib.resources import files
 
 from kowalevski_cas.notation import Formula
-from kowalevski_cas.report.document import (
-    Block,
-    Claim,
-    Code,
-    Display,
-    Document,
-    Emphasis,
-    Graph,
-    Heading,
-    Inline,
-    Items,
-    Link,
-    Paragraph,
-    Shown,
-    Sign,
-    Table,
-    Text,
-)
+from kowalevski_cas.report.document import Block, Code, Document, Emphasis, Inline, Link, Sign, Text
 from kowalevski_cas.report.setting import Setter
 from kowalevski_cas.verify.outcome import Verdict
 
@@ -38,6 +21,10 @@ class Writer(ABC):
     setter: Setter
     room = 44.0
     """The width of a display, in em."""
+    origin: str
+    """A line under the title."""
+    emphases: tuple[str, str]
+    """Italics, and bold type."""
 
     def write(self, document: Document) -> str:
         """The document as a file."""
@@ -47,10 +34,11 @@ class Writer(ABC):
 
     def parts(self, document: Document) -> dict[str, str]:
         """What the skeleton has gaps for."""
+        lines = (self.origin.format(self.text(line)) for line in document.subtitle)
         return {
             "title": self.escaped(document.title),
             "short": self.escaped(document.short),
-            "subtitle": "\n".join(self.subtitle(self.text(line)) for line in document.subtitle),
+            "subtitle": "\n".join(lines),
             "marks": self.marks(),
             "body": self.blocks(document.blocks),
         }
@@ -75,7 +63,7 @@ class Writer(ABC):
             case Link():
                 return self.link(one)
             case Emphasis(text, strong):
-                return self.emphasis(self.text(text), strong)
+                return self.emphases[strong].format(self.text(text))
 
     # Blocks
 
@@ -89,23 +77,19 @@ class Writer(ABC):
         written: str = method(block)
         return written
 
-    # What a format has to say
+    # What a format has to say, beside the methods for blocks
 
     @abstractmethod
     def escaped(self, text: str) -> str:
         """Plain text."""
 
     @abstractmethod
-    def subtitle(self, text: str) -> str:
-        """A line under the title."""
-
-    @abstractmethod
     def marks(self) -> str:
         """The signs of verdicts, for the skeleton."""
 
-    @abstractmethod
     def formula(self, formula: Formula) -> str:
         """A formula within a line."""
+        return f"${self.setter.inline(formula)}$"
 
     @abstractmethod
     def code(self, text: str) -> str:
@@ -118,39 +102,3 @@ class Writer(ABC):
     @abstractmethod
     def link(self, link: Link) -> str:
         """A link."""
-
-    @abstractmethod
-    def emphasis(self, text: str, strong: bool) -> str:
-        """Italics, or bold type."""
-
-    @abstractmethod
-    def heading(self, block: Heading) -> str:
-        """A heading."""
-
-    @abstractmethod
-    def paragraph(self, block: Paragraph) -> str:
-        """A paragraph."""
-
-    @abstractmethod
-    def display(self, block: Display) -> str:
-        """A displayed formula, or several."""
-
-    @abstractmethod
-    def claim(self, block: Claim) -> str:
-        """A statement and what is said of it."""
-
-    @abstractmethod
-    def items(self, block: Items) -> str:
-        """A list."""
-
-    @abstractmethod
-    def table(self, block: Table) -> str:
-        """A table."""
-
-    @abstractmethod
-    def graph(self, block: Graph) -> str:
-        """The picture of what rests on what."""
-
-    @abstractmethod
-    def shown(self, block: Shown) -> str:
-        """A picture that another command drew."""

@@ -34,8 +34,8 @@ def recorded_correction(
     """
     with suppress(NotationError, Meaningless):
         wanted = on.texts.expression(recorded)
-        for neighbour in claim.neighbours(on.texts):
-            if _prints(neighbour, wanted):
+        for neighbour in claim.neighbours(on.texts, wanted):
+            if printed_of(neighbour) == (wanted,):
                 return neighbour, stated(neighbour, on)
     return None
 
@@ -43,12 +43,6 @@ def recorded_correction(
 def stated(neighbour: Neighbour, on: Elaborations) -> Statement:
     """What a neighbour says; raises ``NotationError`` or ``Meaningless`` if it says nothing."""
     return Statement(neighbour.claim, on.under(neighbour.texts))
-
-
-def _prints(neighbour: Neighbour, formula: Formula) -> bool:
-    if neighbour.edit is not None:
-        return neighbour.edit.gives(formula)
-    return printed_of(neighbour) == (formula,)
 
 
 def corrections(printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
     Application,
     Derivative,
@@ -20,6 +22,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.claims import CriticalSet, Dimension
 from kowalevski_cas.paper.claims.forms import ZERO
+from kowalevski_cas.paper.denominators import shape_of
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.collect import collect
@@ -37,8 +40,9 @@ from kowalevski_cas.problem.evidence import (
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Place, number_formula
+from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.certificate import Stored, Supported
-from kowalevski_cas.verify.conditions import Divided, conditions_of, implies, same
+from kowalevski_cas.verify.conditions import Divided, conditions_of, implies
 from kowalevski_cas.verify.loci import circle_of, drop_on, failure_on, rank_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
 from kowalevski_cas.verify.shown import named, point, scaled
@@ -96,16 +100,19 @@ def _lacking(
 def _needed(statement: Statement, conditions: list[Divided]) -> list[Divided]:
     """Conditions without those that say the same on the claim's own scene, or follow there."""
     own = statement.on(statement.claim.scene)
-    named = [own.texts.expression(locus.condition) for locus in own.scene.loci]
-    kept: list[Divided] = []
+    kept: dict[object, Divided] = {}
+    values: dict[object, Element] = {}
     for setting, formula in sorted(conditions, key=lambda c: c[0] is not own):
-        landmark = next((name for name in named if same(formula, name, own)), None)
-        if not any(same(formula, other, own) for _, other in kept):
-            kept.append((setting, formula) if landmark is None else (own, landmark))
-    for one in kept[::-1]:  # of two that vanish together one stays
-        if any(f is not one[1] and implies(one[1], f, own) for _, f in kept):
-            kept.remove(one)
-    return kept
+        key: object = formula
+        with suppress(Meaningless):
+            value = own.finder.scalar(own.plain(formula))
+            values[key := shape_of(value)] = value
+        landmark = own.divisors.landmarks.get(key)
+        kept.setdefault(key, (setting, formula) if landmark is None else (own, landmark))
+    for key, value in reversed([*values.items()]):  # of two that vanish together one stays
+        if any(implies(value, other, own) for k, other in values.items() if k != key):
+            del kept[key], values[key]
+    return [*kept.values()]
 
 
 def _where_it_fails(

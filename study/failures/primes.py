@@ -18,7 +18,7 @@ from kowalevski_cas.algebra.bounds import Sizes
 from kowalevski_cas.algebra.modular import residue_point
 from kowalevski_cas.algebra.points import NoPoint, Question
 from kowalevski_cas.pictures import FAINT
-from study.charts import look, shown
+from study.charts import look, points, shown
 from study.failures.differences import near_miss
 from study.step import Measured, Row, Task
 
@@ -89,6 +89,6 @@ def draw(axes: Axes, rows: Sequence[Row]) -> None:
         for full in (True, False):
             chosen = [(p, (n or 3) / of) for p, n, of in shares if of and bool(n) is full]
             words = shown(row["method"]) if full else None
-            look_of = look(row["method"]).points(full)
+            look_of = points(look(row["method"]), full)
             axes.plot([p for p, _ in chosen], [s for _, s in chosen], label=words, **look_of)
     axes.legend(loc="lower left", fontsize=7.5, borderaxespad=0)

@@ -33,7 +33,7 @@ def copy(tmp_path):
 
 
 def test_a_run_with_a_report_checks_them_as_make_verify_does(copy, tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr("kowalevski_cas.report.pdf.latex_command", lambda: None)  # Typst is faster
+    monkeypatch.setattr("kowalevski_cas.report.pdf.has_latex", lambda: False)  # Typst is faster
     makefile = (PAPER.parents[1] / "Makefile").read_text(encoding="utf-8")
     assert "\t@$(RUN) verify --arithmetic all --report reports\n" in makefile
     arguments = ["verify", str(copy), "--only", "eq14"]
@@ -48,7 +48,7 @@ def test_a_run_with_a_report_checks_them_as_make_verify_does(copy, tmp_path, cap
 
 @pytest.mark.slow
 def test_links_of_a_report_lead_to_certificates(tmp_path, monkeypatch):
-    monkeypatch.setattr("kowalevski_cas.report.pdf.latex_command", lambda: None)
+    monkeypatch.setattr("kowalevski_cas.report.pdf.has_latex", lambda: False)
     out = tmp_path / "far" / "out"
     assert main(["verify", str(PAPER), "--only", "redundant-integral", "--report", str(out)]) == 0
     page = (out / "kharlamov2002.html").read_text(encoding="utf-8")

@@ -82,6 +82,20 @@ def test_of_conditions_that_follow_from_each_other_one_is_named(below):
             assert any(vanishes(one, point) for one in named)
 
 
+FACTORS = ("x", "y", "(x+y)", "(x-2y)", "(x^2+y)")
+SOME = st.lists(st.sampled_from(FACTORS), min_size=1, unique=True)
+
+
+@given(SOME, SOME)
+def test_what_is_granted_of_a_product_is_granted_of_its_factors(granted, below):
+    paper = Paper()
+    paper.scene = Scene("s", variables=("x", "y"), nonzero=("".join(granted),))
+    formula = rf"\frac{{1}}{{{''.join(below)}}}"
+    outcome = paper.outcome(Identity, f"{formula}={formula}")
+    named = {to_latex(condition.expression).replace(" ", "") for condition in outcome.conditions}
+    assert named == {one.strip("()") for one in {*below} - {*granted}}
+
+
 def vanishes(tex, point):
     """Whether a sum of powers with positive coefficients does."""
     return not any(value and name in tex for name, value in zip("xyz", point, strict=True))

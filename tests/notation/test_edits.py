@@ -94,6 +94,17 @@ def test_the_edited_source_reads_as_the_edited_formula(name):
             assert after == expected
 
 
+@pytest.mark.parametrize("name", sampled(paper.DISPLAYS, 6))
+def test_the_edits_on_the_way_to_a_formula_are_all_that_lead_to_it(name):
+    for place, statement in enumerate(read_display(paper.DISPLAYS[name], paper.WORDS)):
+        found = list(edits(statement, paper.WORDS))
+        for edit in random.Random(place).sample(found, min(4, len(found))):
+            near = list(edits(statement, paper.WORDS, wanted=edit.formula))
+            assert [e for e in near if e.formula == edit.formula] == [
+                e for e in found if e.formula == edit.formula
+            ]
+
+
 def test_an_edit_leaves_the_rest_of_the_source_alone():
     [statement] = read_display(paper.DISPLAYS["eq21"], paper.WORDS)
     for edit in islice(edits(statement, paper.WORDS), 40):

@@ -10,7 +10,7 @@ from typing import Any
 
 from kowalevski_cas.notation import Edit, Formula, NotationError, Vocabulary, read_display
 from kowalevski_cas.paper.texts import Display, Printed
-from kowalevski_cas.report.contents import contents
+from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Document
 from kowalevski_cas.report.places import Item, Row, Section, Stated, numbered
 from kowalevski_cas.verify.outcome import (
@@ -556,4 +556,4 @@ def in_order(run: Run) -> tuple[Section, ...]:
 def document(*chosen: Outcome) -> Document:
     """The report of the whole run, or of the outcomes given."""
     known = run(*chosen)
-    return contents(known, in_order(known))
+    return Contents(known, in_order(known)).document()

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from kowalevski_cas.notation import Formula, Name
 from kowalevski_cas.report.compare import unmarked
-from kowalevski_cas.report.contents import contents
+from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import (
     Claim,
     Display,
@@ -240,10 +240,10 @@ class TestEvidence:
         known = run()
         digests = {outcome.claim: "0" * 64 for outcome in known.outcomes}
         rocq = Witness("Rocq", "8.16", frozenset([known.outcomes[0].claim]))
-        text = said(under(contents(known, in_order(known), digests, (rocq,)), "holds"))
+        text = said(under(Contents(known, in_order(known), digests, (rocq,)).document(), "holds"))
         assert "Each statement has a certificate" in text and "Rocq confirms 1" in text
         del digests["eq6"]
-        text = said(under(contents(known, in_order(known), digests), "holds"))
+        text = said(under(Contents(known, in_order(known), digests).document(), "holds"))
         assert f"{len(known.outcomes) - 1} of {len(known.outcomes)} have certificates" in text
 
     def test_numbers_of_equations_lead_to_them(self) -> None:
@@ -259,20 +259,23 @@ class TestEvidence:
         one = run(claim("a", "1", "x=x", "", P, steps=(long,)))
         paper, accepted = in_order(one), {"a": "0" * 64}
         link = Link("there/a.json", ("a.json",), outside=True)
-        assert link in parts(contents(one, paper, accepted, evidence="there"))
-        for unproved in (contents(one, paper, evidence="there"), contents(one, paper, accepted)):
+        assert link in parts(Contents(one, paper, accepted, evidence="there").document())
+        for unproved in (
+            Contents(one, paper, evidence="there").document(),
+            Contents(one, paper, accepted).document(),
+        ):
             assert "152 terms." in said(unproved) and link not in parts(unproved)
 
     def test_restated_formulas_are_called_so(self) -> None:
         first, *others = in_order(run())
-        text = said(contents(run(), [first._replace(copied=False), *others]).subtitle)
+        text = said(Contents(run(), [first._replace(copied=False), *others]).document().subtitle)
         assert "The formulas of section 1 are restated" in text
         assert "restated" not in said(WHOLE.subtitle)
 
     def test_what_is_restated_does_not_hold_as_printed(self) -> None:
         one = run(claim("a", "1", "x=x", "", P))
         (section,) = in_order(one)
-        lead = said(contents(one, [section._replace(copied=False)]).blocks[0])
+        lead = said(Contents(one, [section._replace(copied=False)]).document().blocks[0])
         assert "The only statement holds as stated here" in lead and "printed" not in lead
 
 

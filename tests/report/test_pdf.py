@@ -18,7 +18,7 @@ from tests.report.fixtures import P, claim, document, in_order, run
 PAPER = in_order(run())
 
 needs_latex = pytest.mark.skipif(
-    not pdf.latex_command(), reason="no pdflatex here; CI_TEX=1 .ci/run installs it"
+    not pdf.has_latex(), reason="no pdflatex here; CI_TEX=1 .ci/run installs it"
 )
 
 
@@ -39,10 +39,10 @@ def check(content: bytes) -> None:
 
 
 def test_typst_makes_the_same_bytes_again(tmp_path: Path) -> None:
-    written, again = (write_report(run(), PAPER, tmp_path / k, engine="typst") for k in "ab")
+    written, again = (write_report(run(), PAPER, tmp_path / k) for k in "ab")
     assert written.pdf.read_bytes() == again.pdf.read_bytes()
     assert (written.tex.name, written.pdf.name) == ("kharlamov2002.tex", "kharlamov2002.pdf")
-    assert written.engine == "typst" and written.notes == ()
+    assert written.notes == ()
     assert written.tex.read_text(encoding="utf-8") == render_latex(document())
     check(written.pdf.read_bytes())
 
@@ -58,10 +58,10 @@ def test_a_pdf_is_made_anew_if_what_it_is_made_of_has_changed(
 
     monkeypatch.setattr(pdf, "typst_pdf", making)
     for title in ("A", "A", "B", "B"):
-        one = write_report(run()._replace(title=title), PAPER, tmp_path, engine="typst").pdf
+        one = write_report(run()._replace(title=title), PAPER, tmp_path).pdf
     assert len(made) == 2
     one.write_bytes(one.read_bytes()[:-1])
-    write_report(run()._replace(title="B"), PAPER, tmp_path, engine="typst")
+    write_report(run()._replace(title="B"), PAPER, tmp_path)
     assert len(made) == 3
 
 
@@ -73,13 +73,14 @@ def test_latex_has_no_overfull_boxes_and_no_missing_references(
     logs: list[str] = []
     latex = pdf._latex
 
-    def listening(command: list[str], folder: Path) -> None:
-        latex(command, folder)
+    def listening(folder: Path) -> None:
+        latex(folder)
         logs.append((folder / "report.log").read_text(encoding="utf-8", errors="replace"))
 
+    monkeypatch.setattr(pdf, "has_latex", lambda: True)
     monkeypatch.setattr(pdf, "_latex", listening)
     written = write_report(run(), PAPER, tmp_path)
-    assert written.engine == "latex" and written.notes == ()
+    assert written.notes == ()
     check(written.pdf.read_bytes())
     assert not re.findall(r"Overfull.*", logs[-1])
     assert not re.findall(
@@ -88,36 +89,22 @@ def test_latex_has_no_overfull_boxes_and_no_missing_references(
 
 
 @needs_latex
-def test_pdflatex_without_latexmk(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pdf, "latex_command", lambda: "pdflatex")
-    text = r"\documentclass{article}\begin{document}$x$\end{document}"
-    assert said(pdf.latex_pdf(text))[0] == 1
-
-
-@needs_latex
 def test_latex_says_what_it_stumbled_over() -> None:
     with pytest.raises(ReportError, match=r"failed: .*Undefined control sequence"):
         pdf.latex_pdf(r"\documentclass{article}\begin{document}\nosuchthing\end{document}")
-
-
-def test_no_latex_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pdf, "latex_command", lambda: None)
-    with pytest.raises(ReportError, match="No LaTeX was found"):
-        pdf.latex_pdf("")
 
 
 def test_a_failing_latex_gives_way_to_typst(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def failing(*_: object) -> bytes:
-        raise ReportError("latexmk failed: File `fancyhdr.sty' not found.")
+        raise ReportError("pdflatex failed: File `fancyhdr.sty' not found.")
 
-    monkeypatch.setattr(pdf, "latex_command", lambda: "latexmk")
+    monkeypatch.setattr(pdf, "has_latex", lambda: True)
     monkeypatch.setattr(pdf, "latex_pdf", failing)
     written = write_report(run(), PAPER, tmp_path)
-    assert written.engine == "typst"
     assert written.notes == (
-        "latexmk failed: File `fancyhdr.sty' not found. The PDF was made by Typst instead.",
+        "pdflatex failed: File `fancyhdr.sty' not found. The PDF was made by Typst instead.",
     )
 
 
@@ -133,7 +120,7 @@ def test_a_failure_leaves_the_earlier_pdf(
 
     monkeypatch.setattr(pdf, "typst_pdf", failing)
     with pytest.raises(type(what)):
-        write_report(run(), PAPER, tmp_path, engine="typst")
+        write_report(run(), PAPER, tmp_path)
     assert earlier.read_bytes() == b"earlier"
     names = [f"kharlamov2002.{suffix}" for suffix in ("html", "json", "pdf", "tex")]
     assert sorted(p.name for p in tmp_path.iterdir()) == names
@@ -150,24 +137,24 @@ def test_an_interrupt_while_writing_leaves_the_earlier_file(
 
     monkeypatch.setattr(os, "replace", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        write_report(run(), PAPER, tmp_path, engine="typst")
+        write_report(run(), PAPER, tmp_path)
     assert earlier.read_text() == "earlier"
     assert list(tmp_path.iterdir()) == [earlier]
 
 
 def test_files_are_readable_by_others(tmp_path: Path) -> None:
     small = run(claim("a", "1", "x=x", "", P))
-    written = write_report(small, in_order(small), tmp_path / "new", engine="typst")
+    written = write_report(small, in_order(small), tmp_path / "new")
     assert stat.S_IMODE(written.pdf.stat().st_mode) == 0o644
 
 
 def test_a_folder_that_cannot_be(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     with pytest.raises(OSError, match="cannot be written"):
-        write_report(run(), PAPER, tmp_path / "file" / "reports", engine="typst")
+        write_report(run(), PAPER, tmp_path / "file" / "reports")
 
 
 def test_no_typst_is_said(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setitem(sys.modules, "typst", None)
     with pytest.raises(ReportError, match="pip install typst"):
-        write_report(run(), PAPER, tmp_path, engine="typst")
+        write_report(run(), PAPER, tmp_path)

@@ -8,7 +8,7 @@ from pypdf import PdfReader
 
 from kowalevski_cas.pictures import new_figure, save, style
 from kowalevski_cas.report import pdf
-from kowalevski_cas.report.contents import contents
+from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.latex import render_latex
 from kowalevski_cas.report.pdf import write_report
@@ -18,7 +18,7 @@ from tests.report.fixtures import P, claim, in_order, run
 SMALL = run(claim("a", "1", "x=x", "", P))
 CAPTION = "A line, drawn with 50% of the ink; $x_1=2$."
 
-needs_latex = pytest.mark.skipif(not pdf.latex_command(), reason="no pdflatex here")
+needs_latex = pytest.mark.skipif(not pdf.has_latex(), reason="no pdflatex here")
 
 
 def offer(
@@ -47,18 +47,21 @@ def test_a_list_that_cannot_be_read_shows_nothing(tmp_path: Path, text: str) -> 
 
 
 @pytest.mark.parametrize(
-    "engine", ["typst", pytest.param("latex", marks=[needs_latex, pytest.mark.slow])]
+    "by_latex", [False, pytest.param(True, marks=[needs_latex, pytest.mark.slow])]
 )
-def test_they_are_in_the_pdf(tmp_path: Path, engine: pdf.Engine) -> None:
+def test_they_are_in_the_pdf(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, by_latex: bool
+) -> None:
+    monkeypatch.setattr(pdf, "has_latex", lambda: by_latex)
     offer(tmp_path / "motion")
-    written = write_report(SMALL, in_order(SMALL), tmp_path, engine=engine)
+    written = write_report(SMALL, in_order(SMALL), tmp_path)
     text = " ".join(page.extract_text() for page in PdfReader(written.pdf).pages)
     assert "drawn with 50% of the ink" in " ".join(text.split())
     source = written.tex.read_text(encoding="utf-8")
-    shown = contents(SMALL, in_order(SMALL), plates=plates(tmp_path, "kharlamov2002"))
+    shown = Contents(SMALL, in_order(SMALL)).document(plates(tmp_path, "kharlamov2002"))
     assert source == render_latex(shown)
     page = written.html.read_text(encoding="utf-8")
     assert page == render_html(shown, tmp_path) and 'src="data:image/png;base64,' in page
     before = written.pdf.read_bytes()
     offer(tmp_path / "motion", heights=(1, 0))
-    assert write_report(SMALL, in_order(SMALL), tmp_path, engine=engine).pdf.read_bytes() != before
+    assert write_report(SMALL, in_order(SMALL), tmp_path).pdf.read_bytes() != before

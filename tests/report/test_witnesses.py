@@ -2,8 +2,7 @@ import json
 
 import pytest
 
-from kowalevski_cas.report.facts import facts
-from kowalevski_cas.report.pdf import write_report
+from kowalevski_cas.report.pdf import facts, write_report
 from kowalevski_cas.report.witnesses import Witness, arithmetics, programs
 from kowalevski_cas.verify.outcome import Verdict
 
@@ -77,7 +76,7 @@ class TestFacts:
         known = run()
         digests = {outcome.claim: "a" * 64 for outcome in known.outcomes}
         says(tmp_path, "rocq", confirmed=digests)
-        written = write_report(known, in_order(known), tmp_path, digests, engine="typst")
+        written = write_report(known, in_order(known), tmp_path, digests)
         (rocq,) = programs(tmp_path, "kharlamov2002", digests)
         text = (tmp_path / "kharlamov2002.json").read_text(encoding="utf-8")
         assert text == facts(known, digests, (rocq,))

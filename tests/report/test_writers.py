@@ -13,11 +13,11 @@ import pytest
 from kowalevski_cas.notation import Negative, Number, Relation
 from kowalevski_cas.notation.formula import Changed
 from kowalevski_cas.notation.mathml import to_mathml
-from kowalevski_cas.report.contents import contents
+from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Code, Document, Emphasis, Sign, Text
 from kowalevski_cas.report.html import HtmlWriter, render_html
 from kowalevski_cas.report.latex import LatexWriter, render_latex
-from kowalevski_cas.report.pdf import latex_command, latex_pdf
+from kowalevski_cas.report.pdf import has_latex, latex_pdf
 from kowalevski_cas.report.typst import TypstWriter, render_typst
 from kowalevski_cas.verify.outcome import Verdict
 from tests.report.fixtures import claim, document, in_order, outcomes, read, run
@@ -81,7 +81,7 @@ def test_same_bytes_from_run_to_run() -> None:
 def test_measured_time_is_not_in_it(render: Renders) -> None:
     known = run()
     slow = known._replace(outcomes=tuple(o._replace(seconds={"flint": 9.75}) for o in outcomes()))
-    assert render(contents(slow, in_order(slow))) == render(document())
+    assert render(Contents(slow, in_order(slow)).document()) == render(document())
 
 
 @ALL
@@ -106,7 +106,7 @@ def test_words_are_escaped_for_latex(plain: str, tex: str) -> None:
     assert LatexWriter().text((plain,)) == tex
 
 
-@pytest.mark.skipif(not latex_command(), reason="no pdflatex here")
+@pytest.mark.skipif(not has_latex(), reason="no pdflatex here")
 def test_latex_takes_any_scripts_behind_one_another() -> None:
     scripts = ("₁", "₂", "ₙ", "²", "⁻", "′")
     texts = ["ω" + "".join(some) for many in (2, 3) for some in product(scripts, repeat=many)]

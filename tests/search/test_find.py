@@ -9,10 +9,17 @@ from flint import Ordering, fmpq, fmpq_mpoly_ctx
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from kowalevski_cas.algebra.weights import gradings
+from kowalevski_cas.algebra import load
+from kowalevski_cas.algebra.present import fraction_formula
+from kowalevski_cas.notation import Name, Number, Power, Product, Quotient, Sum
 from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.goals import Exists, identity
+from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.cofactors import cofactors, pseudo_divide
 from kowalevski_cas.search.levels import value
+from kowalevski_cas.search.numbers import solved_numbers
+from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.search.points import constant, points
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.system import System
@@ -127,12 +134,24 @@ def test_what_is_negative_somewhere_is_no_sum_of_squares():
     assert sum_of_squares({(1, 0): one}) is None
 
 
-def test_gradings_make_polynomials_homogeneous():
-    one = Fraction(1)
-    ((a, b, c),) = gradings([{(2, 0, 0): one, (0, 1, 0): one}, {(1, 1, 0): one, (0, 0, 1): one}])
-    assert abs(a) == 1 and (b, c) == (2 * a, 3 * a)
-    assert len(gradings([{(1, 0): one}])) == 2
-    assert gradings([{(1, 0): one, (2, 0): one}]) == [(0, 1)]
+@given(st.fractions(-3, 3, max_denominator=4), st.fractions(-3, 3, max_denominator=4))
+def test_numbers_for_which_an_identity_holds_are_found(a, b):
+    """(p x + q y)² is (a x + b y)² for p, q = a, b, and for their negatives, only."""
+    p, q, x, y = map(Name, "pqxy")
+    p_x, q_y = (Quotient(Product(pair), Power(y, Number(2))) for pair in ((p, x), (q, y)))
+    a_x, b_y = (
+        Quotient(Product((fraction_formula(n), v)), Power(y, Number(2)))
+        for n, v in ((a, x), (b, y))
+    )
+    sides = Power(Sum((p_x, q_y)), Number(2)), Power(Sum((a_x, b_y)), Number(2))
+    space = Space(("x", "y"))
+    finder = PointFinder(lambda space: Evaluation(space, load("flint")), lambda space: ("x", "y"))
+    found = solved_numbers(Exists((identity(space, sides),), numbers=("p", "q")), finder)
+    shown = tuple(map(fraction_formula, (a, b))), tuple(map(fraction_formula, (-a, -b)))
+    assert found is not None and tuple(found.values()) in shown
+    other = Product((Number(2), sides[1]))
+    none = solved_numbers(Exists((identity(space, (sides[0], other)),), numbers=("p", "q")), finder)
+    assert (none is None) == (a != 0 or b != 0)  # 2 is no square
 
 
 def test_the_value_of_a_polynomial():

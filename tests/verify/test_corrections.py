@@ -17,9 +17,9 @@ from tests.sample import sampled
 class Slow(Definition):
     """A definition of which the corrections come late."""
 
-    def neighbours(self, texts):
+    def neighbours(self, texts, wanted=None):
         sleep(60)
-        yield from super().neighbours(texts)
+        yield from super().neighbours(texts, wanted)
 
 
 @pytest.fixture

@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from matplotlib.animation import PillowWriter
+from matplotlib.patches import Polygon
 
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
@@ -26,9 +28,6 @@ def write(motion: Motion | MotionO4, path: Path) -> None:
 
     The disc is the plane of e1 and e2, on which the fields act, the rod the axis of symmetry.
     """
-    from matplotlib.animation import PillowWriter
-    from matplotlib.patches import Polygon
-
     states = orbit(motion, TURNS, FRAMES)
     body, omega = frames(states), in_space(states)
     view = View(40, 20)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.figure import Figure
+from scipy.ndimage import distance_transform_edt
 
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import Parameters
@@ -13,9 +13,6 @@ from kowalevski_cas.motion.pictures.orbit import orbit
 from kowalevski_cas.motion.pictures.space import View, blank, curve
 from kowalevski_cas.motion.regimes import Regime, all_regimes
 from kowalevski_cas.pictures import mark, new_figure
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 CAPTION = (
     "The hodograph of the angular velocity in the body, for one motion in each regime in these "
@@ -50,8 +47,6 @@ def examples(parameters: Parameters) -> list[tuple[Regime, Motion]]:
 
     Coordinates are rounded to two digits.
     """
-    from scipy.ndimage import distance_transform_edt
-
     a, b = parameters.a, parameters.b
     reach = 1.5 / float(2 * b) if b else 2 / float(a)
     m, ell = np.meshgrid(

@@ -8,9 +8,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from functools import partial
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from kowalevski_cas.motion.arrays import Array, Integers
 from kowalevski_cas.motion.motion import Motion
@@ -19,10 +20,6 @@ from kowalevski_cas.motion.pictures.regions import GRID, mesh, shade
 from kowalevski_cas.motion.regimes import FIELD_1, FIELD_2, PHI, Regime, all_regimes, coordinates
 from kowalevski_cas.motion.transverse import degenerate
 from kowalevski_cas.pictures import FAINT, INK, mark, new_figure
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 Map = Callable[[Array, Array], Array]
 
@@ -51,6 +48,9 @@ def draw(motion: Motion) -> Figure:
     def energy(m: Array, ell: Array) -> Array:
         return (ell**2 - 1 - 2 * square * m**2) / (2 * m)
 
+    def second(_: Array, ell: Array) -> Array:
+        return ell
+
     reach = 1.25 * max(abs(m), 1 / (2 * b) if b > a / 4 else 2 / a)
     top = 2 * a + (a * a - b * b) * reach
     curves = degenerate_curves(parameters, reach)
@@ -59,7 +59,7 @@ def draw(motion: Motion) -> Figure:
     left, right = figure.subplots(1, 2)
     for axes, unit, bottom, height, ell_of, ordinate, here in (
         (left, "$h$", -0.9 * max(top, abs(h)), 1.1 * max(top, abs(h)), of_energy, energy, h),
-        (right, r"$\ell$", -0.03 * a, 1.2 * max(2 * a * reach, ell), _second, _absolute, ell),
+        (right, r"$\ell$", -0.03 * a, 1.2 * max(2 * a * reach, ell), second, second, ell),
     ):
         axes.set(xlim=(-reach, reach), ylim=(bottom, height), xlabel="$m$")
         axes.set_ylabel(unit, rotation=0)
@@ -69,24 +69,13 @@ def draw(motion: Motion) -> Figure:
         shade(axes, kinds, [regime.tori for regime in all_regimes()], (m, here))
         _curves(axes, parameters, ordinate)
         for place, ell_there in curves:
-            one = mark(3)
-            axes.plot(
-                place, ordinate(place, ell_there),
-                color=one.colour, ls=one.dashes, lw=1.3, zorder=2, label=r"$\lambda=0$",
-            )  # fmt: skip
+            y = ordinate(place, ell_there)
+            axes.plot(place, y, **mark(3).line, lw=1.3, zorder=2, label=r"$\lambda=0$")
         axes.plot(m, here, "x", color=INK, ms=6, mew=1.4, zorder=5)
     handles, labels = left.get_legend_handles_labels()
     shown = dict(zip(labels, handles, strict=True))
     figure.legend(shown.values(), shown.keys(), loc="outside lower center", ncols=5)
     return figure
-
-
-def _second(m: Array, ell: Array) -> Array:
-    return ell
-
-
-def _absolute(m: Array, ell: Array) -> Array:
-    return np.abs(ell)
 
 
 def ell_at(parameters: Parameters, m: Array, h: Array) -> Array:
@@ -130,16 +119,13 @@ def _curves(axes: Axes, parameters: Parameters, ordinate: Map) -> None:
     for words, style, ell in separating(parameters, m):
         sides = [regime_at(parameters, m, np.abs(ell + shift)) for shift in (gap, -gap)]
         parts = sides[0] != sides[1] if ell.any() else sides[0] >= 0
-        y = ordinate(m, ell)
+        y = ordinate(m, np.abs(ell))
         y[np.abs(y) > 3 * (high - low)] = np.nan
-        one = mark(style)
+        thick = np.where(parts, y, np.nan)
         for side in (m < 0, m > 0):  # no line across m = 0
             axes.plot(m[side], y[side], color=FAINT, lw=0.5, zorder=1)
-            axes.plot(
-                m[side], np.where(parts, y, np.nan)[side],
-                color=one.colour, ls=one.dashes, lw=1.3, zorder=2,
-                label=words if words not in drawn else None,
-            )  # fmt: skip
+            label = words if words not in drawn else None
+            axes.plot(m[side], thick[side], **mark(style).line, lw=1.3, zorder=2, label=label)
             drawn.add(words)
     axes.axvline(0, color=INK, lw=0.9, zorder=2, label="$m=0$")
 

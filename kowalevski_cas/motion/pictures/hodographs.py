@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from matplotlib.figure import Figure
 
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.pictures.orbit import in_space, orbit
 from kowalevski_cas.motion.pictures.space import View, curve, reach, sheets, triad
 from kowalevski_cas.pictures import mark
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 CAPTION = (
     "Hodographs of the angular velocity, in the body and in space, where the axes are those of the "

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.methods.closed import Closed
@@ -12,10 +12,6 @@ from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.oscillation import Oscillation
 from kowalevski_cas.motion.pictures.orbit import times
 from kowalevski_cas.pictures import INK, mark, new_figure
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
 
 CAPTION = (
     "The separated variables $s_1$ and $s_2$ move between roots, independently of each other. "
@@ -28,8 +24,6 @@ TURNS, POINTS = 8, 3000
 
 def draw(motion: Motion) -> Figure:
     """The curve of a motion in the plane of s1 and s2."""
-    from matplotlib.patches import Rectangle
-
     figure = new_figure(height=3.0)
     plane, first, second = figure.subplot_mosaic("ab;ac", width_ratios=(1, 1.25)).values()
     t = times(motion, TURNS, POINTS)

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
+from scipy.ndimage import binary_closing, binary_dilation, distance_transform_edt, label
 
 from kowalevski_cas.motion.arrays import Array, Integers, Mask
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
 
 GREYS = {1: "#efefef", 2: "#d6d6d6", 4: "#b0b0b0"}
 """The shade of a region, by its number of tori."""
@@ -39,8 +36,6 @@ def shade(
 
     A region is of the kind that the grid tells, −1 where there is none.
     """
-    from scipy.ndimage import distance_transform_edt, label
-
     x, y = mesh(axes)
     near = np.zeros(x.shape, dtype=bool)
     if taken is not None:
@@ -67,8 +62,6 @@ def shade(
 
 def filled(axes: Axes, curves: Iterable[tuple[Array, Array]], points: tuple[Array, Array]) -> Mask:
     """The pieces of the grid between curves in which there is one of the points, at least."""
-    from scipy.ndimage import binary_closing, binary_dilation, label
-
     walls, here = np.zeros((GRID, GRID + 1), dtype=bool), np.zeros((GRID, GRID + 1), dtype=bool)
     for x, y in curves:
         column, row = _places(axes, x, y)

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
 
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array, Integers
@@ -19,10 +22,6 @@ from kowalevski_cas.motion.pictures.regions import GREYS, filled, mesh
 from kowalevski_cas.motion.regimes import all_regimes
 from kowalevski_cas.paper.closed_form import CriticalSets
 from kowalevski_cas.pictures import INK, mark, new_figure
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 
 class Curve(NamedTuple):
@@ -72,13 +71,10 @@ def draw(motion: Motion | MotionO4) -> Figure:
         here = filled(axes, [curve[:2] for some in curves for curve in some], (g, root))
         axes.contourf(*mesh(axes), here, levels=(0.5, 1.5), colors=[GREYS[1]], zorder=0)
         for index, (name, some) in enumerate(zip(SETS, curves, strict=True)):
-            one = mark((2, 0, 1)[index])
             for number, curve in enumerate(some):
                 numbers(axes, curve, [(x, y) for x, y, _ in dots])
-                axes.plot(
-                    *curve[:2], color=one.colour, ls=one.dashes, lw=1.2,
-                    label=name if number == 0 else None,
-                )  # fmt: skip
+                label = name if number == 0 else None
+                axes.plot(*curve[:2], **mark((2, 0, 1)[index]).line, lw=1.2, label=label)
         for x, y, alone in dots:
             axes.plot(x, y, "o", ms=4, color=INK, mfc="white" if alone else INK, zorder=5)
     for axes in figure.axes[3:]:
@@ -130,8 +126,6 @@ def first(fields: Fields, h: float) -> Curve:
 
 def numbers(axes: Axes, curve: Curve, taken: Sequence[tuple[float, float]]) -> None:
     """Write the number of tori onto each part of a curve that is long enough, off what is taken."""
-    from matplotlib.patheffects import withStroke
-
     across, up = np.ptp(axes.get_xlim()), np.ptp(axes.get_ylim())
     for part in np.split(np.arange(len(curve.g)), np.flatnonzero(np.diff(curve.tori)) + 1):
         x, y = curve.g[part], curve.root[part]

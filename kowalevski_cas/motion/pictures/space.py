@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle, FancyArrowPatch
+from matplotlib.patheffects import withStroke
 
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.pictures import FAINT, INK, new_figure
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
 
 FAR = 0.25
 """How much of its colour a line keeps where it is farthest away."""
@@ -55,9 +55,6 @@ def curve(
     axes: Axes, view: View, points: Array, colour: str, width: float = 0.9, order: float = 2.0
 ) -> None:
     """Draw the curve through points (N, 3), its far parts paler and under the near ones."""
-    from matplotlib.collections import LineCollection
-    from matplotlib.colors import to_rgb
-
     flat, near = view(points)
     middle = (near[:-1] + near[1:]) / 2
     low, high = middle.min(), middle.max()
@@ -85,9 +82,6 @@ def triad(
     axes: Axes, view: View, labels: tuple[str, ...], length: float, start: float = 0.0
 ) -> None:
     """Draw three axes of this length, labelled at their ends, from the origin or beyond it."""
-    from matplotlib.patches import FancyArrowPatch
-    from matplotlib.patheffects import withStroke
-
     clear = [withStroke(linewidth=2.5, foreground="white")]
     tips, near = view(length * np.eye(3))
     for label, tip, depth in zip(labels, tips, near, strict=True):
@@ -105,8 +99,6 @@ def triad(
 
 def sphere(axes: Axes, view: View, radius: float, labels: tuple[str, ...], length: float) -> None:
     """Draw a sphere about the origin with parallels and meridians, and axes that come out of it."""
-    from matplotlib.patches import Circle
-
     axes.add_patch(Circle((0, 0), radius, fill=False, ec=FAINT, lw=0.7, zorder=1))
     turn = np.linspace(0, 2 * np.pi, 181)
     round_, up = np.stack((np.cos(turn), np.sin(turn), 0 * turn), axis=-1), np.array((0, 0, 1))

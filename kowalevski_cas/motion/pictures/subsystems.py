@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.diagram import Fields
@@ -14,11 +15,6 @@ from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.pictures.regions import mesh, shade
 from kowalevski_cas.paper.closed_form import CriticalSets
 from kowalevski_cas.pictures import mark, new_figure
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
 
 ABOUT = CriticalSets
 
@@ -58,8 +54,7 @@ def _curves(axes: Axes, fields: Fields, energies: bool) -> None:
     for words, style, s, tau in separating(fields, axes.get_ylim()):
         real = np.where(fields.is_real(s, tau), tau, np.nan)
         y = fields.on_O4(s, real)[0] if energies else real
-        one = mark(style)
-        axes.plot(s, y, color=one.colour, ls=one.dashes, lw=1.2, zorder=2, label=words)
+        axes.plot(s, y, **mark(style).line, lw=1.2, zorder=2, label=words)
 
 
 def separating(
@@ -85,4 +80,4 @@ def _first(axes: Axes, fields: Fields) -> None:
     tori = fields.tori_on_M4(h, j)
     shade(axes, np.where(tori > 0, np.log2(np.maximum(tori, 1)), -1).astype(int), (1, 2, 4))
     for j, h in fields.M4_and_O4():
-        axes.plot(j, h, color=mark(3).colour, ls=mark(3).dashes, lw=1.2)
+        axes.plot(j, h, **mark(3).line, lw=1.2)

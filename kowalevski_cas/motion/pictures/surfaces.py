@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.diagram import Fields
@@ -14,11 +14,6 @@ from kowalevski_cas.motion.pictures.sections import SETS, rotations, section
 from kowalevski_cas.motion.pictures.space import View, blank, triad
 from kowalevski_cas.paper.closed_form import CriticalSets
 from kowalevski_cas.pictures import INK, Mark, mark, new_figure
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
 
 ABOUT = CriticalSets
 
@@ -62,4 +57,4 @@ def line(
     flat, near = view(points)
     depth = float(np.nan_to_num(np.nanmean(near))) if np.isfinite(near).any() else 0.0
     order = 2 + depth / 100
-    axes.plot(*flat.T, color=one.colour, ls=one.dashes, lw=width, label=label, zorder=order)
+    axes.plot(*flat.T, **one.line, lw=width, label=label, zorder=order)

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+
+from matplotlib.figure import Figure
 
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.pictures import hodographs
 from kowalevski_cas.paper.closed_form import HyperellipticForm
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 ABOUT = HyperellipticForm
 

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.pictures.orbit import net, orbit, periods, times
 from kowalevski_cas.motion.pictures.space import View, blank, curve, reach, triad
 from kowalevski_cas.pictures import FAINT, mark, new_figure
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 CAPTION = (
     "One trajectory fills its torus. On the left the torus is flat: $T_1$ and $T_2$ are the "
@@ -36,12 +32,8 @@ def draw(motion: Motion) -> Figure:
     if 0 < min(whole) and max(whole) < np.inf:
         _fill(flat, t, motion)
     else:
-        flat.text(
-            0.5,
-            0.5,
-            "This motion fills no torus:\na variable rests, or tends to rest.",
-            ha="center",
-        )
+        words = "This motion fills no torus:\na variable rests, or tends to rest."
+        flat.text(0.5, 0.5, words, ha="center")
     flat.set(xlim=(0, 1), ylim=(0, 1), xticks=(0, 0.5, 1), yticks=(0, 0.5, 1), aspect="equal")
     flat.set_xlabel(r"$(t-t_1)/T_1$ modulo 1")
     flat.set_ylabel(r"$(t-t_2)/T_2$ modulo 1")

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from matplotlib.figure import Figure
 
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.motion.pictures.orbit import orbit
 from kowalevski_cas.motion.pictures.space import View, sheets, sphere, trace
 from kowalevski_cas.pictures import mark
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 CAPTION = (
     "Traces of the field vectors $\\alpha$ and $\\beta$ in the body, on the spheres of radii $a$ "

@@ -57,7 +57,7 @@ class InvertibleChange(Claim):
         assert isinstance(change, Change)
         yield from change.formulas
 
-    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+    def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
         for first, _ in self.pairs[:1]:
             claim = replace(self, pairs=((first, first),))
             yield Neighbour(f"{first} as its own conjugate", claim, texts)
@@ -106,9 +106,9 @@ class Unit(Claim):
     def about(self) -> Iterator[Printed]:
         yield from (*super().about(), *self.rows)
 
-    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+    def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
         """The other sign on the right side."""
-        for neighbour in super().neighbours(texts):
+        for neighbour in super().neighbours(texts, wanted):
             edit = neighbour.edit
             if edit and edit.path[:1] == (1,) and edit.kind == "sign":
                 yield neighbour

@@ -125,11 +125,14 @@ class Claim(ABC):
         places = [self.printed] if self.printed is not None else [*self.establishes()]
         return tuple(texts.formula(place) for place in places)
 
-    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
-        """Statements one edit away, the most plausible corrections first."""
+    def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
+        """Statements one edit away, the most plausible corrections first.
+
+        Of edits, only those are needed that may lead to a formula that is ``wanted``.
+        """
         names = frozenset(self.scene.names()) - {*self.scene.undefined}
         for printed in self.establishes():
-            for edit in edits(texts.statement(printed), texts.vocabulary, names):
+            for edit in edits(texts.statement(printed), texts.vocabulary, names, wanted):
                 yield Neighbour(edit.words, self, texts, printed, edit)
         for attribute in fields(self):
             value = getattr(self, attribute.name)

@@ -78,11 +78,11 @@ class CriticalSet(Claim):
             rates.append(Sum((one, Negative(other))))
         return tuple(map(vanishes, [*rates, *([function] if self.zero_level else [])]))
 
-    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+    def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
         if not self.zero_level:
             words = "the zeros are exactly the critical points at which the function vanishes"
             yield Neighbour(words, replace(self, zero_level=True), texts)
-        for edit in edits(texts.statement(self.own), texts.vocabulary):
+        for edit in edits(texts.statement(self.own), texts.vocabulary, wanted=wanted):
             yield Neighbour(edit.words, self, texts, self.own, edit)
 
     def formulas(self, texts: Texts) -> tuple[Formula, ...]:

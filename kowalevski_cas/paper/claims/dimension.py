@@ -158,7 +158,7 @@ class Independence(Claim):
     def scenes(self) -> Iterator[Scene]:
         yield from (self.scene, _over(self.scene, self.graph))
 
-    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+    def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
         first, *_ = self.functions
         claim = replace(self, functions=(*self.functions, first))
         yield Neighbour("with one of the functions taken twice", claim, texts)

@@ -62,8 +62,8 @@ class Limit(Claim):
             for a, b, c in zip(*rows, strict=True):
                 yield total((rate(a), b, Negative(times(scale, c))))
 
-    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+    def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
         for printed in self.special.relations:
-            for edit in edits(texts.statement(printed), texts.vocabulary):
+            for edit in edits(texts.statement(printed), texts.vocabulary, wanted=wanted):
                 if edit.kind == "sign":
                     yield Neighbour(edit.words, self, texts, printed, edit)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from kowalevski_cas.notation import Name, Partial, times, total
+from kowalevski_cas.notation import Formula, Name, Partial, times, total
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.forms import equations, matrix, names_in, rate, vanishes
 from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
@@ -38,6 +38,6 @@ class LastMultiplier(Claim):
         on_set = Follows(there, ((vanishes(trace(cofactors)),),), given)
         yield Exists((self.relations.moves_by(cofactors, on), on_set), names_in(cofactors))
 
-    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+    def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
         variable = self.scene.variables[0]
         yield Neighbour(f"the density {variable}", replace(self, density=variable), texts)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from kowalevski_cas.notation import Conjugate, Negative
+from kowalevski_cas.notation import Conjugate, Formula, Negative
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Texts
@@ -27,7 +27,7 @@ class Reality(Claim):
             *((formula, Negative(Conjugate(formula))) for formula in imaginary),
         )
 
-    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+    def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
         for tex in self.real:
             rest = tuple(t for t in self.real if t != tex)
             claim = replace(self, real=rest, imaginary=(*self.imaginary, tex))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.claims.claim import Claim, Neighbour
 from kowalevski_cas.paper.claims.forms import equations
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -23,7 +24,7 @@ class Union(Claim):
         conclusions = tuple(equations(on, space, one) for one in self.sets)
         yield Follows(space, conclusions, equations(on, space, self.given))
 
-    def neighbours(self, texts: Texts) -> Iterator[Neighbour]:
+    def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
         for k, one in enumerate(self.sets):
             kept = self.sets[:k] + self.sets[k + 1 :]
             words = f"without ${one[0].tex}$"

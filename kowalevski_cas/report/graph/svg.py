@@ -5,9 +5,9 @@ from __future__ import annotations
 from html import escape
 from typing import Final
 
+from kowalevski_cas.report.document import anchor
 from kowalevski_cas.report.graph.drawing import BOX, LETTER, Box, Line, Picture
 from kowalevski_cas.report.marks import MARKS
-from kowalevski_cas.report.names import anchor
 from kowalevski_cas.verify.outcome import Verdict
 
 _STYLE: Final = {

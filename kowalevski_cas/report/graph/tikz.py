@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from kowalevski_cas.report.document import anchor
 from kowalevski_cas.report.escaping import escaped
 from kowalevski_cas.report.graph.drawing import Box, Line, Picture
 from kowalevski_cas.report.marks import MARKS
-from kowalevski_cas.report.names import anchor
 
 
 def tikz(picture: Picture) -> str:
