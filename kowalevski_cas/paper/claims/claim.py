@@ -39,16 +39,22 @@ class Neighbour(NamedTuple):
         return self.base.edited(self.printed, self.edit)
 
 
-@dataclass_transform(eq_default=False, frozen_default=True)
-@dataclass(frozen=True, eq=False, repr=False)
-class Claim(ABC):
+@dataclass_transform(eq_default=False, frozen_default=True, field_specifiers=(field,))
+class _Kind:
+    """A dataclass of the attributes that a kind declares; no type checker lets them be changed."""
+
+    def __init_subclass__(cls, kw_only: bool = False) -> None:
+        dataclass(eq=False, repr=False, kw_only=kw_only)(cls)
+
+
+class Claim(_Kind, ABC):
     """One statement of the paper, on its scene.
 
     ``printed`` is the place of the formula, if the claim is one formula;
     ``words`` says what is claimed, and ``sentence`` is the author's sentence that claims it, word
     for word, where the formula alone does not. Whatever else a claim is about, its places, scenes
     and neighbours, follows from the types of its attributes. A kind is a subclass with more
-    attributes; it is a dataclass like this one.
+    attributes.
     """
 
     id: str
@@ -56,9 +62,6 @@ class Claim(ABC):
     printed: Printed | None = field(default=None, kw_only=True)
     words: str
     sentence: str = field(default="", kw_only=True)
-
-    def __init_subclass__(cls, kw_only: bool = False) -> None:
-        dataclass(frozen=True, eq=False, repr=False, kw_only=kw_only)(cls)
 
     def __post_init__(self) -> None:
         """Refuse displays and single values where tuples are expected."""
