@@ -137,10 +137,13 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
             broken = _stronger(broken, kind)
         else:
             run.relation |= kind == "relation" and not depth
-            if broken in ("cell", "row", "block") and not _signed(run.tokens[-1], token):
-                raise NotationError(_UNCLEAR, tex, token.start)
-            _append(run.tokens, [token], broken)
-            broken = ""
+            if broken:
+                if broken != "gap" and not _signed(run.tokens[-1], token):
+                    raise NotationError(_UNCLEAR, tex, token.start)
+                _append(run.tokens, [token], broken)
+                broken = ""
+            else:
+                run.tokens.append(token)
     for run in runs:
         while run.tokens and run.tokens[-1].kind == "stop":
             run.tokens.pop()

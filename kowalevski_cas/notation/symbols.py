@@ -116,11 +116,12 @@ class Symbols(Cursor):
 
     def at_time(self, name: str) -> bool:
         """Whether the time stands here in brackets, as the argument of a name that moves."""
-        tokens = self.tokens[self.at : self.at + 3]
+        tokens, at = self.tokens, self.at
         return (
-            name in self.vocabulary.moving
-            and [token.text for token in tokens[::2]] == ["(", ")"]
-            and tokens[1].text in self.vocabulary.times
+            tokens[at].text == "("
+            and name in self.vocabulary.moving
+            and tokens[at + 1].text in self.vocabulary.times
+            and tokens[at + 2].text == ")"
         )
 
     def applied(self, name: str) -> bool:

@@ -46,6 +46,18 @@ class _Kind:
     def __init_subclass__(cls, kw_only: bool = False) -> None:
         dataclass(eq=False, repr=False, kw_only=kw_only)(cls)
 
+    def _stands_on(self) -> Iterator[Printed | Scene]:
+        """The attributes, and what is in tuples and in claims that are attributes, in its order."""
+        waiting: list[object] = [*vars(self).values()]
+        while waiting:
+            value = waiting.pop(0)
+            if isinstance(value, Printed | Scene):
+                yield value
+            elif isinstance(value, tuple):
+                waiting = [*value, *waiting]
+            elif isinstance(value, _Kind):
+                yield from value._stands_on()
+
 
 class Claim(_Kind, ABC):
     """One statement of the paper, on its scene.
@@ -101,18 +113,6 @@ class Claim(_Kind, ABC):
     def scenes(self) -> Iterator[Scene]:
         """The scenes on which the claim stands."""
         yield from (one for one in self._stands_on() if isinstance(one, Scene))
-
-    def _stands_on(self) -> Iterator[Printed | Scene]:
-        """The attributes, and what is in tuples and in claims that are attributes, in its order."""
-        waiting: list[object] = [getattr(self, own.name) for own in fields(self)]
-        while waiting:
-            value = waiting.pop(0)
-            if isinstance(value, Printed | Scene):
-                yield value
-            elif isinstance(value, tuple):
-                waiting = [*value, *waiting]
-            elif isinstance(value, Claim):
-                yield from value._stands_on()
 
     def establishes(self) -> Iterator[Printed]:
         """The places that are right if the claim is."""
