@@ -103,15 +103,15 @@ class Arithmetic(Points):
         worst = ratios[:, finite].max()
         words = f"{worst:.0e} of the size of the terms at {finite.sum()} points, seed {self.seed}"
         if question.somewhere:
-            return Answer(bool(worst > TOLERANCE), words, certain=False)
+            return Answer(bool(worst > TOLERANCE), words)
         if worst <= TOLERANCE:
-            return Answer(True, words, certain=False)
+            return Answer(True, words)
         known = np.where(finite, ratios, 0)
         which, where = map(int, np.unravel_index(known.argmax(), known.shape))
         words = "left minus right side, in floating point, which is not to be trusted"
         left = _shown(point(programs[which]), where)
         coordinates = _coordinates(question, point, where)
-        return Answer(False, words, certain=False, point=coordinates, left=left)
+        return Answer(False, words, point=coordinates, left=left)
 
     def _rank(self, question: Question, point: Valuation) -> Answer:
         """The rank by singular values, the largest one at any of the points."""
@@ -127,7 +127,6 @@ class Arithmetic(Points):
         return Answer(
             found == question.rank,
             words,
-            certain=False,
             point=_coordinates(question, point, where),
             left=str(found),
             right=str(question.rank),

@@ -40,15 +40,13 @@ class Question(NamedTuple):
 class Answer(NamedTuple):
     """What points say: yes, no (at this point), or nothing (``holds`` is ``None``) for a reason.
 
-    ``bound`` is the chance of a wrong yes, ``radius`` that of the largest ball around
-    a residual. ``certain`` says that a no is beyond doubt.
+    ``bound`` is the chance of a wrong yes, ``radius`` that of the largest ball around a residual.
     """
 
     holds: bool | None
     words: str = ""
     bound: float | None = None
     radius: float | None = None
-    certain: bool = True
     point: Mapping[str, str] = {}
     left: str = ""
     right: str = "0"

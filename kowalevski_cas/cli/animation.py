@@ -16,6 +16,7 @@ from kowalevski_cas.cli.exits import AS_RECORDED, CommandError
 from kowalevski_cas.cli.motion import add_motion
 from kowalevski_cas.cli.pictures import chosen
 from kowalevski_cas.files import write
+from kowalevski_cas.motion.pictures import animation
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -26,14 +27,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
-    from kowalevski_cas.motion.pictures.animation import write as animate
-
     path, motion = arguments.output, chosen(arguments)
     if path.is_dir() or path.suffix.lower() != ".gif":
         raise CommandError(f"--output {path} is no file that ends with .gif")
     with TemporaryDirectory() as folder:
         drawn = Path(folder) / "body.gif"
-        animate(motion, drawn)
+        animation.write(motion, drawn)
         write(path, drawn.read_bytes())
     print(path)
     return AS_RECORDED

@@ -7,39 +7,64 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
-from collections.abc import Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
-from importlib import import_module
 from pathlib import Path
-from time import monotonic
+from typing import Any
 
 from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, UNDECIDED, CommandError
 from kowalevski_cas.files import write
 from kowalevski_cas.library import owner
-from kowalevski_cas.limits import tell, time_limit
 from kowalevski_cas.notation import NotationError, to_latex, to_plain
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import Pool
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.questions import QUESTIONS, forecast, found, question
 from kowalevski_cas.verify.found import Finding, with_findings
 from kowalevski_cas.verify.outcome import Outcome, Run
 from kowalevski_cas.verify.run import verify
 
-QUESTIONS = {
-    "integrals": "polynomial first integrals, up to a degree",
-    "darboux": "polynomials F with F' = KF, up to a degree, and their K",
-    "closure": "an invariant set, from a function and its derivatives",
-    "parameters": "values of constants for which a polynomial divides its derivative",
-    "exponents": "weights, balances, their Kowalevski exponents, and the Painlevé test",
-}
 
-MANY = 2000
-"""How many monomials make a search long."""
+def _number(default: int, help: str) -> dict[str, Any]:
+    return {"type": session.natural, "default": default, "metavar": "N", "help": help}
+
+
+ARGUMENTS: dict[str, dict[str, dict[str, Any]]] = {
+    "integrals": {
+        "--degree": _number(
+            0, "the highest degree (2, and with --weighted the largest Kowalevski exponent)"
+        ),
+        "--on": {
+            "action": "append",
+            "default": [],
+            "metavar": "RELATION",
+            "help": "on the invariant set of this equation, in LaTeX, and of others given likewise",
+        },
+        "--weighted": {
+            "action": "store_true",
+            "help": "a variable counts by its weight, for which the motion is homogeneous",
+        },
+    },
+    "darboux": {
+        "--degree": _number(2, "the highest degree (2)"),
+        "--cofactor": {
+            "default": "",
+            "metavar": "K",
+            "help": "this K only, in LaTeX; that there is no other F is proved too",
+        },
+        "--special": {"action": "store_true", "help": "constants may have special values as well"},
+    },
+    "closure": {
+        "seed": {"metavar": "SEED", "help": "the function, in LaTeX, in the names of the scene"},
+        "--order": _number(4, "the longest chain (4)"),
+    },
+    "parameters": {"polynomial": {"metavar": "POLYNOMIAL", "help": "F, in LaTeX"}},
+    "exponents": {},
+}
+"""The arguments of each question, by which its search is called."""
 
 LONGEST = 400
 """How many letters of formulas are printed on a line, if not all are asked for."""
@@ -49,12 +74,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command, and those of each question."""
     questions = parser.add_subparsers(title="questions", metavar="QUESTION", required=True)
     for name, summary in QUESTIONS.items():
-        module = import_module(f"kowalevski_cas.cli.questions.{name}")
-        one = questions.add_parser(name, help=summary, description=module.__doc__)
-        one.set_defaults(search=module.search, question=name)
+        one = questions.add_parser(name, help=summary, description=question(name).__doc__)
+        one.set_defaults(question=name)
         one.add_argument("derivation", metavar="DERIVATION", help="name in the library, or folder")
         one.add_argument("--scene", metavar="NAME", help="the scene, by its name")
-        module.add_arguments(one)
+        for key, options in ARGUMENTS[name].items():
+            one.add_argument(key, **options)
         session.add_format(one, ("pretty", "verbose", "json"), "formula")
         one.add_argument(
             "--write", action="store_true", help="append what is proved of the motion to the file"
@@ -67,7 +92,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     ((_, derivation),) = session.derivations([arguments.derivation])
     scene = _scene(derivation, arguments.scene)
-    forecast(scene, arguments.question, getattr(arguments, "degree", 0) or 0)
+    forecast(scene, arguments.question, getattr(arguments, "degree", 0))
     file, name = _owner(scene) if arguments.write else (None, "")
     pool = session.pool(arguments)
     (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments, name, pool), [None])
@@ -115,7 +140,9 @@ def _answer(
     """The answer to a question; what was found before it had to stop is kept."""
     on = Elaborations(derivation.texts(derivation.corrected()))
     try:
-        search = arguments.search(on, scene, arguments, pool)
+        keys = (key.lstrip("-") for key in ARGUMENTS[arguments.question])
+        asked = {key: getattr(arguments, key) for key in keys}
+        search = question(arguments.question).search(on, scene, pool, **asked)
         findings, unfinished = found(search, arguments.timeout)
     except (Meaningless, NotationError) as error:
         raise CommandError(f"scene “{scene.name}”: {error}") from None
@@ -132,44 +159,11 @@ def _answer(
     return _Answer(findings, run, unfinished, "\n".join(["", *lines, ""]))
 
 
-def found(search: Iterator[Finding], seconds: float) -> tuple[list[Finding], str]:
-    """What is found in so many seconds, and why nobody looked further, if something is left."""
-    from kowalevski_cas.algebra.kernels import TooLarge
-
-    findings: list[Finding] = []
-    end = monotonic() + seconds
-    try:
-        while True:
-            with time_limit(end - monotonic()):
-                findings.append(next(search))
-            tell(f"{len(findings)} found", 0, 1)
-    except StopIteration:
-        return findings, ""
-    except TimeoutError:
-        return findings, f"it took more than {seconds:g} s: give it more time"
-    except TooLarge as error:
-        return findings, f"it would be too large: {error}"
-
-
 def _owner(scene: Scene) -> tuple[Path, str]:
     found = owner(scene)
     if found is None:
         raise CommandError("--write needs a file in which a System with this scene has a name")
     return found
-
-
-def forecast(scene: Scene, question: str, degree: int) -> None:
-    """Say beforehand how large a question about polynomials is, if it is, and whether too large."""
-    from kowalevski_cas.problem.polynomial_fields import number_of_monomials
-
-    if not degree:
-        return
-    largest = import_module(f"kowalevski_cas.search.{question}").LARGEST
-    width = len(scene.variables)
-    if (size := number_of_monomials((1,) * width, degree)) > min(MANY, largest):
-        large = f"{width} variables have {size} monomials up to degree {degree}"
-        ends = "the search ends before, with what it has found"
-        print(f"{large}: {ends if size > largest else 'it may take long'}", file=sys.stderr)
 
 
 def _scene(derivation: Derivation, name: str | None) -> Scene:

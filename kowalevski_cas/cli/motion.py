@@ -17,23 +17,24 @@ import argparse
 import re
 import sys
 from collections.abc import Collection
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, UNDECIDED, CommandError
 from kowalevski_cas.cli.motion_formats import FORMATS
 from kowalevski_cas.files import write
 from kowalevski_cas.limits import time_limit
-from kowalevski_cas.motion.methods import METHODS
+from kowalevski_cas.motion import General, Motion, MotionO4, through
+from kowalevski_cas.motion.arrays import Array
+from kowalevski_cas.motion.formulas import source
+from kowalevski_cas.motion.general import AnyMotion
+from kowalevski_cas.motion.methods import METHODS, load
+from kowalevski_cas.motion.methods.ball import enclosed
+from kowalevski_cas.motion.parameters import MethodError, exact
+from kowalevski_cas.motion.result import Result
 from kowalevski_cas.processes import each
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    from kowalevski_cas.motion import Motion, MotionO4
-    from kowalevski_cas.motion.general import AnyMotion
-    from kowalevski_cas.motion.result import Result
 
 LARGEST_COUNT = 10_000_000
 
@@ -111,16 +112,6 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _followed(arguments: argparse.Namespace) -> Result:
-    import numpy as np
-
-    from kowalevski_cas.motion.formulas import source
-    from kowalevski_cas.motion.general import General
-    from kowalevski_cas.motion.methods import load
-    from kowalevski_cas.motion.methods.ball import enclosed
-    from kowalevski_cas.motion.o4.motion import MotionO4
-    from kowalevski_cas.motion.parameters import MethodError, exact
-    from kowalevski_cas.motion.result import Result
-
     if not 1 <= arguments.samples <= LARGEST_COUNT:
         raise CommandError(f"--samples has to be from 1 to {LARGEST_COUNT}")
     try:
@@ -142,7 +133,7 @@ def _followed(arguments: argparse.Namespace) -> Result:
     if sys.stderr.isatty():
         print(f"{method} is to come to {limit} ...", file=sys.stderr)
 
-    def states(motion: AnyMotion) -> tuple[NDArray[np.float64], ...]:
+    def states(motion: AnyMotion) -> tuple[Array, ...]:
         with time_limit(arguments.timeout):
             if method == "ball" and not isinstance(motion, General):
                 return enclosed(motion, times)
@@ -165,8 +156,6 @@ def _followed(arguments: argparse.Namespace) -> Result:
 
 def motion_of(arguments: argparse.Namespace) -> AnyMotion:
     """The motion that the arguments describe; a message for every way in which they do not."""
-    from kowalevski_cas.motion import through
-
     given = {name: value for name in CONSTANTS if (value := getattr(arguments, name)) is not None}
     try:
         if arguments.point is None:
@@ -179,8 +168,6 @@ def motion_of(arguments: argparse.Namespace) -> AnyMotion:
 
 def _by_constants(given: dict[str, Any]) -> Motion | MotionO4:
     """The motion on O⁴ or on N⁴ with these constants."""
-    from kowalevski_cas.motion import Motion, MotionO4
-
     third = any(name in given for name in ON_O4)
     needed = ("a", "b", *(("s", "tau") if third else ("m",)))
     missing = [f"--{name}" for name in needed if name not in given]

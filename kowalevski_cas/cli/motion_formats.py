@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from io import BytesIO
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from kowalevski_cas.motion.result import Result
+import numpy as np
+
+from kowalevski_cas.motion.result import Result
 
 TOLD = ("invariants", "critical_sets", "regime")
 """What is said of a motion besides its states."""
@@ -40,8 +40,6 @@ def as_csv(result: Result) -> bytes:
 
 def as_npz(result: Result) -> bytes:
     """NumPy arrays: t (N), omega, alpha, beta (N, 3), radius (N); what is told as JSON."""
-    import numpy as np
-
     omega, alpha, beta = np.split(result.states, 3, axis=1)
     arrays = {"t": result.times, "omega": omega, "alpha": alpha, "beta": beta}
     if result.radii is not None:

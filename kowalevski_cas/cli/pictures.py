@@ -12,18 +12,16 @@ from __future__ import annotations
 import argparse
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
 from kowalevski_cas.cli.motion import CONSTANTS, add_motion, motion_of
 from kowalevski_cas.files import write
+from kowalevski_cas.motion import General, Motion, MotionO4
+from kowalevski_cas.motion.formulas import source
 from kowalevski_cas.motion.pictures import ON_N4, PICTURES, load
+from kowalevski_cas.pictures import save, style
 from kowalevski_cas.report.plates import LIST
-
-if TYPE_CHECKING:
-    from kowalevski_cas.motion.motion import Motion
-    from kowalevski_cas.motion.o4.motion import MotionO4
 
 EXAMPLE = ("1.2", "0.7", "-1.2", "0.3")
 """The constants a, b, m, ℓ of the motion that is drawn if none is given."""
@@ -61,15 +59,11 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _drawn(motion: Motion | MotionO4) -> list[str]:
     """The pictures that there are of a motion."""
-    from kowalevski_cas.motion import Motion
-
     return [name for name in PICTURES if isinstance(motion, Motion) or name not in ON_N4]
 
 
 def chosen(arguments: argparse.Namespace) -> Motion | MotionO4:
     """The motion that the arguments describe, or the example."""
-    from kowalevski_cas.motion import General, Motion
-
     if any(getattr(arguments, name) is not None for name in (*CONSTANTS, "point")):
         motion = motion_of(arguments)
         if isinstance(motion, General):
@@ -81,8 +75,6 @@ def chosen(arguments: argparse.Namespace) -> Motion | MotionO4:
 
 def _plates() -> str:
     """The list of pictures for the reports of the derivations that they are about."""
-    from kowalevski_cas.motion.formulas import source
-
     listed: dict[str, list[dict[str, str]]] = {}
     for name in PICTURES:
         picture = load(name)
@@ -93,8 +85,6 @@ def _plates() -> str:
 
 def _draw(name: str, motion: Motion | MotionO4, folder: Path) -> None:
     """Draw a picture and write it."""
-    from kowalevski_cas.pictures import save, style
-
     try:
         with style():
             save(load(name).draw(motion), folder, name)

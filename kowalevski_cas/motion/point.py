@@ -19,9 +19,9 @@ from flint import arb
 from kowalevski_cas.motion import formulas
 from kowalevski_cas.motion.arrays import Array
 from kowalevski_cas.motion.critical import LEAST_THETA, TOLERANCE, bounds
-from kowalevski_cas.motion.fit import nearest
 from kowalevski_cas.motion.formulas import exactly
 from kowalevski_cas.motion.frame import BITS, given_state, turn_of, turned
+from kowalevski_cas.motion.methods.ball import enclosures
 from kowalevski_cas.motion.methods.closed import states
 from kowalevski_cas.motion.motion import Motion
 from kowalevski_cas.motion.parameters import (
@@ -39,6 +39,13 @@ from kowalevski_cas.motion.start import Values, arc_of, at_infinity, start, vari
 
 ROUNDING = 1e-15
 """How far from a state, of its size, a motion may begin that is not improved."""
+
+STEPS = 3
+
+SMALL = Fraction(1, 2**80)
+"""The change of a constant or a phase, of its size, by which derivatives are found."""
+
+NEWTON_BITS = 192
 
 
 def on_N4(state: Sequence[Real]) -> Motion:
@@ -94,6 +101,49 @@ def _started(motion: Motion, values: tuple[Values, Values]) -> Motion:
 def _returning(motion: Motion, given: list[Fraction]) -> Motion:
     """The motion with its distance from the state at t = 0."""
     return replace(motion, off=distance(states(motion, np.zeros(1))[0], given))
+
+
+def nearest(motion: Motion, state: Sequence[Fraction], weights: Array) -> Motion:
+    """The motion through the point of N⁴ nearest to a state, near which another motion begins.
+
+    The fields stay as they are; differences from the state are multiplied by the weights. On a
+    separating curve, where the state does not tell the phases, the motion is left as it is. Where
+    x1x2 is almost zero the printed formulas divide by it, and lose the digits that the state still
+    has: by the method of Gauss and Newton they are found again.
+    """
+    oscillations = motion.oscillations()
+    if any(oscillation.kind != "elliptic" for oscillation in oscillations):
+        return motion
+    known = motion.parameters
+    values = [known.m, as_fraction(known.ell), *motion.origins]
+    times = (1 / as_fraction(oscillation.rate) for oscillation in oscillations)
+    sizes = [abs(known.m), Fraction(1), *times]
+
+    def moved(values: Sequence[Fraction]) -> Motion:
+        m, ell, t1, t2 = values
+        parameters = Parameters.of(known.a, known.b, m, ell)
+        return replace(motion, parameters=parameters, origins=(t1, t2))
+
+    def off(values: Sequence[Fraction]) -> list[Fraction]:
+        (there,) = enclosures(moved(values), [0.0], NEWTON_BITS)
+        return [as_fraction(x) - y for x, y in zip(there, state, strict=True)]
+
+    try:
+        for _ in range(STEPS):
+            here = off(values)
+            columns = []
+            for place, size in enumerate(sizes):
+                beside = off([x + (k == place) * size * SMALL for k, x in enumerate(values)])
+                columns.append([float((x - y) / SMALL) for x, y in zip(beside, here, strict=True)])
+            jacobian = np.array(columns).T * weights[:, None]
+            step, *_ = np.linalg.lstsq(jacobian, -weights * [float(x) for x in here])
+            values = [
+                x + Fraction(float(part)) * size
+                for x, part, size in zip(values, step, sizes, strict=True)
+            ]
+        return moved(values)
+    except (Inadmissible, ArithmeticError):
+        return motion
 
 
 def distance(state: Array, given: list[Fraction]) -> float:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator
+from functools import cache
+from typing import NamedTuple
 
 from kowalevski_cas.notation import (
     Derivative,
@@ -31,8 +32,7 @@ _RATE = 1.4
 _ADDED = tuple(kind for kind in SIGNED if kind is not Negative)
 
 
-@dataclass(frozen=True)
-class Piece:
+class Piece(NamedTuple):
     """A piece of a formula: its source in some format, its width in em, its class.
 
     ``kind`` is one of ord, sign, relation, open, close. ``inner`` holds the pieces of a
@@ -69,7 +69,7 @@ def _pieces(formula: Formula, printer: Printer) -> Iterator[Piece]:
             for k, factor in enumerate(factors):
                 first, *others = _within(factor, COMPOUND, printer)
                 if k and (between := printer.beside(factors[k - 1], factor, first.text)):
-                    first = replace(first, text=between + first.text)
+                    first = first._replace(text=between + first.text)
                 yield first
                 yield from others
         case Derivative():
@@ -99,10 +99,11 @@ def _piece(formula: Formula, printer: Printer) -> Piece:
     """A formula that is one piece, though perhaps one with inner ones."""
     match formula:
         case Power(base, exponent) if not is_base(base):
-            *inner, closing = _bracket(base, printer).inner
-            raised = printer.raised(closing.text, printer(exponent))
-            width = _SCRIPT * measured(pieces(exponent, printer))
-            return _pair([*inner, replace(closing, text=raised)], printer(formula), width)
+            bracket, high = _bracket(base, printer), pieces(exponent, printer)
+            text, (*inner, closing) = joined(high, printer), bracket.inner
+            closing = closing._replace(text=printer.raised(closing.text, text))
+            whole = printer.raised(bracket.text, text)
+            return _pair((*inner, closing), whole, _SCRIPT * measured(high))
         case Quotient(above, below):
             over, under = pieces(above, printer), pieces(below, printer)
             width = max(measured(over), measured(under)) + 0.24
@@ -112,7 +113,7 @@ def _piece(formula: Formula, printer: Printer) -> Piece:
             wide = (max(measured(pieces(cell, printer)) for cell in cells) for cells in columns)
             return Piece(printer(formula), sum(wide) + len(rows) + 0.8, tall=True)
         case Changed(argument):
-            return replace(_piece(argument, printer), text=printer(formula), inner=(), below=())
+            return _piece(argument, printer)._replace(text=printer(formula), inner=(), below=())
         case Root(argument):
             inside = pieces(argument, printer)
             tall = any(piece.tall for piece in inside)
@@ -131,17 +132,17 @@ def _within(
 
 
 def _bracket(formula: Formula, printer: Printer) -> Piece:
-    text = printer(formula)
-    opening, closing = printer.brackets(text)
     inner = pieces(formula, printer)
+    text = joined(inner, printer)
+    opening, closing = printer.brackets(text)
     ends = Piece(opening, _BRACKET, "open"), Piece(closing, _BRACKET, "close")
-    return _pair([ends[0], *inner, ends[1]], printer.between(opening, text, closing))
+    return _pair((ends[0], *inner, ends[1]), printer.between(opening, text, closing))
 
 
-def _pair(inner: Sequence[Piece], text: str, more: float = 0.0) -> Piece:
+def _pair(inner: tuple[Piece, ...], text: str, more: float = 0.0) -> Piece:
     tall = any(piece.tall for piece in inner)
     width = measured(inner) + (2 * (_TALL_BRACKET - _BRACKET) if tall else 0) + more
-    return Piece(text, width, inner=tuple(inner), tall=tall)
+    return Piece(text, width, inner=inner, tall=tall)
 
 
 def joined(side_by_side: Iterable[Piece], printer: Printer) -> str:
@@ -170,6 +171,7 @@ def measured(side_by_side: Iterable[Piece]) -> float:
     return total
 
 
+@cache
 def _letter(letter: str) -> float:
     """The width of a letter of plain text that is set as a formula, in em."""
     if unicodedata.combining(letter):

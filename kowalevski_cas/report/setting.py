@@ -88,7 +88,7 @@ class Setter(ABC):
             first, last = piece.inner[0], piece.inner[-1]
             opened = self.opened(first.text, piece.tall)
             closed = self.closed(last.text, piece.tall)
-            return replace(first, text=opened), replace(last, text=closed)
+            return first._replace(text=opened), last._replace(text=closed)
         inverse = self.printer.fraction("1", self._joined(piece.below))
         before = self.printer.joined([inverse, self.opened("(", tall=True)])
         width = measured(piece.below) + 0.9

@@ -14,13 +14,10 @@ them: ``kowalevski-cas verify lorenz.py``.
 from __future__ import annotations
 
 import sys
-from argparse import Namespace
 from collections.abc import Sequence
 from dataclasses import replace
-from importlib import import_module
 from typing import Any
 
-from kowalevski_cas.cli.find import forecast, found
 from kowalevski_cas.paper.claims import (
     Casimir,
     DarbouxPolynomial,
@@ -38,11 +35,10 @@ from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.pool import HERE
 from kowalevski_cas.processes import each
+from kowalevski_cas.questions import forecast, found, question
 from kowalevski_cas.system.answers import Function, Stated
 from kowalevski_cas.system.field import Field, Tex
 from kowalevski_cas.verify.found import Finding
-
-QUESTIONS = "kowalevski_cas.cli.questions"
 
 
 class System(Field):
@@ -157,24 +153,23 @@ class System(Field):
         """The weights, the balances of the leading terms, and the Kowalevski exponents of each."""
         return self._found("exponents")
 
-    def _found(self, question: str, **options: Any) -> list[Stated]:
+    def _found(self, name: str, **options: Any) -> list[Stated]:
         """What the command ``find`` finds, as claims like any other.
 
         What is found in time is claimed; if something may be left, that is said.
         """
-        for name in ("degree", "order"):
-            if (value := options.get(name, 0)) < 0:
-                raise ValueError(f"{name}={value}: a number that is not negative is expected")
-        forecast(self.scene, question, options.get("degree", 0))
-        module = import_module(f"{QUESTIONS}.{question}")
+        for key in ("degree", "order"):
+            if (value := options.get(key, 0)) < 0:
+                raise ValueError(f"{key}={value}: a number that is not negative is expected")
+        forecast(self.scene, name, options.get("degree", 0))
         on = Elaborations(Texts(vocabulary((self.scene,))))
 
         def answered(scene: Scene) -> tuple[Scene, list[Finding], str]:
-            search = module.search(on, scene, Namespace(**options), self.pool)
+            search = question(name).search(on, scene, self.pool, **options)
             return scene, *found(search, self.seconds)
 
         ((scene, findings, unfinished),) = each(answered, [self.scene])
         if unfinished:
-            print(f"find {question}: {unfinished}", file=sys.stderr)
+            print(f"find {name}: {unfinished}", file=sys.stderr)
         here = (replace(one, on=self.scene) if one.on is scene else one for one in findings)
-        return [self._state(self._id(question, ""), one) for one in here]
+        return [self._state(self._id(name, ""), one) for one in here]

@@ -1,13 +1,11 @@
 """What is published is found, given the field and a bound only; nothing else; all with certificates."""
 
-from argparse import Namespace
-from importlib import import_module
-
 import pytest
 
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem import checker
+from kowalevski_cas.questions import question
 from kowalevski_cas.verify.found import with_findings
 from kowalevski_cas.verify.run import Session
 from study.published import PUBLISHED
@@ -20,11 +18,7 @@ def answered(published):
     scene = system.scene
     derivation = Derivation("published", published.name, "", "", (system.section,))
     on = Elaborations(derivation.texts(None, scene))
-    question = import_module(f"kowalevski_cas.cli.questions.{published.question}")
-    arguments = Namespace(
-        degree=published.degree, special=False, weighted=False, cofactor="", on=()
-    )
-    findings = [*question.search(on, scene, arguments)]
+    findings = [*question(published.question).search(on, scene, degree=published.degree)]
     claims = with_findings(derivation, findings)
     session = Session(claims, ["flint"])
     for claim in claims.claims:

@@ -9,7 +9,7 @@ from math import lcm, prod
 
 from flint import fmpz
 
-from kowalevski_cas.problem.checker import Element, Ring
+from kowalevski_cas.problem.checker import Element, Ring, quotient
 from kowalevski_cas.problem.trees import Tree
 
 SMALL = 168
@@ -60,7 +60,7 @@ class Elements:
                     self._add(k, name, ring.generator(name))
 
     def _add(self, k: int, tree: Tree, element: Element) -> None:
-        cofactor = self.conditions[k].over(element)
+        cofactor = quotient(self.conditions[k], element)
         if cofactor is not None:
             self.plain.append(Plain(k, tree, element, cofactor))
 
@@ -77,8 +77,8 @@ class Elements:
         """A number and powers of what has plain inverses, and what is left without them."""
         powers: dict[int, int] = {}
         for k, plain in enumerate(self.plain):
-            while (quotient := element.over(plain.element)) is not None:
-                element, powers[k] = quotient, powers.get(k, 0) + 1
+            while (rest := quotient(element, plain.element)) is not None:
+                element, powers[k] = rest, powers.get(k, 0) + 1
         return element.value() or Fraction(1), powers, element
 
     def _term(self, value: Fraction, powers: dict[str, int]) -> Term:

@@ -11,13 +11,12 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
 
+from kowalevski_cas.motion.motion import Motion
+from kowalevski_cas.motion.o4.motion import MotionO4
 from kowalevski_cas.paper.closed_form import ClosedForm
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-    from kowalevski_cas.motion.motion import Motion
-    from kowalevski_cas.motion.o4.motion import MotionO4
 
 PICTURES = {
     "hodographs": "of the angular velocity, in the body and in space",

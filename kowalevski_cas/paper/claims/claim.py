@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
 from typing import Any, NamedTuple, dataclass_transform
 
 from kowalevski_cas.notation import Edit, Formula, edits
@@ -46,17 +47,20 @@ class _Kind:
     def __init_subclass__(cls, kw_only: bool = False) -> None:
         dataclass(eq=False, repr=False, kw_only=kw_only)(cls)
 
-    def _stands_on(self) -> Iterator[Printed | Scene]:
+    @cached_property
+    def _stands_on(self) -> list[Printed | Scene]:
         """The attributes, and what is in tuples and in claims that are attributes, in its order."""
+        found: list[Printed | Scene] = []
         waiting: list[object] = [*vars(self).values()]
         while waiting:
             value = waiting.pop(0)
             if isinstance(value, Printed | Scene):
-                yield value
+                found.append(value)
             elif isinstance(value, tuple):
                 waiting = [*value, *waiting]
             elif isinstance(value, _Kind):
-                yield from value._stands_on()
+                found += value._stands_on
+        return found
 
 
 class Claim(_Kind, ABC):
@@ -108,11 +112,11 @@ class Claim(_Kind, ABC):
 
     def places(self) -> Iterator[Printed]:
         """The places of the paper that the claim names, its own first; not those of its scenes."""
-        yield from (one for one in self._stands_on() if isinstance(one, Printed))
+        yield from (one for one in self._stands_on if isinstance(one, Printed))
 
     def scenes(self) -> Iterator[Scene]:
         """The scenes on which the claim stands."""
-        yield from (one for one in self._stands_on() if isinstance(one, Scene))
+        yield from (one for one in self._stands_on if isinstance(one, Scene))
 
     def establishes(self) -> Iterator[Printed]:
         """The places that are right if the claim is."""

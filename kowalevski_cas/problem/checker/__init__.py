@@ -8,7 +8,8 @@ To be read in this order, and each file knows those before it only:
 
 * ``reading``: the shapes of JSON that a certificate may have, and the bounds of it all;
 * ``polynomials``: over the rational numbers, with generators that are roots of others;
-* ``formulas``: what formulas mean; division, derivatives, conjugates;
+* ``division``: by what is known not to vanish;
+* ``formulas``: what formulas mean; derivatives, conjugates;
 * ``spaces``: names with definitions, a vector field or a change of variables;
 * ``evidence``: real points, combinations, sums of squares, proofs by cases;
 * ``goals``, ``counts`` and ``kernels``: what is stated, what shows it, and what denies it;
@@ -19,6 +20,7 @@ The folder is a program: ``python -I -S FOLDER FILE...`` runs it, wherever it ha
 """
 
 from .certificate import Certificate, check
+from .division import quotient
 from .evidence import locate
 from .formulas import Map, Rates, Value
 from .polynomials import Element, Ring
@@ -42,5 +44,5 @@ from .spaces import Space
 __all__ = [
     "BITS", "DEGREE", "FORMAT", "KINDS", "NAMES", "SIZE", "VERSION", "WORK",
     "Budget", "Certificate", "Element", "Json", "Map", "Problem", "Rates", "Rejected", "Ring",
-    "Space", "Value", "check", "locate", "need", "printable", "sentence",
+    "Space", "Value", "check", "locate", "need", "printable", "quotient", "sentence",
 ]  # fmt: skip

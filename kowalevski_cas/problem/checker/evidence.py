@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from itertools import combinations
+from math import isqrt, prod
 
 from .formulas import Map, rational
 from .polynomials import Element, Ring
-from .reading import Json, Rejected, integer, items, label, need, pairs, record
+from .reading import BITS, Json, Rejected, integer, items, label, need, pairs, record
 from .spaces import Space
 
 # -- points ------------------------------------------------------------------------
@@ -32,13 +33,27 @@ def locate(space: Space, data: Json, given: list[Element], numbers: Space | None
         real = (at(conjugate) - numbers.conj(at.images[name])).vanishes()
         need(real, f"{name} is not real there")
         if name.startswith("\\sqrt") and conjugate.is_generator(name):
-            need(not at.images[name].is_negative(), f"{name} is negative there")
+            need(not is_negative(at.images[name]), f"{name} is negative there")
     need(all(at(e).vanishes() for e in given), "the point is not where it should be")
     need(all(at(e).differs() for e in space.granted), "a condition fails before the change")
     for name, words in space.known.items():
         known = at(space.ring.divisors[name]).differs()
         need(known, f"a condition fails at the point: {words:.200}")
     return at
+
+
+def is_negative(number: Element) -> bool:
+    """Whether a number is negative, or may be; its roots are the positive ones."""
+    ring, low = number.ring, 0
+    squares = {name: ring.roots[name].value() or 0 for name in number.generators()}
+    if not number.terms or min(squares.values(), default=1) < 1:
+        return bool(number.terms)
+    ring.spend(len(number.terms) << 4)
+    for m, c in number.terms.items():
+        square = prod(squares[name].numerator for name, _ in ring.exponents(m))
+        root = isqrt(c * c * square << 2 * BITS)  # rounded off; that of a square is exact
+        low += root if c > 0 else -root - (root * root < c * c * square << 2 * BITS)
+    return low < 0
 
 
 # -- proofs ------------------------------------------------------------------------

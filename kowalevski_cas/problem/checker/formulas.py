@@ -1,18 +1,12 @@
-"""What formulas mean: values, division by what does not vanish, derivatives, conjugates.
-
-A formula of a statement may divide by all that does not vanish identically: it is about the
-points where its formulas are defined, and what it divides by becomes one more divisor that
-is known not to vanish there. A formula of the evidence divides by known divisors only.
-"""
+"""What formulas mean: values, derivatives, conjugates."""
 
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterator
-from contextlib import contextmanager
 from fractions import Fraction
 from typing import Self
 
+from .division import Divisors
 from .polynomials import Element, Ring
 from .reading import Json, Rejected, exponent, label, need, operation, pairs
 
@@ -55,17 +49,16 @@ class Map:
         return self.images[name]
 
 
-class Formulas:
-    """Names with values, among them roots, powers, and divisors that are known not to vanish.
+class Formulas(Divisors):
+    """Names with values, among them roots and powers.
 
-    ``env`` has the values of names, ``bar`` the conjugates of generators, ``known`` the inverses
-    of divisors with words for these, ``rates`` the vector field.
+    ``env`` has the values of names, ``bar`` the conjugates of generators, ``rates`` the vector
+    field.
     """
 
     def __init__(self, ring: Ring, variables: list[str], constants: list[str]) -> None:
-        self.ring, self.variables, self.constants = ring, variables, constants
-        self.stating = True
-        self.known: dict[str, str] = {}
+        super().__init__(ring)
+        self.variables, self.constants = variables, constants
         self.env: dict[str, Value] = {}
         self.bar: dict[str, Element] = {}
         self.mirror: Map | None = None
@@ -83,13 +76,6 @@ class Formulas:
     def carried(self, ring: Ring, images: dict[str, Element]) -> Map:
         """What elements of a ring become here, where its generators have values."""
         return Map(ring, images, self)
-
-    @contextmanager
-    def statement(self, stating: bool = True) -> Iterator[None]:
-        """Formulas that are read here belong to the statement, or do not."""
-        before, self.stating = self.stating, stating
-        yield
-        self.stating = before
 
     def bind(self, name: Json) -> tuple[str, Element]:
         """A new generator for a name that is bound in a goal."""
@@ -142,9 +128,10 @@ class Formulas:
             return self.derivative(element)
         if op == "conj":
             return self.conj(element)
-        found = [n for n, square in self.ring.roots.items() if (square - element).vanishes()]
-        need(found, "a root is taken that is not declared")
-        return self.ring.generator(found[0])
+        for name, square in self.ring.roots.items():
+            if (square - element).vanishes():
+                return self.ring.generator(name)
+        raise Rejected("a root is taken that is not declared")
 
     def multiplied(self, op: str, values: list[Value], size: int) -> Value:
         """A product or a quotient, by components, or a product of vectors."""
@@ -167,62 +154,6 @@ class Formulas:
         both = [(self.value(left), self.value(right)) for left, right in pairs(equations)]
         need(all(len(a) == len(b) for a, b in both), "a number is equal to a vector")
         return [x - y for a, b in both for x, y in zip(a, b, strict=True)]
-
-    # division
-
-    def inverse(self, element: Element, words: str = "") -> Element:
-        """One over the element; one that was found is there wherever its divisors are known.
-
-        The words are for the case that a new divisor has to be entered.
-        """
-        self.ring.spend(len(element.terms))
-        key = element.below, element.under, frozenset(element.terms.items())
-        found = self.ring.inverses.get(key)
-        if found and all(name in self.known for name, _ in self.ring.exponents(found.under)):
-            return found
-        found = self.ring.inverses[key] = self._inverse(element, words)
-        return found
-
-    def _inverse(self, element: Element, words: str) -> Element:
-        """What is below the element, and its other values, over its norm."""
-        if (number := element.value()) is not None:
-            need(number, "it divides by zero")
-            return self.ring.number(1 / number)
-        above, norm = element.numerator().normed()
-        words = words if above.value() == 1 else ""
-        need(norm.terms, "it divides by zero")
-        parts = [above, *map(self.ring.denominator, (element.under, norm.under))]
-        content, norm = norm.primitive()
-        parts.append(self.ring.number(1 / content))
-        for name in self.known:
-            if norm.terms.keys() == {0}:
-                break
-            while (quotient := norm.over(self.ring.divisors[name])) is not None:
-                norm = quotient
-                parts.append(self.ring.generator(name))
-        if norm.value() is None:
-            parts.append(self._part(norm, words))
-        return self.ring.product(parts)
-
-    def _part(self, norm: Element, words: str) -> Element:
-        """One over a polynomial that divides a known divisor, or becomes one."""
-        for name in self.known:
-            if (quotient := self.ring.divisors[name].over(norm)) is not None:
-                return quotient * self.ring.generator(name)
-        if not self.stating:
-            raise Rejected(f"it divides by what may be zero: {norm.words():.200}")
-        same = (n for n, divisor in self.ring.divisors.items() if divisor.terms == norm.terms)
-        if not (name := next(same, "")):
-            name = f"1/{len(self.ring.divisors)}"
-            self.ring.adjoin(name)
-            self.ring.divisors[name] = norm
-        self.known[name] = words or norm.words()
-        return self.ring.generator(name)
-
-    def enter(self, element: Element, words: str) -> None:
-        """Know that an element does not vanish."""
-        with self.statement():
-            self.inverse(element, words)
 
     # derivatives
 

@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce
-from math import gcd, isqrt, lcm, prod
+from math import gcd, lcm
 from operator import or_
 
 from .reading import BITS, DEGREE, NAMES, Budget, Rejected, need
@@ -37,7 +37,7 @@ class Ring:
         self.unknown: set[str] = set()  # what may depend on all other names
         self.once, self.squares = 0, 0  # the bits of roots, and of their higher powers
         self.guard = 1 << WIDTH - 1
-        self.evens: dict[int, tuple[int, Element]] = {}  # even powers of roots
+        self.evens: dict[int, tuple[int, int | Element]] = {}  # even powers of roots
         self.denominators: dict[int, Element] = {}  # by the monomials of inverses
         self.inverses: dict[tuple[int, int, frozenset[tuple[int, int]]], Element] = {}
 
@@ -95,7 +95,7 @@ class Ring:
             return found[0][1]
         common, under, steps, out = 1, 0, len(parts), Terms()
         for _, e in found:
-            common = common if common % e.below == 0 else self.multiple(common, e.below)
+            common = self.multiple(common, e.below) if common % e.below else common
             under = under if under == e.under else self.larger(under, e.under)
         bits = (below * common).bit_length()
         for c, e in found:
@@ -105,8 +105,11 @@ class Ring:
             size = c.bit_length()
             bits = max(bits, e.bits + size)
             steps += len(e.terms) * (1 + (e.bits * size >> 16))
-            for m, d in e.terms.items():
-                out[m] = out.get(m, 0) + c * d
+            if out:
+                for m, d in e.terms.items():
+                    out[m] = out.get(m, 0) + c * d
+            else:
+                out = {m: c * d for m, d in e.terms.items()}
         self.spend(steps)
         return Element(self, out, below * common, bits + len(found).bit_length(), under)
 
@@ -147,27 +150,23 @@ class Ring:
             sums.append(one.reduced() if monomial & self.squares else one)
         return reduce(Element.times, sums)
 
-    def even(self, powers: int) -> tuple[int, Element]:
+    def even(self, powers: int) -> tuple[int, int | Element]:
         """A product of even powers of roots, from the bits of these, and what it is."""
         if powers not in self.evens:
             both = self.exponents(powers)
             squares = [self.roots[name] for name, e in both for _ in range(e // 2)]
+            found = reduce(Element.times, squares)
+            whole = found.terms.keys() == {0} and found.below == 1 and not found.under
             full = powers + sum(e for _, e in both)
-            self.evens[powers] = full, reduce(Element.times, squares, self.number(1))
+            self.evens[powers] = full, found.terms[0] if whole else found
         return self.evens[powers]
 
     def denominator(self, powers: int) -> Element:
         """The product of the divisors in a monomial of their inverses."""
         if powers not in self.denominators:
-            both = self.exponents(powers)
-            factors = [self.divisors[name] for name, e in both for _ in range(e)]
-            self.denominators[powers] = reduce(Element.times, factors, self.number(1))
+            factors = [self.divisors[n] for n, e in self.exponents(powers) for _ in range(e)]
+            self.denominators[powers] = reduce(Element.times, factors or [self.number(1)])
         return self.denominators[powers]
-
-
-def degree(monomials: Iterable[int]) -> int:
-    """The largest total degree."""
-    return max((m & MASK for m in monomials), default=0)
 
 
 class Element:
@@ -204,9 +203,6 @@ class Element:
     def __sub__(self, other: Element) -> Element:
         return self.ring.combination([(1, self), (-1, other)])
 
-    def __mul__(self, other: Element) -> Element:
-        return self.times(other)
-
     def __pow__(self, exponent: int) -> Element:
         return self.ring.product([self] * exponent)
 
@@ -218,13 +214,12 @@ class Element:
         if not few.terms:  # roots of squares have divisors of zero
             return few
         one, two = reduce(or_, few.terms), reduce(or_, many.terms)
-        small = (one & MASK) + (two & MASK) <= DEGREE
-        need(small or degree(few.terms) + degree(many.terms) <= DEGREE, "a degree is too large")
-        out = Terms()
-        for m, c in few.terms.items():
-            if not out:
-                out = {m + n: c * d for n, d in many.terms.items()}
-                continue
+        if (one & MASK) + (two & MASK) > DEGREE:
+            degrees = (max(m & MASK for m in e.terms) for e in (few, many))
+            need(sum(degrees) <= DEGREE, "a degree is too large")
+        (m, c), *others = few.terms.items()
+        out = {m + n: c * d for n, d in many.terms.items()}
+        for m, c in others:
             for n, d in many.terms.items():
                 k = m + n
                 out[k] = out.get(k, 0) + c * d
@@ -232,16 +227,19 @@ class Element:
         whole = Element(ring, out, few.below * many.below, bits, few.under + many.under)
         return whole.reduced() if one & two & ring.once else whole
 
+    __mul__ = times
+
     def reduced(self) -> Element:
         """The same with each root in the first power at most."""
-        groups, parts = defaultdict[int, Terms](dict), list[Element]()
+        groups = defaultdict[int, Terms](dict)
         for m, c in self.terms.items():
             groups[m & self.ring.squares][m] = c
+        parts = [(1, self.with_terms(groups.pop(0, {})))]
         for powers, terms in groups.items():
             full, even = self.ring.even(powers)
             rest = self.with_terms({m - full: c for m, c in terms.items()})
-            parts.append(rest.times(even) if powers else rest)
-        return self.ring.total(parts)
+            parts.append((even, rest) if isinstance(even, int) else (1, rest.times(even)))
+        return self.ring.combination(parts)
 
     def with_terms(self, terms: Terms) -> Element:
         """Other terms, of numbers no larger than here, over the same."""
@@ -258,13 +256,12 @@ class Element:
 
     def split(self, name: str) -> dict[int, Element]:
         """The coefficients as a polynomial in one generator."""
-        found: dict[int, Terms] = {}
+        found = defaultdict[int, Terms](dict)
         shift, unit = self.ring.at[name], self.ring.unit[name]
         for m, c in self.terms.items():
             e = m >> shift & MASK
-            found.setdefault(e, {})[m - e * unit] = c
-        ring = self.ring
-        return {e: Element(ring, t, self.below, self.bits, self.under) for e, t in found.items()}
+            found[e][m - e * unit] = c
+        return {e: self.with_terms(terms) for e, terms in found.items()}
 
     def partial(self, name: str) -> Element:
         """The derivative by one generator, while the others stay."""
@@ -277,17 +274,14 @@ class Element:
             terms = {m - unit: c * e for m, c in self.terms.items() if (e := m >> shift & MASK)}
         return Element(self.ring, terms, self.below, self.bits + WIDTH, under)
 
-    def flipped(self, name: str) -> Element:
-        """The same for the other value of a root."""
-        shift = self.ring.at[name]
-        return self.with_terms({m: -c if m >> shift & 1 else c for m, c in self.terms.items()})
-
     def normed(self) -> tuple[Element, Element]:
         """The product of the other values for all signs of the roots, and with it the norm."""
         above, norm, roots = self.ring.number(1), self, self.ring.roots
         for name in reversed(roots) if roots.keys() & self.generators() else ():
             if name in norm.generators():
-                other = norm.flipped(name)
+                bit = 1 << self.ring.at[name]
+                terms = {m: -c if m & bit else c for m, c in norm.terms.items()}
+                other = norm.with_terms(terms)
                 above, norm = above * other, norm * other
         return above, norm
 
@@ -299,19 +293,6 @@ class Element:
         """Whether a number is certainly not zero, whatever the signs of its roots."""
         return bool(self.normed()[1].terms)
 
-    def is_negative(self) -> bool:
-        """Whether a number is negative, or may be; its roots are the positive ones."""
-        squares = {name: self.ring.roots[name].value() or 0 for name in self.generators()}
-        if not self.terms or min(squares.values(), default=1) < 1:
-            return bool(self.terms)
-        low = 0
-        self.ring.spend(len(self.terms) << 4)
-        for m, c in self.terms.items():
-            square = prod(squares[n].numerator for n in squares if m >> self.ring.at[n] & MASK)
-            root = isqrt(c * c * square << 2 * BITS)  # rounded off; that of a square is exact
-            low += root if c > 0 else -root - (root * root < c * c * square << 2 * BITS)
-        return low < 0
-
     def is_generator(self, name: str) -> bool:
         """Whether it is this very generator."""
         return self.terms == {self.ring.unit[name]: 1} and self.below == 1 and not self.under
@@ -321,39 +302,3 @@ class Element:
         if self.terms and (len(self.terms) > 1 or 0 not in self.terms or self.under):
             return None
         return Fraction(self.terms.get(0, 0), self.below)
-
-    def primitive(self) -> tuple[Fraction, Element]:
-        """A number, and integers without a common factor, of which this is the product."""
-        common = gcd(*self.terms.values()) * (-1 if self.terms[max(self.terms)] < 0 else 1)
-        terms = {m: c // common for m, c in self.terms.items()}
-        return Fraction(common, self.below), Element(self.ring, terms, 1, self.bits)
-
-    def over(self, divisor: Element) -> Element | None:
-        """The quotient by a primitive polynomial, if it is a polynomial; neither has roots."""
-        self.ring.spend(1 + (len(self.terms) + len(divisor.terms) >> 4))
-        guard, first, last = self.ring.guard, max(divisor.terms), min(divisor.terms)
-        rest, out, bits = dict(self.terms), Terms(), self.bits
-        while rest:
-            top, low = max(rest), min(rest)
-            count, left = divmod(rest[top], divisor.terms[first])
-            if left or ((top | guard) - first & (low | guard) - last & guard) != guard:
-                return None
-            bits = max(bits, count.bit_length())
-            need(bits <= BITS, "a number is too large")
-            self.ring.spend((len(divisor.terms) + len(rest)) * (1 + (count.bit_length() >> 6)))
-            out[top - first] = count
-            for m, c in divisor.terms.items():
-                rest[m + top - first] = rest.get(m + top - first, 0) - count * c
-                if not rest[m + top - first]:
-                    del rest[m + top - first]
-        return Element(self.ring, out, self.below, bits)
-
-    def words(self) -> str:
-        """The polynomial in plain letters, up to a number."""
-        self.ring.spend(1 + (len(self.terms) * len(self.ring.at) >> 3))
-        shown = []
-        for m, c in sorted(self.terms.items(), reverse=True):
-            powers = self.ring.exponents(m)
-            parts = [name if e == 1 else f"{name} ^ {e}" for name, e in powers]
-            shown.append(" * ".join([str(c), *parts] if c != 1 or not parts else parts))
-        return f"({' + '.join(shown)})"

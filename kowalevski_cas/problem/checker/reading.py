@@ -103,7 +103,8 @@ def items(data: Json, *sizes: int) -> list[Json]:
     """A JSON list, of one of the sizes."""
     if type(data) is not list:
         raise Rejected("a list is expected")
-    need(not sizes or len(data) in sizes, "a list has another length")
+    if sizes and len(data) not in sizes:
+        raise Rejected("a list has another length")
     return data
 
 

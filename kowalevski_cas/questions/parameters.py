@@ -6,13 +6,11 @@ the polynomial K of each; that there are no others is claimed too.
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.cli.questions import with_constants
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
@@ -33,23 +31,19 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.mentions import mentions
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.questions import with_constants
 from kowalevski_cas.search.parameters import Ansatz, cofactor_monomials
 from kowalevski_cas.verify.found import Finding
 
 LETTERS = (r"\kappa", r"\lambda", r"\mu")
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The arguments of the question."""
-    parser.add_argument("polynomial", metavar="POLYNOMIAL", help="F, in LaTeX")
-
-
 def search(
-    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+    on: Elaborations, scene: Scene, pool: Pool = HERE, *, polynomial: str
 ) -> Iterator[Finding]:
     """What F' = KF asks of the constants, that there are these cases only, and each of them."""
     letters = _letters(on(scene))
-    unknown = _unknown(on(scene), arguments.polynomial)
+    unknown = _unknown(on(scene), polynomial)
     if not unknown and not scene.constants:
         raise Meaningless(
             "nothing is to be determined: no constant stands in the motion, and none in the "
@@ -57,7 +51,7 @@ def search(
         )
     space = with_constants(on, scene, *unknown, *letters)
     scene, words = space.scene, space.texts.vocabulary
-    ansatz = Ansatz(space.finder, space.finder.scalar(space.formula(arguments.polynomial)), letters)
+    ansatz = Ansatz(space.finder, space.finder.scalar(space.formula(polynomial)), letters)
 
     def formula(element: Element) -> Formula:
         return formula_of(element, words)

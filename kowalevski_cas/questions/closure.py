@@ -7,12 +7,10 @@ power, or has constant coefficients, an integral is read off it.
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Callable, Iterator
 
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.cli.session import natural
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
@@ -32,18 +30,8 @@ from kowalevski_cas.verify.found import Finding
 from kowalevski_cas.verify.outcome import in_latex
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The arguments of the question."""
-    parser.add_argument(
-        "seed", metavar="SEED", help="the function, in LaTeX, in the names of the scene"
-    )
-    parser.add_argument(
-        "--order", type=natural, default=4, metavar="N", help="the longest chain (4)"
-    )
-
-
 def search(
-    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+    on: Elaborations, scene: Scene, pool: Pool = HERE, *, seed: str, order: int = 4
 ) -> Iterator[Finding]:
     """The chains that close: their sets, their equations, and integrals by these."""
     space, vocabulary = on(scene), on.texts.vocabulary
@@ -51,8 +39,8 @@ def search(
     def tex(element: Element) -> str:
         return to_latex(formula_of(element, vocabulary))
 
-    seed = space.finder.scalar(space.formula(arguments.seed))
-    for closure in closures(space.finder, seed, arguments.order):
+    first = space.finder.scalar(space.formula(seed))
+    for closure in closures(space.finder, first, order):
         relations = tuple(f"{tex(element)}=0" for element in closure.chain)
         said = "where these vanish they stay so"
         yield Finding(InvariantRelations, scene, said, attributes={"relations": relations})

@@ -6,13 +6,10 @@ so on the set of given relations (--on), where some polynomials vanish.
 
 from __future__ import annotations
 
-import argparse
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import lcm
 
 from kowalevski_cas.algebra.present import formula_of
-from kowalevski_cas.cli.questions.exponents import leading
-from kowalevski_cas.cli.session import natural
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.paper.claims import AllIntegrals, FirstIntegral
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -20,7 +17,8 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.found import Finding
+from kowalevski_cas.questions.exponents import leading
+from kowalevski_cas.verify.found import Attribute, Finding
 
 DEGREE = 2
 """The highest degree, if none is given."""
@@ -28,45 +26,30 @@ DEGREE = 2
 EVERYWHERE = "it is constant along every motion"
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The arguments of the question."""
-    parser.add_argument(
-        "--degree",
-        type=natural,
-        metavar="N",
-        help="the highest degree (2, and with --weighted the largest Kowalevski exponent)",
-    )
-    parser.add_argument(
-        "--on",
-        action="append",
-        default=[],
-        metavar="RELATION",
-        help="on the invariant set of this equation, in LaTeX, and of others given likewise",
-    )
-    parser.add_argument(
-        "--weighted",
-        action="store_true",
-        help="a variable counts in the degree by its weight, for which the motion is homogeneous",
-    )
-
-
 def search(
-    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+    elaborations: Elaborations,
+    scene: Scene,
+    pool: Pool = HERE,
+    *,
+    degree: int = 0,
+    weighted: bool = False,
+    on: Sequence[str] = (),
 ) -> Iterator[Finding]:
     """The integrals, the lowest degrees first, and that these are all."""
     from kowalevski_cas.search.integrals import first_integrals
 
-    if arguments.on and arguments.weighted:
+    if on and weighted:
         raise Meaningless("relations need not be homogeneous: take either --on or --weighted")
-    if arguments.on:
-        yield from _on_a_set(on, scene, arguments)
+    if on:
+        yield from _on_a_set(elaborations, scene, degree or DEGREE, tuple(on))
         return
-    at, degree, found = on(scene).finder, arguments.degree or DEGREE, list[str]()
-    weights = _weights(at) if arguments.weighted else ()
-    if weights and not arguments.degree:
-        weights, degree = _by_exponents(on, scene, pool)
+    at, found = elaborations(scene).finder, list[str]()
+    weights = _weights(at) if weighted else ()
+    if weights and not degree:
+        weights, degree = _by_exponents(elaborations, scene, pool)
+    degree = degree or DEGREE
     for element in first_integrals(at, degree, weights, pool):
-        found.append(to_latex(formula_of(element, on.texts.vocabulary)))
+        found.append(to_latex(formula_of(element, elaborations.texts.vocabulary)))
         yield Finding(FirstIntegral, scene, EVERYWHERE, found[-1])
     known = "a polynomial in these" if found else "a constant"
     words = f"each polynomial first integral up to degree {degree} is {known}"
@@ -75,18 +58,20 @@ def search(
     if weights:
         counted = zip(at.setting.variables, weights, strict=True)
         words += f", where {', '.join(f'${name}$ counts {weight}' for name, weight in counted)}"
-    attributes = {"integrals": tuple(found), "degree": degree, "weights": weights}
-    yield Finding(AllIntegrals, scene, words, attributes=attributes)
+    attributes: dict[str, Attribute] = {"integrals": tuple(found), "degree": degree}
+    yield Finding(AllIntegrals, scene, words, attributes=attributes | {"weights": weights})
 
 
-def _on_a_set(on: Elaborations, scene: Scene, arguments: argparse.Namespace) -> Iterator[Finding]:
+def _on_a_set(
+    elaborations: Elaborations, scene: Scene, degree: int, relations: tuple[str, ...]
+) -> Iterator[Finding]:
     """The integrals on an invariant set."""
     from kowalevski_cas.search.restricted import integrals_on
 
-    space, relations = on(scene), tuple(arguments.on)
+    space = elaborations(scene)
     given = space.finder.differences(space.equations(relations))
-    for element in integrals_on(space.finder, given, arguments.degree or DEGREE):
-        tex = to_latex(formula_of(element, on.texts.vocabulary))
+    for element in integrals_on(space.finder, given, degree):
+        tex = to_latex(formula_of(element, elaborations.texts.vocabulary))
         if space.finder.derivative(element).is_zero:
             yield Finding(FirstIntegral, scene, EVERYWHERE, tex)
         else:

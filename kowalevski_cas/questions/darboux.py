@@ -7,14 +7,12 @@ and that there are no others is claimed: only that question is linear.
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.cli.session import natural
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
@@ -40,7 +38,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.found import Finding
+from kowalevski_cas.verify.found import Attribute, Finding
 
 if TYPE_CHECKING:
     from kowalevski_cas.search.cofactor_relations import Exponential
@@ -48,24 +46,14 @@ if TYPE_CHECKING:
     from kowalevski_cas.search.darboux import Darboux
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The arguments of the question."""
-    parser.add_argument(
-        "--degree", type=natural, default=2, metavar="N", help="the highest degree (2)"
-    )
-    parser.add_argument(
-        "--cofactor",
-        default="",
-        metavar="K",
-        help="this K only, in LaTeX: a linear question, so that there is no other F is proved too",
-    )
-    parser.add_argument(
-        "--special", action="store_true", help="constants may have special values as well"
-    )
-
-
 def search(
-    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
+    on: Elaborations,
+    scene: Scene,
+    pool: Pool = HERE,
+    *,
+    degree: int = 2,
+    special: bool = False,
+    cofactor: str = "",
 ) -> Iterator[Finding]:
     """The Darboux polynomials, the lowest degrees first, and what is built from them."""
     from kowalevski_cas.problem.polynomial_fields import PolynomialField
@@ -75,43 +63,43 @@ def search(
     def formula(element: Element) -> Formula:
         return formula_of(element, on.texts.vocabulary)
 
-    if arguments.cofactor and arguments.special:
+    if cofactor and special:
         raise Meaningless("the constants are general for one K: take --cofactor or --special")
-    if arguments.cofactor:
-        yield from _with_cofactor(on, scene, arguments, pool)
+    if cofactor:
+        yield from _with_cofactor(on, scene, pool, degree, cofactor)
         return
     at = on(scene).finder
     moving: list[Darboux] = []
-    for one in darboux_polynomials(at, arguments.degree, arguments.special, pool):
-        value, cofactor = formula(one.polynomial), formula(one.cofactor)
+    for one in darboux_polynomials(at, degree, special, pool):
+        value, K = formula(one.polynomial), formula(one.cofactor)
         if one.equations:
             given = tuple(_equation(formula(a), formula(b)) for a, b in one.equations)
             where = " and ".join(f"${one}$" for one in given)
-            says = f"F' = KF with $K={to_latex(cofactor)}$ where {where}"
-            multiple = _equation(Derivative(value, scene.time), Product((cofactor, value)))
+            says = f"F' = KF with $K={to_latex(K)}$ where {where}"
+            multiple = _equation(Derivative(value, scene.time), Product((K, value)))
             yield Finding(Implication, scene, says, multiple, {"given": given})
         elif one.cofactor.is_zero:
             yield Finding(FirstIntegral, scene, INTEGRAL, to_latex(value))
         else:
             moving.append(one)
-            says = f"F' = KF with $K={to_latex(cofactor)}$"
-            attributes = {"cofactor": to_latex(cofactor)}
+            says = f"F' = KF with $K={to_latex(K)}$"
+            attributes = {"cofactor": to_latex(K)}
             yield Finding(DarbouxPolynomial, scene, says, to_latex(value), attributes)
     field = PolynomialField(at)
     exponentials: list[Exponential] = []
-    for factor in exponential_factors(field, moving, arguments.degree):
+    for factor in exponential_factors(field, moving, degree):
         exponentials.append(factor)
         if factor.is_polynomial:
             continue  # there are many of them: told where a product needs them
-        exponent, cofactor = formula(factor.exponent), formula(factor.cofactor)
+        exponent, rate = formula(factor.exponent), formula(factor.cofactor)
         says = f"so $e^{{{to_latex(exponent)}}}$ is an exponential factor"
-        yield Finding(Identity, scene, says, _equation(Derivative(exponent, scene.time), cofactor))
+        yield Finding(Identity, scene, says, _equation(Derivative(exponent, scene.time), rate))
     for relation in relations(field, moving, exponentials):
         yield _product(relation, moving, scene, formula)
 
 
 def _with_cofactor(
-    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool
+    on: Elaborations, scene: Scene, pool: Pool, degree: int, given: str
 ) -> Iterator[Finding]:
     """All F with F' = KF for a given K, and that there are no others."""
     from kowalevski_cas.search.integrals import first_integrals
@@ -119,23 +107,22 @@ def _with_cofactor(
     def tex(element: Element) -> str:
         return to_latex(formula_of(element, on.texts.vocabulary))
 
-    at, degree = on(scene).finder, arguments.degree
-    cofactor = at.scalar(on(scene).formula(arguments.cofactor))
+    at = on(scene).finder
+    cofactor = at.scalar(on(scene).formula(given))
     if cofactor.is_zero:
         raise Meaningless("these are the first integrals: `find integrals` finds them")
     integrals = [*first_integrals(at, degree, (), pool)]
     found = list[str]()
     for element in first_integrals(at, degree, (), pool, cofactor, integrals):
         found.append(tex(element))
-        says, attributes = "F' = KF", {"cofactor": arguments.cofactor}
-        yield Finding(DarbouxPolynomial, scene, says, found[-1], attributes)
+        yield Finding(DarbouxPolynomial, scene, "F' = KF", found[-1], {"cofactor": given})
     known = "a combination of these" if found else "zero"
     known += " by polynomials in first integrals" if found and integrals else ""
     words = f"each polynomial F up to degree {degree} with F' = KF is {known}"
     if scene.constants:
         words += ", for almost all values of the constants"
-    attributes = {
-        "cofactor": arguments.cofactor,
+    attributes: dict[str, Attribute] = {
+        "cofactor": given,
         "solutions": tuple(found),
         "integrals": tuple(map(tex, integrals)) if found else (),
         "degree": degree,

@@ -9,14 +9,12 @@ they do. It is computed, and no claim states it; -v shows the identities that ar
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Iterator, Sequence
 
 from flint import fmpq_mpoly
 
 from kowalevski_cas.algebra.flint import terms_of, to_fraction
 from kowalevski_cas.algebra.present import fraction_formula, name_formula, polynomial_formula
-from kowalevski_cas.cli.questions import with_constants
 from kowalevski_cas.notation import (
     Derivative,
     Formula,
@@ -38,6 +36,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.questions import with_constants
 from kowalevski_cas.search.branches import Branch
 from kowalevski_cas.search.exponents import Balance, LeadingPart
 from kowalevski_cas.search.painleve import laurent
@@ -53,13 +52,7 @@ BELOW = r" \\ "
 """What stands between the rows of a matrix."""
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The arguments of the question: none."""
-
-
-def search(
-    on: Elaborations, scene: Scene, arguments: argparse.Namespace, pool: Pool = HERE
-) -> Iterator[Finding]:
+def search(on: Elaborations, scene: Scene, pool: Pool = HERE) -> Iterator[Finding]:
     """Of each balance that it solves the leading equations, and its exponents."""
     part, space = leading(on, scene)
     scene, told = space.scene, _Told(part, space.scene, space.texts.vocabulary)

@@ -1,0 +1,126 @@
+"""Division by what is known not to vanish.
+
+A formula of a statement may divide by all that does not vanish identically: it is about the
+points where its formulas are defined, and what it divides by becomes one more divisor that
+is known not to vanish there. A formula of the evidence divides by known divisors only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from math import gcd
+
+from .polynomials import Element, Ring, Terms
+from .reading import BITS, Rejected, need
+
+
+def primitive(element: Element) -> tuple[Fraction, Element]:
+    """A number, and integers without a common factor, of which a polynomial is the product."""
+    terms = element.terms
+    common = gcd(*terms.values()) * (-1 if terms[max(terms)] < 0 else 1)
+    rest = {m: c // common for m, c in terms.items()}
+    return Fraction(common, element.below), Element(element.ring, rest, 1, element.bits)
+
+
+def quotient(element: Element, divisor: Element) -> Element | None:
+    """A polynomial over a primitive one, if that is a polynomial; neither has roots."""
+    ring = element.ring
+    ring.spend(1 + (len(element.terms) + len(divisor.terms) >> 4))
+    guard, first, last = ring.guard, max(divisor.terms), min(divisor.terms)
+    rest, out, bits = dict(element.terms), Terms(), element.bits
+    while rest:
+        top, low = max(rest), min(rest)
+        count, left = divmod(rest[top], divisor.terms[first])
+        if left or ((top | guard) - first & (low | guard) - last & guard) != guard:
+            return None
+        bits = max(bits, count.bit_length())
+        need(bits <= BITS, "a number is too large")
+        ring.spend((len(divisor.terms) + len(rest)) * (1 + (count.bit_length() >> 6)))
+        out[top - first] = count
+        for m, c in divisor.terms.items():
+            rest[m + top - first] = rest.get(m + top - first, 0) - count * c
+            if not rest[m + top - first]:
+                del rest[m + top - first]
+    return Element(ring, out, element.below, bits)
+
+
+def words_of(element: Element) -> str:
+    """A polynomial in plain letters, up to a number."""
+    ring, shown = element.ring, list[str]()
+    ring.spend(1 + (len(element.terms) * len(ring.at) >> 3))
+    for m, c in sorted(element.terms.items(), reverse=True):
+        parts = [name if e == 1 else f"{name} ^ {e}" for name, e in ring.exponents(m)]
+        shown.append(" * ".join([str(c), *parts] if c != 1 or not parts else parts))
+    return f"({' + '.join(shown)})"
+
+
+class Divisors:
+    """The inverses that are ``known``, generators of a ring, each with words for its divisor."""
+
+    def __init__(self, ring: Ring) -> None:
+        self.ring = ring
+        self.stating = True
+        self.known: dict[str, str] = {}
+
+    @contextmanager
+    def statement(self, stating: bool = True) -> Iterator[None]:
+        """Formulas that are read here belong to the statement, or do not."""
+        before, self.stating = self.stating, stating
+        yield
+        self.stating = before
+
+    def inverse(self, element: Element, words: str = "") -> Element:
+        """One over the element; one that was found is there wherever its divisors are known.
+
+        The words are for the case that a new divisor has to be entered.
+        """
+        self.ring.spend(len(element.terms))
+        key = element.below, element.under, frozenset(element.terms.items())
+        found = self.ring.inverses.get(key)
+        if found and all(name in self.known for name, _ in self.ring.exponents(found.under)):
+            return found
+        found = self.ring.inverses[key] = self._inverse(element, words)
+        return found
+
+    def _inverse(self, element: Element, words: str) -> Element:
+        """What is below the element, and its other values, over its norm."""
+        if (number := element.value()) is not None:
+            need(number, "it divides by zero")
+            return self.ring.number(1 / number)
+        above, norm = element.numerator().normed()
+        words = words if above.value() == 1 else ""
+        need(norm.terms, "it divides by zero")
+        parts = [above, *map(self.ring.denominator, (element.under, norm.under))]
+        content, norm = primitive(norm)
+        parts.append(self.ring.number(1 / content))
+        for name in self.known:
+            if norm.terms.keys() == {0}:
+                break
+            while (rest := quotient(norm, self.ring.divisors[name])) is not None:
+                norm = rest
+                parts.append(self.ring.generator(name))
+        if norm.value() is None:
+            parts.append(self._part(norm, words))
+        return self.ring.product(parts)
+
+    def _part(self, norm: Element, words: str) -> Element:
+        """One over a polynomial that divides a known divisor, or becomes one."""
+        for name in self.known:
+            if (rest := quotient(self.ring.divisors[name], norm)) is not None:
+                return rest * self.ring.generator(name)
+        if not self.stating:
+            raise Rejected(f"it divides by what may be zero: {words_of(norm):.200}")
+        same = (n for n, divisor in self.ring.divisors.items() if divisor.terms == norm.terms)
+        if not (name := next(same, "")):
+            name = f"1/{len(self.ring.divisors)}"
+            self.ring.adjoin(name)
+            self.ring.divisors[name] = norm
+        self.known[name] = words or words_of(norm)
+        return self.ring.generator(name)
+
+    def enter(self, element: Element, words: str) -> None:
+        """Know that an element does not vanish."""
+        with self.statement():
+            self.inverse(element, words)
