@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from kowalevski_cas.notation import Formula, Negative, Power, Product, Quotient, Relation, Root, Sum
+from kowalevski_cas.notation.brackets import COMPOUND
 from kowalevski_cas.notation.formula import Changed
-from kowalevski_cas.notation.printer import COMPOUND
 
 _TAKEN_APART = (Relation, Sum, Negative, Product, Quotient, Root, Power)
 """What is marked in part; a derivative, say, is marked as a whole."""
