@@ -82,7 +82,7 @@ def unused(derivation: Derivation, before: Texts, after: Texts, printed: Printed
     with suppress(NotationError):
         gone = _names(before, printed) - _names(after, printed)
         for scene in derivation.scenes():
-            places = set(scene.places())
+            places = set(scene.places)
             if printed in places:
                 places.update(*(c.places() for c in derivation.claims if scene in c.scenes()))
                 left = {name for place in places for name in _names(after, place)}
@@ -99,4 +99,4 @@ def places_of(claim: Claim) -> Iterator[Printed]:
     """Every place on which the verdict of a claim can depend."""
     yield from claim.places()
     for scene in claim.scenes():
-        yield from scene.places()
+        yield from scene.places

@@ -35,6 +35,7 @@ from kowalevski_cas.notation.formula import (
     Summation,
     Unwritten,
     Vector,
+    once,
     times,
     total,
 )

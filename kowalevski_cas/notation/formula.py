@@ -11,9 +11,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from functools import wraps
 from inspect import get_annotations
 from operator import is_
-from typing import Any, ClassVar
+from typing import Any, ClassVar, TypeVar
 
 EQUALITIES = frozenset({"=", r"\equiv"})
 """The signs that say that two members are equal."""
@@ -235,6 +236,24 @@ class Relation(Formula):
     def is_equality(self) -> bool:
         """Whether all members are said to be equal."""
         return EQUALITIES.issuperset(self.signs)
+
+
+Found = TypeVar("Found")
+
+
+def once(function: Callable[[Formula], Found]) -> Callable[[Formula], Found]:
+    """A function of formulas, whose value is found once for each of them and kept with it."""
+    name = function.__name__
+
+    @wraps(function)
+    def found(formula: Formula) -> Found:
+        known = vars(formula)
+        if name not in known:
+            known[name] = function(formula)
+        value: Found = known[name]
+        return value
+
+    return found
 
 
 def total(terms: Iterable[Formula]) -> Formula:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Printed, Texts
+from kowalevski_cas.paper.texts import Texts
 
 
 class Elaborations:
@@ -20,7 +18,7 @@ class Elaborations:
     def __call__(self, scene: Scene) -> Elaboration:
         """The setting that a scene means."""
         if scene not in self._own:
-            key = (scene, self.texts.changes(_places(scene)))
+            key = (scene, self.texts.changes(scene.places))
             if key not in self._known:
                 self._known[key] = Elaboration(scene, self.texts, self)
             self._own[scene] = self._known[key]
@@ -33,8 +31,3 @@ class Elaborations:
     def apart(self, texts: Texts) -> Elaborations:
         """The elaborations under other texts, of which these here do not hear."""
         return Elaborations(texts, {**self._known})
-
-
-@cache
-def _places(scene: Scene) -> frozenset[Printed]:
-    return frozenset(scene.places())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 
 
 def is_bold(name: str) -> bool:
@@ -19,6 +20,7 @@ def is_indexed(name: str) -> bool:
     return name.endswith(("_i", "_j"))
 
 
+@cache
 def head(name: str) -> tuple[str, tuple[str, ...]]:
     r"""The function and its arguments in a head like ``\varphi(s)``; a bare name has none.
 

@@ -29,6 +29,7 @@ from kowalevski_cas.notation import (
     Sum,
     Summation,
     Vector,
+    once,
     rank,
     times,
     to_latex,
@@ -44,6 +45,7 @@ from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
 from kowalevski_cas.paper.roots import root_of_number
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.problem.mentions import mentions
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import MARK
 
@@ -65,9 +67,9 @@ class Plain:
 
     def __call__(self, formula: Formula) -> Formula:
         """The formula in the operations of a space."""
+        if is_arithmetic(formula) and not any(map(self._rank, mentions(formula))):
+            return formula
         match formula:
-            case Name() | Number():
-                return formula
             case RealPart(argument):
                 inner = self(argument)
                 return Quotient(Sum((inner, Conjugate(inner))), Number(2))
@@ -91,6 +93,9 @@ class Plain:
             case Power(Name(base), exponent) if not _is_whole(exponent):
                 return self._symbolic(base, exponent)
         return self._shorthand(formula) or formula.mapped(self)
+
+    def _rank(self, formula: Formula) -> int:
+        return rank(formula, self.setting.texts.vocabulary)
 
     def _shorthand(self, formula: Formula) -> Formula | None:
         """Brackets, sums over an index, lengths, squares of vectors, gradients; or ``None``."""
@@ -121,15 +126,14 @@ class Plain:
 
     def _applied_matrix(self, factors: tuple[Formula, ...]) -> Formula | None:
         """The product of a matrix by its rows and a vector; ``None`` for any other product."""
-        words = self.setting.texts.vocabulary
-        ranks = [rank(factor, words) for factor in factors]
+        ranks = [*map(self._rank, factors)]
         if VECTOR not in ranks or MATRIX not in ranks:
             return None
         matrices = (factor for factor, own in zip(factors, ranks, strict=True) if own == MATRIX)
         if not any(by_rows(matrix, self.setting) for matrix in matrices):
             return None
         *before, vector = factors
-        if rank(vector, words) != VECTOR:
+        if ranks[-1] != VECTOR:
             raise Meaningless("a vector stands before a matrix: print it behind")
         matrix = Product(tuple(before)) if len(before) > 1 else before[0]
         return Vector(applied(rows(matrix, self.setting), parts(self(vector), self.setting)))
@@ -169,7 +173,7 @@ class Plain:
     def _square(self, formula: Formula) -> Formula | None:
         """The square of a vector, or of what stands between bars; ``None`` for anything else."""
         inner = formula.argument if isinstance(formula, Modulus) else formula
-        if rank(inner, self.setting.texts.vocabulary) == VECTOR:
+        if self._rank(inner) == VECTOR:
             vector = self(inner)
             return ScalarProduct(vector, vector)
         if not isinstance(formula, Modulus):
@@ -237,6 +241,19 @@ class Plain:
             names = self.setting.scene.vectors[formula.name]
             return True, tuple(self(Name(n)) for n in names)
         return False, (self(formula),)
+
+
+@once
+def is_arithmetic(formula: Formula) -> bool:
+    """Whether a formula is made of names and numbers by ``+ - * /`` and whole powers alone."""
+    match formula:
+        case Name() | Number():
+            return True
+        case Power(base, exponent):
+            return is_arithmetic(base) and _is_whole(exponent)
+        case Sum() | Negative() | Product() | Quotient():
+            return all(map(is_arithmetic, formula.children()))
+    return False
 
 
 def linear_exponent(formula: Formula) -> dict[str, int]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass, replace
 from dataclasses import field as default
+from functools import cached_property
 
 from kowalevski_cas.notation.errors import dotted
 from kowalevski_cas.paper.names import BRACKET, EPSILON, check_names, head, is_bold, is_indexed
@@ -270,11 +271,11 @@ class Scene:
 
     # -- what there is ------------------------------------------------------------
 
-    def places(self) -> Iterator[Printed]:
-        """Every place of the paper on which the scene rests."""
-        yield from (place for _, place in self.roles())
-        if isinstance(self.field, Change):
-            yield from self.field.source.places()
+    @cached_property
+    def places(self) -> dict[Printed, None]:
+        """Every place of the paper on which the scene rests, once."""
+        before = self.field.source.places if isinstance(self.field, Change) else {}
+        return dict.fromkeys(place for _, place in self.roles()) | before
 
     def roles(self) -> Iterator[tuple[str, Printed]]:
         """Its own places, without those of a scene from which it is changed; what each is for."""

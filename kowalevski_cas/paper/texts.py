@@ -8,10 +8,9 @@ with other texts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from dataclasses import field as default
-from functools import cache
 from typing import Any
 
 from kowalevski_cas.notation import (
@@ -39,8 +38,7 @@ class Display:
     """A displayed or inline formula of the paper, as printed.
 
     ``display[k]`` is its k-th statement in reading order, counted from 1, and iterating gives all
-    of them. ``copied`` says whether it is what the edition prints, sign by sign, or restates it;
-    ``label`` where it stands there: the number of the equation, or the page.
+    of them. ``label`` says where it stands in the edition: the number of the equation, or the page.
     """
 
     id: str
@@ -50,10 +48,6 @@ class Display:
     source: str = ""
     """Where a formula comes from that the paper itself does not print."""
     label: str = ""
-    copied: bool = True
-
-    def __hash__(self) -> int:
-        return hash(self.id)  # places are looked up all the time, and most displays differ in it
 
     def __getitem__(self, number: int) -> Printed:
         return Printed(self, number)
@@ -83,6 +77,9 @@ class Printed:
 
     display: Display
     number: int
+
+    def __hash__(self) -> int:
+        return hash((self.display.id, self.number))  # places are looked up all the time
 
     @property
     def place(self) -> str:
@@ -233,11 +230,11 @@ class Texts:
         """The TeX of a display."""
         return self.sources.get(display.id, display.tex)
 
-    def changes(self, places: frozenset[Printed]) -> frozenset[object]:
+    def changes(self, places: Collection[Printed]) -> frozenset[object]:
         """What differs from the derivation at these places, as a key."""
         changed: set[object] = {item for item in self.edits.items() if item[0] in places}
         if self.sources:
-            ids = _displays(places)
+            ids = {printed.display.id for printed in places}
             changed |= {item for item in self.sources.items() if item[0] in ids}
         return frozenset(changed)
 
@@ -251,9 +248,3 @@ def _scale(formula: Formula) -> Formula | None:
         case Product((*rest, Name("t"))):
             return times(*rest)
     return None
-
-
-@cache
-def _displays(places: frozenset[Printed]) -> frozenset[str]:
-    """The ids of the displays in which places stand."""
-    return frozenset(printed.display.id for printed in places)

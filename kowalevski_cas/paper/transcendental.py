@@ -22,6 +22,7 @@ from kowalevski_cas.notation import (
     Product,
     Quotient,
     Sum,
+    once,
     times,
     to_latex,
     total,
@@ -40,7 +41,7 @@ class Transcendental:
     """
 
     def __init__(self, formulas: Iterable[Formula], variables: Iterable[str]) -> None:
-        found = [pair for formula in formulas for pair in _arguments(formula)]
+        found = set[tuple[str, frozenset[str]]]().union(*map(_arguments, formulas))
         names = [name for name in variables if "_{" not in name]
         kinds = {name: {kind for one, kind in found if one == name} for name in names}
         self.angles = tuple(name for name in names if kinds[name] == {CIRCULAR})
@@ -183,12 +184,17 @@ class Transcendental:
         return cosine, sine
 
 
-def _arguments(formula: Formula) -> Iterator[tuple[str, frozenset[str]]]:
+@once
+def _arguments(formula: Formula) -> set[tuple[str, frozenset[str]]]:
     """The names under sines and exponentials, with the kind of function."""
-    for one in formula.nodes():
-        if isinstance(one, Application):
-            kinds = (kind for kind in (CIRCULAR, EXPONENTIAL) if one.function in kind)
-            yield from ((name, kind) for kind in kinds for name in one.names())
+    return {
+        (name, kind)
+        for one in formula.nodes()
+        if isinstance(one, Application)
+        for kind in (CIRCULAR, EXPONENTIAL)
+        if one.function in kind
+        for name in one.names()
+    }
 
 
 def _terms(formula: Formula, sign: int) -> Iterator[tuple[str, int]]:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from kowalevski_cas.notation import Application, Formula, Name, PoissonBracket, Root
-from kowalevski_cas.paper.matrices import is_matrix
+from kowalevski_cas.notation.vocabulary import MATRIX
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.plain import Plain
 from kowalevski_cas.paper.texts import Printed
@@ -20,10 +20,20 @@ class WrittenOut:
     def __init__(self, plain: Plain) -> None:
         self.plain = plain
         self.setting = plain.setting
+        self._functions: dict[str, list[str]] = {}
+        scene, words = self.setting.scene, self.setting.texts.vocabulary
+        for name in scene.definitions:
+            function, arguments = head(name)
+            if arguments:
+                self._functions.setdefault(function, []).append(name)
+        self._matrices = {name for name in scene.definitions if words.rank(name) == MATRIX}
+        self._nothing = not (self._functions or self._matrices or [*scene.branches()])
         self._known: dict[Printed, tuple[Printed, ...]] = {}
 
     def __call__(self, place: Printed) -> tuple[Printed, ...]:
         """What a printed formula writes out."""
+        if self._nothing:
+            return ()
         if place not in self._known:
             self._known[place] = tuple(self._of(self.setting.texts.formula(place)))
         return self._known[place]
@@ -42,18 +52,14 @@ class WrittenOut:
 
     def _meant(self, formula: Formula) -> Iterator[tuple[str, Printed]]:
         """The definitions of what stands on top of a formula."""
-        definitions = self.setting.scene.definitions
+        named: Iterable[str] = ()
         match formula:
             case Application(function):
-                heads = {name: head(name) for name in definitions}
-                named = [n for n, (own, sides) in heads.items() if sides and own == function]
+                named = self._functions.get(function, ())
             case PoissonBracket():
-                named = [name for name in definitions if head(name)[0] == BRACKET]
-            case Name(name) if name in definitions and is_matrix(formula, self.setting):
-                named = [name]
+                named = self._functions.get(BRACKET, ())
+            case Name(name) if name in self._matrices:
+                named = (name,)
             case Root() if (value := self.plain.printed_root(formula)) is not None:
                 yield value
-                return
-            case _:
-                return
-        yield from ((name, definitions[name]) for name in named)
+        yield from ((name, self.setting.scene.definitions[name]) for name in named)

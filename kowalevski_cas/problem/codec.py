@@ -117,14 +117,14 @@ def _written(value: Any, spaces: list[Space]) -> Tree:
             return value
         case tuple():
             return [_written(one, spaces) for one in value]
-        case Mapping():
-            return [[name, encode(one)] for name, one in value.items()]
         case Space():
             return _place(value, spaces)
         case Definition():
             return [_WORDS[type(value)], *value.trees]
         case Motion(names, factor, force):
             return [[*names], encode(factor), encode(force)]
+        case Mapping():
+            return [[name, encode(one)] for name, one in value.items()]
     return _object(value, spaces)
 
 

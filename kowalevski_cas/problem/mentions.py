@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Number, Root
-from kowalevski_cas.problem.trees import MARK
-
-MOTION = Derivative(Number(0), MARK)
-"""Stands for the vector field among what a formula mentions."""
+from kowalevski_cas.notation import Derivative, Formula, Name, Root, once
 
 Mentions = tuple[Formula, ...]
 
 
+@once
 def mentions(formula: Formula) -> Mentions:
-    """The names and printed roots in a formula, from left to right, and whether it moves."""
-    found: dict[Formula, None] = {}
+    """The names and printed roots in a formula, from left to right, and its first derivative."""
+    found: dict[object, Formula] = {}
     for one in formula.nodes():
-        if type(one) is Name or type(one) is Root:
-            found[one] = None
-        elif type(one) is Derivative:
-            found[MOTION] = None
-    return tuple(found)
+        kind = type(one)
+        if kind is Name:
+            found[one] = one
+        elif kind is Root:
+            found[one] = one
+        elif kind is Derivative:
+            found.setdefault(Derivative, one)
+    return tuple(found.values())

@@ -23,6 +23,7 @@ from kowalevski_cas.notation import (
     ScalarProduct,
     Sum,
     Vector,
+    once,
 )
 
 Tree = Any
@@ -41,6 +42,7 @@ class FormatError(ValueError):
     """Something that has no place in a certificate, or a file that is none."""
 
 
+@once
 def encode(formula: Formula) -> Tree:
     """The tree of a formula of a space.
 

@@ -84,12 +84,12 @@ class Item:
 
 @dataclass(frozen=True)
 class Section:
-    """A section of the paper; ``copied`` says whether its formulas are those of the print."""
+    """A section of the paper; ``copied`` says whether its formulas are those of a print, if any."""
 
     number: str
     title: str
     items: tuple[Item, ...]
-    copied: bool = True
+    copied: bool | None = True
 
     @property
     def outcomes(self) -> tuple[Outcome, ...]:

@@ -53,7 +53,7 @@ class Stored:
         if self.instead is not None:
             return self.instead
         try:
-            data = json.loads(self.path.read_text(encoding="utf-8"))
+            data = json.loads(self.path.read_bytes())
         except (OSError, ValueError, RecursionError):
             return {}
         return data if isinstance(data, dict) and data.get("version") == VERSION else {}

@@ -55,8 +55,8 @@ class Mender(Teller):
             return True
         texts = self.texts.edited(place, edit)
         for other in self.derivation.claims:
-            standing = {*other.places()}.union(*(scene.places() for scene in other.scenes()))
-            if other is not claim and place in standing:
+            standing = (other.places(), *(scene.places for scene in other.scenes()))
+            if other is not claim and any(place in places for places in standing):
                 try:
                     now = Statement(other, self.on(other))
                     evidence = self._evidence(now, other.id)

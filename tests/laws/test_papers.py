@@ -81,7 +81,7 @@ def test_an_identity_written_otherwise_says_the_same(name, change):
         relation = session.texts.formula(claim.own)
         if not isinstance(relation, Relation) or len(relation.members) != 2:
             continue
-        if claim.scene.definitions.values() and claim.own in claim.scene.places():
+        if claim.scene.definitions.values() and claim.own in claim.scene.places:
             continue  # it defines a name as well, which stands alone on its side
         texts = session.texts.reading({claim.own: change(relation)})
         statement = Statement(claim, session.on(claim, texts))
@@ -99,7 +99,7 @@ def changes_of_scenes(name, many):
     tried = 0
     while tried < many:
         claim = choose.choice(session.derivation.claims)
-        places = [*dict.fromkeys(claim.scene.places())]
+        places = [*dict.fromkeys(claim.scene.places)]
         if not places:
             continue
         place = choose.choice(places)

@@ -120,7 +120,7 @@ def test_on_every_display_of_the_derivations(name):
     derivation = load(name)
     vocabulary = derivation.texts().vocabulary
     read = {place.display for claim in derivation.claims for place in claim.places()}
-    read |= {place.display for scene in derivation.scenes() for place in scene.places()}
+    read |= {place.display for scene in derivation.scenes() for place in scene.places}
     for display in (one for one in derivation.displays() if one in read):
         check(display.tex, vocabulary, seeds=(1,))
 

@@ -272,6 +272,11 @@ class TestEvidence:
         assert "The formulas of section 1 are restated" in text
         assert "restated" not in said(WHOLE.subtitle)
 
+    def test_formulas_without_a_print_are_not_compared_with_one(self) -> None:
+        derived = [replace(section, copied=None) for section in in_order(run())]
+        text = said(Contents(run(), derived).document().subtitle)
+        assert "All formulas are derived here" in text and "compared" not in text
+
     def test_what_is_restated_does_not_hold_as_printed(self) -> None:
         one = run(claim("a", "1", "x=x", "", P))
         (section,) = in_order(one)

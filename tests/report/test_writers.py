@@ -120,6 +120,11 @@ def test_words_are_escaped_for_the_others() -> None:
     assert HtmlWriter(Path()).text(text) == "a &lt; b &amp; #c_1 *d* $5"
 
 
+def test_the_apostrophe_of_a_sentence_is_none_of_a_source() -> None:
+    text: Text = ("Kowalevski's ", Code("x'"))
+    assert Page(HtmlWriter(Path()).text(text)).words == "Kowalevski’s x'"
+
+
 def test_a_display_that_cannot_be_read_is_shown_as_it_is_typed() -> None:
     odd = document(claim("odd", "1", r"x = \nosuchthing{y}{<z>}", "", Verdict.ERROR))
     assert r"x = \nosuchthing{y}{<z>}" in Page(render_html(odd)).words

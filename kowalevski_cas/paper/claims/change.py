@@ -77,7 +77,7 @@ class Unit(Claim):
     rows: tuple[Printed, ...]
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
-        other = on.under(on.texts.reading({self.own: self._other(on.texts)}))
+        other = on.under(self._other(on.texts))
         held = [(row, self._holds(row, on), self._holds(row, other)) for row in self.rows]
         votes = [[row for row, *both in held if both == wanted] for wanted in (ONE, OTHER)]
         if len(votes[0]) == len(votes[1]):
@@ -88,13 +88,14 @@ class Unit(Claim):
         space, rows = on(self.scene), max(votes, key=len)
         yield identity(space, *(sides for row in rows for sides in chain(on, space, row)))
 
-    def _other(self, texts: Texts) -> Formula:
-        """The equation with the other sign on its right side."""
+    def _other(self, texts: Texts) -> Texts:
+        """The texts with the other sign on the right side of the equation."""
         edits = [n.edit for n in self.neighbours(texts) if n.edit is not None]
         if not edits:
             raise Meaningless(f"the square of a unit is expected at {self.own.place}")
-        changed = edits[0].formula
-        return texts.statement(self.own).formula if texts.formula(self.own) == changed else changed
+        if texts.formula(self.own) != edits[0].formula:
+            return texts.edited(self.own, edits[0])
+        return replace(texts, edits={p: f for p, f in texts.edits.items() if p != self.own})
 
     def _holds(self, row: Printed, on: Elaborations) -> bool:
         try:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
 from typing import Any, dataclass_transform
 
 from kowalevski_cas.notation import Edit, Formula, edits
@@ -91,27 +92,30 @@ class Claim(ABC):
 
     def places(self) -> Iterator[Printed]:
         """The places of the paper that the claim names, its own first; not those of its scenes."""
-        for value in self._attributes():
+        for value in self._attributes:
             if isinstance(value, Printed):
                 yield value
 
     def scenes(self) -> Iterator[Scene]:
         """The scenes on which the claim stands."""
-        for value in self._attributes():
+        for value in self._attributes:
             if isinstance(value, Scene):
                 yield value
 
-    def _attributes(self) -> Iterator[object]:
+    @cached_property
+    def _attributes(self) -> list[object]:
         """The attributes, those in tuples and in claims that are attributes included."""
+        found: list[object] = []
         waiting: list[object] = [getattr(self, own.name) for own in fields(self)]
         while waiting:
             value = waiting.pop(0)
             if isinstance(value, tuple):
                 waiting = [*value, *waiting]
             elif isinstance(value, Claim):
-                waiting = [*value._attributes(), *waiting]
+                waiting = [*value._attributes, *waiting]
             else:
-                yield value
+                found.append(value)
+        return found
 
     def establishes(self) -> Iterator[Printed]:
         """The places that are right if the claim is."""
