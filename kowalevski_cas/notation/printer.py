@@ -301,7 +301,7 @@ class Printer(ABC):
 
 def _is_applied(left: Formula, right: Formula) -> bool:
     """Whether a factor begins with a bracket that looks like the argument of the one before it."""
-    left, inner, raised = _bare(left), _bare(right), False
+    inner, raised = _bare(right), False
     while isinstance(inner, Power) or (isinstance(inner, Derivative) and inner.mark == "prime"):
         raised, inner = True, _bare(inner.children()[0])
         if isinstance(inner, Name):
