@@ -16,7 +16,6 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     Negative,
-    OpenParser,
     Product,
     Sum,
     equal,
@@ -24,6 +23,7 @@ from kowalevski_cas.notation import (
     to_latex,
     total,
 )
+from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.paper.claims import Identity, Implication, Union
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations

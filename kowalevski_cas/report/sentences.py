@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from types import MappingProxyType
 from typing import Final, TypeVar
 
@@ -93,7 +92,7 @@ def capitalised(text: Text) -> Text:
         case (str(word), *rest):
             return (capital(word), *rest)
         case (Link() as link, *rest):
-            return (replace(link, text=capitalised(link.text)), *rest)
+            return (link._replace(text=capitalised(link.text)), *rest)
     return text
 
 

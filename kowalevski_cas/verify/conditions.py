@@ -13,7 +13,7 @@ from kowalevski_cas.paper.denominators import Divisor, Shape, shape_of
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
-from kowalevski_cas.search.groebner import vanishes_on
+from kowalevski_cas.search.groebner import vanish_on
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.shown import written
 
@@ -43,9 +43,8 @@ def _not_implied(goal: Simple, elements: Sequence[Element], setting: Elaboration
     if not setting.powers or not isinstance(goal, Follows) or not goal.given:
         return found
     known, one = at.differences(goal.given), at.ring.one
-    divisors = at.ring.divided_by(elements)
-    pairs = zip(found, divisors, strict=True)
-    return [index for index, divisor in pairs if not vanishes_on(one, [divisor, *known])]
+    pairs = zip(found, at.ring.divided_by(elements), strict=True)
+    return [index for index, divisor in pairs if vanish_on([one], [divisor, *known]) == [False]]
 
 
 def _named(

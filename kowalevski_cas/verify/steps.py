@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from itertools import product
 from typing import Final
 
@@ -56,8 +55,8 @@ def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
         told = told or [_IDENTICAL] * follows
     merged: dict[Step, dict[Formula, None]] = {}
     for step in told:
-        merged.setdefault(replace(step, formulas=()), {}).update(dict.fromkeys(step.formulas))
-    return tuple(replace(step, formulas=tuple(formulas)) for step, formulas in merged.items())
+        merged.setdefault(step._replace(formulas=()), {}).update(dict.fromkeys(step.formulas))
+    return tuple(step._replace(formulas=tuple(formulas)) for step, formulas in merged.items())
 
 
 def _steps(claim: Claim, goal: Goal, evidence: Evidence) -> Iterator[Step]:
