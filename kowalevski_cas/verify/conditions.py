@@ -54,25 +54,17 @@ def _named(
 
     A divisor is named as a denominator that is printed, in the scene or in what is ``stated``.
     """
-    ring, divisors = setting.finder.ring, setting.divisors
-    left = {index: one for index in indices if (one := divisors.left(index)).factors}
-    if not left:
-        return []
-    known = {
-        shape
-        for index, (_, factors) in left.items()
-        if ring.polynomials.is_monomial(ring.divisors[index])
-        for shape in factors
-    }
+    divisors = setting.divisors
+    left = [one for index in indices if (one := divisors.left(index)).factors]
+    known = {shape for one in left if len(one.factors) == 1 for shape in one.factors}
     found: dict[Formula, None] = {}
     below = cache(lambda: {**divisors.printed, **divisors.below(stated)})
-    for index, divisor in left.items():
-        shape = shape_of(Element(ring, {0: ring.divisors[index]}, {}))
-        if shape in divisors.landmarks:
-            found[divisors.landmarks[shape]] = None
+    for divisor in left:
+        if landmark := divisors.landmarks.get(shape_of(divisor.element)):
+            found[landmark] = None
             continue
-        if shape not in known:
-            divisor = _without(divisor, known)
+        if len(divisor.factors) > 1:
+            divisor = divisor.without(known)
             known |= divisor.factors.keys()
         if divisor.factors:
             named = _printed(divisor, setting, below) or (_positive(divisor.element, setting),)
@@ -83,14 +75,6 @@ def _named(
             del found[second]
             found = {(Product((first, second)) if f == first else f): None for f in found}
     return list(found)
-
-
-def _without(divisor: Divisor, known: set[Shape]) -> Divisor:
-    """A divisor without its factors that are known."""
-    new = {shape: one for shape, one in divisor.factors.items() if shape not in known}
-    if len(new) == len(divisor.factors):
-        return divisor
-    return Divisor(reduce(mul, new.values(), divisor.element.ring.one), new)
 
 
 def _printed(
