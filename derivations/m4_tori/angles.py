@@ -10,7 +10,7 @@ from ..kharlamov2002.section2 import eq10
 from ..kharlamov_savushkin2004.setting import complex_integrals
 from .levels import complex_J3, cubic, fields, quartic
 
-section = Section("2", "Three angles", copied=False)
+section = Section("2", "Three angles", copied=None)
 
 point = section.display(
     "point-M4",

@@ -7,7 +7,7 @@ from ..kharlamov2005.first_two import on_M4
 from ..kharlamov2005.values import on_O4_values
 from .levels import quartic
 
-section = Section("3", "Coinciding roots", copied=False)
+section = Section("3", "Coinciding roots", copied=None)
 
 common = (
     Scene("M⁴ and O⁴", constants=("s", r"\tau_3", "r", "u"), nonzero=("s", r"\tau_3"))

@@ -7,7 +7,7 @@ from kowalevski_cas.paper.derivation import Scene, Section
 from ..kharlamov2002.section2 import eq10, tau, unit
 from ..kharlamov_savushkin2004.setting import complex_integrals, initial
 
-section = Section("1", "The levels on $M^4$", copied=False)
+section = Section("1", "The levels on $M^4$", copied=None)
 
 complex_J3 = section.states(
     Identity,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Iterable, Sequence
+from functools import cache
 
 from kowalevski_cas.notation.formula import (
     Conjugate,
@@ -36,16 +37,7 @@ class Plain(Printer):
     word_form, fraction_form, sum_form = "{}", "{}/{}", "∑_({}={})^({}) "
 
     def name(self, formula: Name) -> str:
-        return self._name(formula, "")
-
-    def _name(self, formula: Name, marks: str) -> str:
-        parts = symbol(formula.name)
-        letter = styled(parts.letter, parts.font)
-        index = "".join(parts.index)
-        low = index.translate(_LOW)
-        if set(index) & set(low):
-            low = f"_{index}" if len(index) == 1 else f"_({index})"
-        return unicodedata.normalize("NFC", letter + _MARKS.get(parts.font, "") + marks) + low
+        return _named(formula.name)
 
     def joined(self, parts: Iterable[str]) -> str:
         """The parts side by side; words, and roots without brackets, need a space."""
@@ -79,16 +71,28 @@ class Plain(Printer):
 
     def conjugate(self, formula: Conjugate) -> str:
         if isinstance(formula.argument, Name):
-            return self._name(formula.argument, _BAR)
+            return _named(formula.argument.name, _BAR)
         return f"conj({self(formula.argument)})"
 
     def dotted(self, argument: Formula, order: int) -> str:
         if isinstance(argument, Name):
-            return self._name(argument, _DOT * order)
+            return _named(argument.name, _DOT * order)
         return self.bracketed(self(argument)) + "˙" * order
 
     def rows(self, rows: Sequence[Sequence[str]]) -> str:
         return f"({', '.join(f'({text})' for text in map(', '.join, rows))})"
+
+
+@cache
+def _named(name: str, marks: str = "") -> str:
+    """A letter under marks, with its index."""
+    parts = symbol(name)
+    letter = styled(parts.letter, parts.font)
+    index = "".join(parts.indices)
+    low = index.translate(_LOW)
+    if set(index) & set(low):
+        low = f"_{index}" if len(index) == 1 else f"_({index})"
+    return unicodedata.normalize("NFC", letter + _MARKS.get(parts.font, "") + marks) + low
 
 
 def _word(text: str) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 
+from kowalevski_cas.notation.brackets import COMPOUND, SIGNED, bare, is_applied, is_base, is_word
 from kowalevski_cas.notation.errors import undotted
 from kowalevski_cas.notation.formula import (
     Application,
@@ -35,16 +36,7 @@ from kowalevski_cas.notation.formula import (
     Unwritten,
     Vector,
 )
-from kowalevski_cas.notation.unicode import SIGNS, symbol
-from kowalevski_cas.notation.values import applies
-
-# What stands in brackets behind a sign, and beside other factors.
-SIGNED = (Sum, Negative, Relation)
-COMPOUND = (*SIGNED, Product, CrossProduct, Summation)
-# What carries a power without them.
-_BASES = (
-    Name, Number, Application, Vector, ScalarProduct, PoissonBracket, Conjugate, Modulus, Commutator
-)  # fmt: skip
+from kowalevski_cas.notation.unicode import SIGNS
 
 
 class Printer(ABC):
@@ -191,11 +183,11 @@ class Printer(ABC):
     def beside(self, left: Formula, right: Formula, text: str) -> str:
         """What stands between two factors, of which the right one is printed as ``text``."""
         # A number behind a factor would look like a part of it, a bracket like its argument.
-        if isinstance(_bare(left), Number) and isinstance(_bare(right), Number):
+        if isinstance(bare(left), Number) and isinstance(bare(right), Number):
             return self.cross
-        if self.begins_with_number(text) or _is_applied(left, right):
+        if self.begins_with_number(text) or is_applied(left, right):
             return self.times
-        return self.thin if _is_word(left) or _is_word(right) else ""
+        return self.thin if self.thin and (is_word(left) or is_word(right)) else ""
 
     def power(self, formula: Power) -> str:
         text = self(formula.base)
@@ -297,34 +289,3 @@ class Printer(ABC):
         return first + "".join(
             f" {self.sign(sign)} {member}" for sign, member in zip(formula.signs, rest, strict=True)
         )
-
-
-def _is_applied(left: Formula, right: Formula) -> bool:
-    """Whether a factor begins with a bracket that looks like the argument of the one before it."""
-    left, inner, raised = _bare(left), _bare(right), False
-    while isinstance(inner, Power) or (isinstance(inner, Derivative) and inner.mark == "prime"):
-        raised, inner = True, _bare(inner.children()[0])
-        if isinstance(inner, Name):
-            return False
-    opened = isinstance(inner, (*COMPOUND, Vector)) or (raised and not is_base(inner))
-    return opened and applies(left, inner, raised)
-
-
-def _is_word(formula: Formula) -> bool:
-    """Whether a factor is a name of several upright letters, or a power of one."""
-    base = _bare(formula.base if isinstance(formula, Power) else formula)
-    if not isinstance(base, Name):
-        return False
-    parts = symbol(base.name)
-    return parts.font == r"\mathrm" and len(parts.letter) > 1
-
-
-def _bare(formula: Formula) -> Formula:
-    return formula.argument if isinstance(formula, Changed) else formula
-
-
-def is_base(formula: Formula) -> bool:
-    """Whether a formula carries a power without brackets."""
-    formula = _bare(formula)
-    dotted = isinstance(formula, Derivative) and formula.mark == "dot"
-    return dotted or isinstance(formula, _BASES)

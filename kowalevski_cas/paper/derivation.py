@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
@@ -21,7 +22,8 @@ Shown = TypeVar("Shown", Display, Printed)
 class Section:
     """A section of a paper: it collects displays and claims in the order of the paper.
 
-    ``copied`` says whether its displays are what the edition prints, sign by sign, or restate it.
+    ``copied`` says whether its displays are what the edition prints, sign by sign, or restate it;
+    it is ``None`` if no edition has them, since they are derived here.
     ``lines`` has the file and the line in which a claim is stated, by its id, and ``expected`` the
     verdict that its author expects, where he says so. ``scenes`` are those of which something may
     be asked, by their names, even if nothing is claimed there.
@@ -29,7 +31,7 @@ class Section:
 
     number: str
     title: str
-    copied: bool = True
+    copied: bool | None = True
     displays: list[Display] = field(default_factory=list)
     claims: list[Claim] = field(default_factory=list)
     accepted: dict[Printed, str] = field(default_factory=dict)
@@ -39,15 +41,15 @@ class Section:
 
     def display(self, id: str, tex: str, label: str = "") -> Display:
         """A displayed formula; ``eq3`` is labelled (3) if nothing else is said."""
-        return self._add(id, tex, label=label or _label(id), copied=self.copied)
+        return self._add(id, tex, label=label or _label(id))
 
     def inline(self, id: str, tex: str, label: str = "") -> Display:
         """A formula in running text."""
-        return self._add(id, tex, inline=True, label=label, copied=self.copied)
+        return self._add(id, tex, inline=True, label=label)
 
     def lemma(self, id: str, tex: str, source: str) -> Display:
         """A formula that the paper uses and does not print, with its source."""
-        return self._add(id, tex, source=source, copied=False)
+        return self._add(id, tex, source=source)
 
     def identity(
         self, id: str, tex: str, *, on: Scene, says: Says, ids: Sequence[str] = ()
@@ -172,7 +174,7 @@ class Derivation:
             ("claims", [claim.id for claim in self.claims]),
             ("displays", [display.id for display in self._known_displays()]),
         ):
-            twice = sorted({id for id in ids if ids.count(id) > 1})
+            twice = sorted(id for id, many in Counter(ids).items() if many > 1)
             if twice:
                 how = ', System(r"…", "name")' if kind == "sections or systems" else ""
                 raise ValueError(f"two {kind} are called {twice[0]}: give one another name{how}")

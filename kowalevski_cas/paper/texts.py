@@ -38,8 +38,7 @@ class Display:
     """A displayed or inline formula of the paper, as printed.
 
     ``display[k]`` is its k-th statement in reading order, counted from 1, and iterating gives all
-    of them. ``copied`` says whether it is what the edition prints, sign by sign, or restates it;
-    ``label`` where it stands there: the number of the equation, or the page.
+    of them. ``label`` says where it stands in the edition: the number of the equation, or the page.
     """
 
     id: str
@@ -49,7 +48,6 @@ class Display:
     source: str = ""
     """Where a formula comes from that the paper itself does not print."""
     label: str = ""
-    copied: bool = True
 
     def __getitem__(self, number: int) -> Printed:
         return Printed(self, number)

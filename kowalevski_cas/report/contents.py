@@ -82,19 +82,18 @@ class Contents:
         return Document(
             f"Verification report on “{title}”",
             f"Verification report on “{shorten(title, 60, placeholder=' …')}”",
-            ((*self.phrases.words(origin), "."), *self._restated(), by),
+            ((*self.phrases.words(origin), "."), *self._origins(), by),
             tuple(blocks),
         )
 
-    def _restated(self) -> Iterator[Text]:
-        restated = [section.number for section in self.sections if not section.copied]
-        if restated and len(restated) == len(self.sections):
-            which = "All formulas are restated"
-        elif restated:
-            which = f"The formulas of section {', '.join(restated)} are restated"
-        else:
-            return
-        yield (f"{which} or derived anew: nobody has compared them with a print.",)
+    def _origins(self) -> Iterator[Text]:
+        """Of which formulas nobody can say that they are those of a print."""
+        for copied, words in _ORIGINS.items():
+            found = [section.number for section in self.sections if section.copied is copied]
+            if found:
+                every = len(found) == len(self.sections)
+                which = "All formulas" if every else f"The formulas of section {', '.join(found)}"
+                yield (f"{which} are {words}.",)
 
     # -- the verdict ------------------------------------------------------------------
 
@@ -222,6 +221,11 @@ _FRAMES: Final = {
     Verdict.PROVED: "thin where a statement holds",
     Verdict.CONDITIONAL: "broken where it holds under a condition",
     Verdict.REFUTED: "heavy where it is false",
+}
+
+_ORIGINS: Final = {
+    False: "restated, or derived anew: nobody has compared them with a print",
+    None: "derived here: there is no print of them",
 }
 
 _TRUST: Final = (

@@ -101,7 +101,7 @@ class HtmlWriter(Writer):
         return {**super().parts(document), "contents": "\n".join(links)}
 
     def escaped(self, text: str) -> str:
-        return escape(text, quote=True)
+        return escape(text.replace("'", "’"))
 
     def text(self, text: Text) -> str:
         """No line is broken between a formula and the stop behind it."""
@@ -120,7 +120,7 @@ class HtmlWriter(Writer):
         return self.setter.inline(formula)
 
     def code(self, text: str) -> str:
-        return f"<code>{self.escaped(' '.join(text.split()))}</code>"
+        return f"<code>{escape(' '.join(text.split()))}</code>"
 
     def sign(self, verdict: Verdict) -> str:
         mark = MARKS[verdict]
@@ -130,7 +130,7 @@ class HtmlWriter(Writer):
         )
 
     def link(self, link: Link) -> str:
-        target = self.escaped(link.target if link.outside else f"#{link.target}")
+        target = escape(link.target if link.outside else f"#{link.target}")
         return f'<a href="{target}">{self.text(link.text)}</a>'
 
     def heading(self, block: Heading) -> str:
@@ -145,7 +145,7 @@ class HtmlWriter(Writer):
     def display(self, block: Display) -> str:
         """A display, for wide and for narrow pages if these differ."""
         if not block.formulas:
-            inner = f'<span class="source">{self.escaped(" ".join(block.source.split()))}</span>'
+            inner = f'<span class="source">{escape(" ".join(block.source.split()))}</span>'
         else:
             both = self.setter.displays(block.formulas, (self.room, _NARROW))
             wide, narrow = (f'<math display="block">{one}</math>' for one in both)

@@ -21,8 +21,9 @@ from kowalevski_cas.notation import (
     Vector,
     to_plain,
 )
+from kowalevski_cas.notation.brackets import COMPOUND, SIGNED, is_base
 from kowalevski_cas.notation.formula import Changed
-from kowalevski_cas.notation.printer import COMPOUND, SIGNED, Printer, is_base
+from kowalevski_cas.notation.printer import Printer
 
 _BRACKET, _TALL_BRACKET = 0.39, 0.7
 _SIGN, _AROUND = 0.78, 0.44

@@ -14,6 +14,9 @@ from kowalevski_cas.search.in_turn import Names, Step, shown, steps_to
 
 Matrix = list[list[Element]]
 
+Key = tuple[int, tuple[int, ...]]
+"""A monomial: the roots in it, as a mask, and exponents."""
+
 
 def regular(
     goal: Follows,
@@ -47,7 +50,7 @@ def regular(
         ]
         for k in range(len(multipliers))
     ]
-    return shown(steps, rows, [*known, *targets], conditions, at, names)
+    return shown(steps, rows, [*known, *targets], at, names)
 
 
 def _changed(
@@ -74,40 +77,21 @@ def _sparse(functions: Sequence[Element], at: Evaluation) -> Matrix:
         key = None if rows[j].denominator else _leading(rows[j])
         if key is None:
             continue
-        over = _coefficient(rows[j], key, at).inverse()
+        over = _coefficient(rows[j], key).inverse()
         rows[j], matrix[j] = rows[j] * over, [entry * over for entry in matrix[j]]
         for k in range(size):
             if k == j or rows[k].denominator:
                 continue
-            factor = _coefficient(rows[k], key, at)
+            factor = _coefficient(rows[k], key)
             rows[k] = rows[k] - factor * rows[j]
             matrix[k] = [a - factor * b for a, b in zip(matrix[k], matrix[j], strict=True)]
     return matrix
 
 
-Key = tuple[int, tuple[int, ...]]
-"""A monomial: the roots but i, as a mask, and exponents."""
-
-
 def _leading(element: Element) -> Key | None:
-    unit = _unit(element)
-    return next(
-        ((mask & ~unit, exponents) for mask, part in element.terms().items() for exponents in part),
-        None,
-    )
+    return next(((mask, own) for mask, part in element.terms().items() for own in part), None)
 
 
-def _coefficient(element: Element, key: Key, at: Evaluation) -> Element:
-    """The coefficient of a monomial, a number in which i may stand."""
+def _coefficient(element: Element, key: Key) -> Element:
     mask, exponents = key
-    unit, terms, ring = _unit(element), element.terms(), at.ring
-    real = ring.number(terms.get(mask, {}).get(exponents, 0))
-    if not unit:
-        return real
-    return real + ring.generator("i") * ring.number(terms.get(mask | unit, {}).get(exponents, 0))
-
-
-def _unit(element: Element) -> int:
-    """The mask of i; 0 if there is no i."""
-    roots = element.ring.roots
-    return 1 << roots.index("i") if "i" in roots else 0
+    return element.ring.number(element.terms().get(mask, {}).get(exponents, 0))

@@ -90,7 +90,7 @@ def test_a_display_is_placed_and_claimed_at_once():
         ("eq7.2", shown[2], "second"),
     ]
     assert all(isinstance(claim, Identity) for claim in one.claims)
-    assert (shown.label, shown.copied, shown.section) == ("(7)", False, "2")
+    assert (shown.label, shown.section) == ("(7)", "2")
 
 
 def test_ids_are_those_of_the_display_or_given():

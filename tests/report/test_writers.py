@@ -4,15 +4,15 @@ import re
 import subprocess
 import sys
 from collections.abc import Callable
-from dataclasses import replace
 from html.parser import HTMLParser
 from itertools import product
 from pathlib import Path
 
 import pytest
 
-from kowalevski_cas.notation import Negative, Number, Relation, to_mathml
+from kowalevski_cas.notation import Negative, Number, Relation
 from kowalevski_cas.notation.formula import Changed
+from kowalevski_cas.notation.mathml import to_mathml
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Code, Document, Emphasis, Sign, Text
 from kowalevski_cas.report.html import HtmlWriter, render_html
@@ -80,7 +80,7 @@ def test_same_bytes_from_run_to_run() -> None:
 @ALL
 def test_measured_time_is_not_in_it(render: Renders) -> None:
     known = run()
-    slow = replace(known, outcomes=tuple(replace(o, seconds={"flint": 9.75}) for o in outcomes()))
+    slow = known._replace(outcomes=tuple(o._replace(seconds={"flint": 9.75}) for o in outcomes()))
     assert render(Contents(slow, in_order(slow)).document()) == render(document())
 
 
@@ -118,6 +118,11 @@ def test_words_are_escaped_for_the_others() -> None:
     text: Text = ("a < b & #c_1 *d* $5",)
     assert TypstWriter().text(text) == r"a \< b & \#c\_1 \*d\* \$5"
     assert HtmlWriter(Path()).text(text) == "a &lt; b &amp; #c_1 *d* $5"
+
+
+def test_the_apostrophe_of_a_sentence_is_none_of_a_source() -> None:
+    text: Text = ("Kowalevski's ", Code("x'"))
+    assert Page(HtmlWriter(Path()).text(text)).words == "Kowalevski’s x'"
 
 
 def test_a_display_that_cannot_be_read_is_shown_as_it_is_typed() -> None:
