@@ -35,7 +35,9 @@ from kowalevski_cas.notation.formula import (
     Summation,
     Unwritten,
     Vector,
+    equal,
     once,
+    power,
     times,
     total,
 )

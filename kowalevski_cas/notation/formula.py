@@ -279,6 +279,17 @@ def times(*factors: Formula) -> Formula:
     return Product(kept) if len(kept) > 1 else kept[0] if kept else Number(1)
 
 
+def power(base: Formula, exponent: Formula | int) -> Formula:
+    """A power, which is the base if the exponent is 1."""
+    raised = Number(exponent) if isinstance(exponent, int) else exponent
+    return base if raised == Number(1) else Power(base, raised)
+
+
+def equal(*members: Formula) -> Formula:
+    """That several members are equal; a single one is left alone."""
+    return Relation(members, ("=",) * (len(members) - 1)) if len(members) > 1 else members[0]
+
+
 @node
 class Changed(Unary):
     """A part that another formula has not: ``wrong`` if it should not stand, else as it should.

@@ -17,8 +17,8 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Product,
-    Relation,
     Sum,
+    equal,
     read,
     to_latex,
     total,
@@ -58,7 +58,7 @@ def search(
 
     def tex(*sides: Formula | Element) -> str:
         members = (one if isinstance(one, Formula) else formula(one) for one in sides)
-        return to_latex(Relation(tuple(members), ("=",)))
+        return to_latex(equal(*members))
 
     value, zero = formula(ansatz.value), ansatz.at.ring.zero
     rate = Derivative(value, scene.time)
