@@ -5,7 +5,6 @@
 
 import sys
 import tempfile
-from dataclasses import replace
 from pathlib import Path
 
 import typst
@@ -29,7 +28,7 @@ def erratum(folder: Path) -> bytes:
     paper = sections(run, derivation, derivation.texts())
     _, slip, *_ = Contents(run, paper).findings.blocks()
     flat = [part.text if isinstance(part, Link) else (part,) for part in slip.head]
-    alone = replace(slip, head=tuple(part for text in flat for part in text))
+    alone = slip._replace(head=tuple(part for text in flat for part in text))
     source = render_typst(Document("", "", (), (alone,)))
     title = source.index("#block(below: 1.2em, text(1.6em")
     file = folder / "erratum.typ"

@@ -49,12 +49,12 @@ print(*sys.modules)
 
 
 def modules(script, *arguments):
-    """The top names of the modules that a script has loaded in a process of its own."""
+    """The modules that a script has loaded in a process of its own."""
     done = subprocess.run(
         [sys.executable, "-c", script, *arguments],
         capture_output=True, text=True, cwd=ROOT, check=True,
     )  # fmt: skip
-    return {name.split(".")[0] for name in done.stdout.split()}
+    return set(done.stdout.split())
 
 
 def test_importing_loads_no_library():
@@ -69,6 +69,15 @@ def test_importing_loads_no_library():
 @pytest.mark.parametrize("name", [*EXACT, *POINTS])
 def test_proving_loads_what_its_arithmetic_needs_and_nothing_else(name):
     assert modules(PROVE, name, *ONLY) & LIBRARIES == NEEDED[name]
+
+
+def test_proving_loads_nothing_that_only_shows_or_asks():
+    loaded = modules(PROVE, "flint", *ONLY[:1])
+    own = {room(name) for name in loaded if name.startswith(f"{LIBRARY}.")}
+    assert own <= {*ROOMS[: ROOMS.index("verify") + 1]}
+    assert loaded.isdisjoint(
+        f"{LIBRARY}.notation.{name}" for name in ("mathml", "open", "sympy", "typst")
+    )
 
 
 # -- one way -----------------------------------------------------------------------

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import singledispatch
 
-from kowalevski_cas.algebra.polynomials import Polynomial
-from kowalevski_cas.algebra.tower import Element, Ring
+from kowalevski_cas.algebra.tower import Element, Parts, Ring
 
 Field = Mapping[str, Element]
 """The derivative of each generator; generators that are not named are constants."""
@@ -22,21 +21,15 @@ def along(element: Element, field: Field) -> Element:
     """
     ring = element.ring
     total = ring.zero
-    for mask, polynomial in element.parts.items():
-        change = _polynomial_along(ring, polynomial, field)
-        if not mask:
-            total = total + change
-        else:
-            total = total + change * Element(ring, {mask: ring.polynomials.one}, {})
-            coefficient = Element(ring, {0: polynomial}, {})
-            total = total + coefficient * _roots_along(ring, mask, field)
+    for partial, rate in _partials(element, field):
+        total = total + Element(ring, partial, {}) * rate
     if not element.denominator:
         return total
     result = total * Element(ring, {0: ring.polynomials.one}, element.denominator)
     for index, exponent in element.denominator.items():
-        change = _polynomial_along(ring, ring.divisors[index], field)
+        change = along(Element(ring, {0: ring.divisors[index]}, {}), field)
         if not change.is_zero or change.denominator:
-            over = Element(ring, {0: ring.polynomials.constant(Fraction(-exponent))}, {index: 1})
+            over = Element(ring, {0: ring.polynomials.constant(-exponent)}, {index: 1})
             result = result + element * change * over
     return result
 
@@ -46,26 +39,19 @@ def gradient(element: Element, names: tuple[str, ...]) -> list[Element]:
     return [along(element, {name: element.ring.one}) for name in names]
 
 
-def _polynomial_along(ring: Ring, polynomial: Polynomial, field: Field) -> Element:
-    total = ring.zero
-    for index, name in enumerate(ring.polynomials.generators):
-        component = field.get(name)
-        if component is None or (component.is_zero and not component.denominator):
+def _partials(element: Element, field: Field) -> Iterator[tuple[Parts, Element]]:
+    """The partial derivatives of a numerator that do not vanish, by what moves, and its rate."""
+    ring, parts = element.ring, element.parts
+    for name, rate in field.items():
+        place = ring.polynomials.places.get(name)
+        if place is None or (rate.is_zero and not rate.denominator):
             continue  # a zero remembers what it was divided by
-        partial = ring.polynomials.derivative(polynomial, index)
-        if partial:
-            total = total + Element(ring, {0: partial}, {}) * component
-    return total
-
-
-def _roots_along(ring: Ring, mask: int, field: Field) -> Element:
-    """The derivative of a product of roots."""
-    total = ring.zero
+        derived = ((mask, ring.polynomials.derivative(p, place)) for mask, p in parts.items())
+        if partial := {mask: p for mask, p in derived if p}:
+            yield partial, rate
     for bit, name in enumerate(ring.roots):
-        if mask >> bit & 1:
-            rest = Element(ring, {mask ^ (1 << bit): ring.polynomials.one}, {})
-            total = total + rest * _root_along(ring, bit, name, field)
-    return total
+        if partial := {mask ^ 1 << bit: p for mask, p in parts.items() if mask >> bit & 1}:
+            yield partial, _root_along(ring, bit, name, field)
 
 
 def _root_along(ring: Ring, bit: int, name: str, field: Field) -> Element:

@@ -9,7 +9,7 @@ from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from kowalevski_cas.algebra.polynomials import Coefficients, Polynomials, Terms
+from kowalevski_cas.algebra.polynomials import Coefficients, Map, Polynomials, Terms
 
 
 def to_fraction(value: fmpq) -> Fraction:
@@ -61,20 +61,18 @@ class Arithmetic(Polynomials):
     def generator(self, index: int) -> fmpq_mpoly:
         return self._generators[index]
 
-    def constant(self, value: Fraction) -> fmpq_mpoly:
+    def constant(self, value: int | Fraction) -> fmpq_mpoly:
         return self.context.constant(to_flint(value))
 
     def derivative(self, polynomial: fmpq_mpoly, index: int) -> fmpq_mpoly:
         return polynomial.derivative(index)
 
-    def composed(
-        self, polynomial: fmpq_mpoly, values: Sequence[fmpq_mpoly], target: Polynomials
-    ) -> fmpq_mpoly:
-        if values:
-            image = polynomial.compose(*values)
-        else:
-            image = target.constant(self.terms(polynomial).get((), Fraction(0)))
-        return image
+    def substitution(self, values: Sequence[fmpq_mpoly], target: Polynomials) -> Map:
+        assert isinstance(target, Arithmetic)
+        if all(value.is_constant() for value in values):  # FLINT puts in numbers faster
+            numbers = [value.leading_coefficient() if value else 0 for value in values]
+            return lambda polynomial: target.context.constant(polynomial(*numbers))
+        return lambda polynomial: polynomial.compose(*values)
 
     def is_monomial(self, polynomial: fmpq_mpoly) -> bool:
         return len(polynomial) == 1

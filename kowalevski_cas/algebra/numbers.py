@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import isqrt, prod
 
-from kowalevski_cas.algebra.polynomials import Polynomial, Polynomials, Terms
+from kowalevski_cas.algebra.polynomials import Map, Polynomial, Polynomials, Terms
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Vocabulary, to_latex
@@ -90,7 +90,7 @@ class Substitution:
         self.ring = ring
         self._inverses: dict[int, Element] = {}
         self.values = [values[name] for name in ring.polynomials.generators]
-        self._gaussian = _gaussian(self.values, numbers)
+        self._image = _gaussian(ring.polynomials, self.values, numbers)
         self._monomials: dict[tuple[int, ...], Element] = {}
         self.roots: dict[int, Element] = {} if roots is None else roots
         """The values of the roots, by their places in the ring."""
@@ -130,7 +130,7 @@ class Substitution:
         total = self.numbers.zero
         for mask, polynomial in element.parts.items():
             value = self._polynomial(polynomial)
-            for bit, root in self.roots.items():
+            for bit, root in self.roots.items() if mask else ():
                 if mask >> bit & 1:
                     value = value * root
             total = total + value
@@ -145,12 +145,11 @@ class Substitution:
         return self._inverses[index]
 
     def _polynomial(self, polynomial: Polynomial) -> Element:
-        if self._gaussian is not None:
-            target = self.numbers.polynomials
-            composed = self.ring.polynomials.composed(polynomial, self._gaussian, target)
-            if not target.occurring(composed):
-                return self.numbers.element({0: composed}, {})
-            return _reduced(target.terms(composed), self.numbers)
+        if self._image is not None:
+            numbers, value = self.numbers, self._image(polynomial)
+            if not numbers.polynomials.occurring(value):
+                return numbers.element({0: value}, {})
+            return _reduced(numbers.polynomials.terms(value), numbers)
         total = self.numbers.zero
         for exponents, coefficient in self.ring.polynomials.terms(polynomial).items():
             total = total + self.numbers.number(coefficient) * self._monomial(exponents)
@@ -176,18 +175,18 @@ def prime_factors(number: int) -> Iterator[tuple[int, int]]:
         yield (int(root), 2 * exponent) if root**2 == prime else (int(prime), exponent)
 
 
-def _gaussian(values: Sequence[Element], numbers: Ring) -> list[Polynomial] | None:
-    """The values as polynomials in a letter for i, if they are rational but for i."""
+def _gaussian(polynomials: Polynomials, values: Sequence[Element], numbers: Ring) -> Map | None:
+    """What puts in values that are rational but for i, with a letter for i; else ``None``."""
     if numbers.polynomials.generators != ("",) or numbers.roots[:1] != ["i"]:
         return None
     if any(value.denominator or value.parts.keys() - {0, 1} for value in values):
         return None
-    polynomials = numbers.polynomials
-    letter = polynomials.generator(0)
-    return [
-        value.parts.get(0, polynomials.zero) + value.parts.get(1, polynomials.zero) * letter
-        for value in values
-    ]
+    zero, letter = numbers.polynomials.zero, numbers.polynomials.generator(0)
+    found = []
+    for value in values:
+        re, im = value.parts.get(0, zero), value.parts.get(1)
+        found.append(re if im is None else re + im * letter)
+    return polynomials.substitution(found, numbers.polynomials)
 
 
 def _reduced(terms: Terms, numbers: Ring) -> Element:
@@ -208,14 +207,12 @@ def rank(matrix: list[list[Element]]) -> int:
         if column is None:
             continue
         found += 1
-        factor = pivot[column].inverse()
+        inverse = pivot[column].inverse()
         rows = [
-            row
-            if row[column].is_zero
-            else [
-                a - row[column] * factor * b if not b.is_zero else a
-                for a, b in zip(row, pivot, strict=True)
-            ]
-            for row in rows
+            row if row[column].is_zero else _less(row, row[column] * inverse, pivot) for row in rows
         ]
     return found
+
+
+def _less(row: list[Element], factor: Element, pivot: list[Element]) -> list[Element]:
+    return [a if b.is_zero else a - factor * b for a, b in zip(row, pivot, strict=True)]

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from kowalevski_cas.algebra.programs import Program, Programs
@@ -19,8 +18,7 @@ class NoPoint(ValueError):
     """No point could be found; the message says why."""
 
 
-@dataclass(frozen=True)
-class Question:
+class Question(NamedTuple):
     """Whether ``residuals`` vanish wherever ``given`` do; or whether a matrix has a rank there.
 
     ``rows`` are those of a matrix that has the rank ``rank`` at almost every point.
@@ -39,8 +37,7 @@ class Question:
         return [*self.residuals, *self.somewhere, *(entry for row in self.rows for entry in row)]
 
 
-@dataclass(frozen=True)
-class Answer:
+class Answer(NamedTuple):
     """What points say: yes, no (at this point), or nothing (``holds`` is ``None``) for a reason.
 
     ``bound`` is the chance of a wrong yes, ``radius`` that of the largest ball around a residual.
@@ -50,7 +47,7 @@ class Answer:
     words: str = ""
     bound: float | None = None
     radius: float | None = None
-    point: Mapping[str, str] = field(default_factory=dict)
+    point: Mapping[str, str] = {}
     left: str = ""
     right: str = "0"
 

@@ -8,7 +8,7 @@ few operations. A new exact arithmetic is one new file with one such class.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
 
@@ -18,6 +18,9 @@ Polynomial = Any
 It must support ``+``, ``-``, ``*``, unary ``-`` and ``==``, and be false exactly if it vanishes
 identically.
 """
+
+Map = Callable[[Polynomial], Polynomial]
+"""What makes polynomials of another ring out of those of one."""
 
 Terms = dict[tuple[int, ...], Fraction]
 """The neutral form of a polynomial: exponents of the generators to coefficient."""
@@ -35,13 +38,14 @@ class Polynomials(ABC):
 
     def __init__(self, generators: tuple[str, ...]) -> None:
         self.generators = generators
+        self.places = {name: place for place, name in enumerate(generators)}
 
     @abstractmethod
     def generator(self, index: int) -> Polynomial:
         """The generator with this index."""
 
     @abstractmethod
-    def constant(self, value: Fraction) -> Polynomial:
+    def constant(self, value: int | Fraction) -> Polynomial:
         """A rational number as a polynomial."""
 
     @abstractmethod
@@ -49,10 +53,8 @@ class Polynomials(ABC):
         """The partial derivative by the generator with this index."""
 
     @abstractmethod
-    def composed(
-        self, polynomial: Polynomial, values: Sequence[Polynomial], target: Polynomials
-    ) -> Polynomial:
-        """The polynomial with polynomials of ``target`` in place of its generators."""
+    def substitution(self, values: Sequence[Polynomial], target: Polynomials) -> Map:
+        """The homomorphism that puts polynomials of ``target`` in place of the generators."""
 
     @abstractmethod
     def is_monomial(self, polynomial: Polynomial) -> bool:

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from symengine import Add, Expr, Integer, Mul, Rational, Symbol, expand
 
-from kowalevski_cas.algebra.polynomials import Coefficients, Polynomials, Terms
+from kowalevski_cas.algebra.polynomials import Coefficients, Map, Polynomials, Terms
 
 ZERO = Integer(0)
 
@@ -60,11 +60,9 @@ class Arithmetic(Polynomials):
     def derivative(self, polynomial: Expanded, index: int) -> Expanded:
         return Expanded(polynomial.value.diff(self.symbols[index]))
 
-    def composed(
-        self, polynomial: Expanded, values: Sequence[Expanded], target: Polynomials
-    ) -> Expanded:
+    def substitution(self, values: Sequence[Expanded], target: Polynomials) -> Map:
         images = {g: image.value for g, image in zip(self.symbols, values, strict=True)}
-        return Expanded(expand(polynomial.value.xreplace(images)))
+        return lambda polynomial: Expanded(expand(polynomial.value.xreplace(images)))
 
     def is_monomial(self, polynomial: Expanded) -> bool:
         return not polynomial.value.is_Add

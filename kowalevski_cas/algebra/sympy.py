@@ -15,7 +15,7 @@ from sympy import ZZ
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyElement, PolyRing
 
-from kowalevski_cas.algebra.polynomials import Coefficients, Polynomials, Terms
+from kowalevski_cas.algebra.polynomials import Coefficients, Map, Polynomials, Terms
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,25 +76,29 @@ class Arithmetic(Polynomials):
     def generator(self, index: int) -> Scaled:
         return Scaled(self.ring.gens[index])
 
-    def constant(self, value: Fraction) -> Scaled:
+    def constant(self, value: int | Fraction) -> Scaled:
         return Scaled(self.ring.ground_new(value.numerator), value.denominator)
 
     def derivative(self, polynomial: Scaled, index: int) -> Scaled:
         return _lowest(polynomial.whole.diff(index), polynomial.below)
 
-    def composed(self, polynomial: Scaled, values: Sequence[Scaled], target: Polynomials) -> Scaled:
-        below = lcm(*(value.below for value in values))
-        images = [_plain(value.whole * (below // value.below)) for value in values]
-        degree = max(map(sum, polynomial.whole), default=0)
-        total = 0
-        for exponents, coefficient in polynomial.whole.items():
-            product = coefficient * below ** (degree - sum(exponents))
-            for image, exponent in zip(images, exponents, strict=True):
-                if exponent:
-                    product = product * image**exponent
-            total = total + product
+    def substitution(self, values: Sequence[Scaled], target: Polynomials) -> Map:
         assert isinstance(target, Arithmetic)
-        return _lowest(target.ring(total), polynomial.below * below**degree)
+        ring, below = target.ring, lcm(*(value.below for value in values))
+        images = [_plain(value.whole * (below // value.below)) for value in values]
+
+        def image(polynomial: Scaled) -> Scaled:
+            degree = max(map(sum, polynomial.whole), default=0)
+            total = 0
+            for exponents, coefficient in polynomial.whole.items():
+                product = coefficient * below ** (degree - sum(exponents))
+                for image, exponent in zip(images, exponents, strict=True):
+                    if exponent:
+                        product = product * image**exponent
+                total = total + product
+            return _lowest(ring(total), polynomial.below * below**degree)
+
+        return image
 
     def is_monomial(self, polynomial: Scaled) -> bool:
         return len(polynomial.whole) == 1

@@ -47,8 +47,7 @@ class Ring:
     def number(self, value: int | Fraction) -> Element:
         """A rational number, which is made once."""
         if value not in self._numbers:
-            constant = self.polynomials.constant(Fraction(value))
-            self._numbers[value] = self.element({0: constant}, {})
+            self._numbers[value] = self.element({0: self.polynomials.constant(value)}, {})
         return self._numbers[value]
 
     def generator(self, name: str) -> Element:
@@ -89,17 +88,19 @@ class Ring:
         self, left: Parts, right: Parts, combine: Callable[[Polynomial, Polynomial], Polynomial]
     ) -> Parts:
         """The sum or the difference of two numerators, without what vanishes."""
-        result, zero = dict(left), self.polynomials.zero
+        result = dict(left)
         for mask, p in right.items():
-            if total := combine(result.get(mask, zero), p):
+            if mask not in result:
+                result[mask] = p if combine is add else -p
+            elif total := combine(result[mask], p):
                 result[mask] = total
             else:
-                result.pop(mask, None)
+                del result[mask]
         return result
 
     def multiply_parts(self, left: Parts, right: Parts) -> Parts:
         """The product of two numerators, the roots reduced by their squares."""
-        products: dict[tuple[int, int], Polynomial] = {}
+        products: dict[int, Parts] = {}
         for mask, p in left.items():
             for other, q in right.items():
                 if left is right and mask > other:
@@ -107,15 +108,11 @@ class Ring:
                 product = self.multiply(p, q)
                 if left is right and mask < other:
                     product = product + product
-                pair = mask & other, mask ^ other
-                products[pair] = products[pair] + product if pair in products else product
-        result: Parts = {}
-        for (twice, mask), product in products.items():
-            parts = {mask: product}
-            if twice:
-                parts = self.multiply_parts(parts, self._square(twice))
-            for key, value in parts.items():
-                result[key] = result[key] + value if key in result else value
+                _add(products.setdefault(mask & other, {}), mask ^ other, product)
+        result = products.pop(0, {})
+        for twice, parts in products.items():
+            for mask, product in self.multiply_parts(parts, self._square(twice)).items():
+                _add(result, mask, product)
         return result
 
     def _square(self, mask: int) -> Parts:
@@ -144,7 +141,7 @@ class Ring:
 
     def inverse_of_polynomial(self, polynomial: Polynomial) -> Element:
         """One over a polynomial; a monomial is taken apart into its generators."""
-        if not self.polynomials.is_monomial(polynomial):
+        if polynomial in self.divisors or not self.polynomials.is_monomial(polynomial):
             return Element(self, {0: self.polynomials.one}, {self.divisor(polynomial): 1})
         ((exponents, value),) = self.polynomials.terms(polynomial).items()
         denominator = {
@@ -163,6 +160,10 @@ class Ring:
         """An element without denominator, from the coefficients of its numerator."""
         convert = self.polynomials.from_terms
         return self.element({m: convert(t) for m, t in parts.items()}, {})
+
+
+def _add(parts: Parts, mask: int, polynomial: Polynomial) -> None:
+    parts[mask] = parts[mask] + polynomial if mask in parts else polynomial
 
 
 class Element:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from dataclasses import replace
 from itertools import zip_longest
 
 from kowalevski_cas.audit.session import AS_BEFORE, AuditSession, formulas
@@ -83,7 +82,7 @@ class AuthorSession(AuditSession):
         unclear = outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT)
         with suppress(TimeoutError), time_limit(self.timeout):
             if unclear and not self._blame_changes(claim):
-                outcome = replace(outcome, correction=self._restored(claim, self.on(claim)))
+                outcome = outcome._replace(correction=self._restored(claim, self.on(claim)))
         return outcome
 
     def _refusal(self, claim: Claim) -> str:

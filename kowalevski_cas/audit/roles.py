@@ -62,7 +62,9 @@ class Roles:
 
     def at(self, place: str) -> Role:
         """The role of a place, none if the derivation does not use it."""
-        return self.places.setdefault(place, Role())
+        if place not in self.places:
+            self.places[place] = Role()
+        return self.places[place]
 
 
 def undefined(role: Role, formula: Formula) -> list[str]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from functools import cached_property
 
 from kowalevski_cas.audit.roles import places_of
@@ -64,7 +63,7 @@ class AuditSession(Session):
         for claim in claims:
             if self._unexplained(claim, found[claim.id]):
                 for id in self._misprint(claim, found):
-                    found[id] = replace(found[id], correction=None)
+                    found[id] = found[id]._replace(correction=None)
         return found
 
     def _unexplained(self, claim: Claim, outcome: Outcome) -> bool:

@@ -10,7 +10,6 @@ import argparse
 import json
 import sys
 from collections.abc import Mapping
-from dataclasses import replace
 from pathlib import Path
 
 from kowalevski_cas.algebra import EXACT
@@ -53,12 +52,12 @@ def _decided(found: Run, missing: Mapping[str, str]) -> Run:
         if disagreement(outcome.verdicts):
             raise CommandError(f"{outcome.claim}: {outcome.message}", DISAGREEMENT)
     outcomes = (
-        replace(o, verdict=Verdict.ERROR, message=f"no certificate: {missing[o.claim]}")
+        o._replace(verdict=Verdict.ERROR, message=f"no certificate: {missing[o.claim]}")
         if o.claim in missing and o.verdict in DECIDED
         else o
         for o in found.outcomes
     )
-    return replace(found, outcomes=tuple(outcomes))
+    return found._replace(outcomes=tuple(outcomes))
 
 
 def _written(folder: Path, found: Run, texts: Mapping[str, str]) -> int:

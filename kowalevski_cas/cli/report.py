@@ -6,7 +6,6 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from kowalevski_cas.algebra import EXACT
@@ -47,7 +46,7 @@ def explained(chosen: Sequence[tuple[Path, Derivation]], timeout: float) -> list
     runs = session.runs(chosen, EXACT, explain=True, timeout=timeout)
     versions = session.versions()
     return [
-        (replace(run, versions=versions), sections(run, derivation, texts), folder)
+        (run._replace(versions=versions), sections(run, derivation, texts), folder)
         for (folder, derivation), (run, texts) in zip(chosen, runs, strict=True)
     ]
 

@@ -11,7 +11,6 @@ import argparse
 import sys
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from pathlib import Path
 from time import sleep
 
@@ -76,7 +75,7 @@ def run_derivations(arguments: argparse.Namespace) -> list[Result]:
         session.versions() if arguments.report is not None or arguments.format == "json" else {}
     )
     return [
-        compared(*one, replace(run, versions=versions), texts, not arguments.only)
+        compared(*one, run._replace(versions=versions), texts, not arguments.only)
         for one, (run, texts) in zip(chosen, runs, strict=True)
     ]
 
@@ -92,7 +91,7 @@ def compared(folder: Path, derivation: Derivation, found: Run, texts: Texts, who
         differing = differences(found, record, whole)
         against = (one for one in unexpected(found, said) if one.claim in said)
         words = "against the file, which expects {}"
-        differing += [replace(one, recorded=words.format(one.recorded)) for one in against]
+        differing += [one._replace(recorded=words.format(one.recorded)) for one in against]
     return Result(folder, derivation, texts, found, differing, record is not None)
 
 

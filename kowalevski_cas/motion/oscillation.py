@@ -172,11 +172,6 @@ class Oscillation:
         scale = self.parameters.value(type(m)(0), abs(4 * m))
         return scale.sqrt() * self._amplitude(self.phi_roots)
 
-    @property
-    def components(self) -> int:
-        """2 where another sign makes another torus, 1 where it is the same half a period later."""
-        return 1 if sum(place < 2 for place in self.field_roots) == 1 else 2
-
     def _places(self, pair: tuple[str, str]) -> tuple[int, int]:
         low, high = sorted(self.roots.index(root) for root in pair)
         return low, high

@@ -85,11 +85,6 @@ class Regime:
         """The number of two-dimensional tori on which m and ℓ ≠ 0 have given values."""
         return self.s1.components * self.s2.components
 
-    @property
-    def mirror(self) -> bool:
-        r"""Whether it takes the negative root :math:`\sqrt{x_1x_2}` throughout."""
-        return self.sign > 0 and self.order.index("C") < self.order.index("-b")
-
     def __str__(self) -> str:
         """The order as the paper writes it."""
         return f"m {'>' if self.sign > 0 else '<'} 0, " + " < ".join(self.order)

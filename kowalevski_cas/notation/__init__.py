@@ -35,19 +35,17 @@ from kowalevski_cas.notation.formula import (
     Summation,
     Unwritten,
     Vector,
+    equal,
     once,
+    power,
     times,
     total,
 )
 from kowalevski_cas.notation.heads import Heads, heads
 from kowalevski_cas.notation.latex import to_latex
 from kowalevski_cas.notation.layout import split_display
-from kowalevski_cas.notation.mathml import to_mathml
-from kowalevski_cas.notation.open import OpenParser, bold_names, independent
 from kowalevski_cas.notation.plain import to_plain
 from kowalevski_cas.notation.prose import Prose, print_prose, read_prose
 from kowalevski_cas.notation.reader import Statement, read, read_display
-from kowalevski_cas.notation.sympy import from_sympy, to_sympy
-from kowalevski_cas.notation.typst import to_typst
 from kowalevski_cas.notation.values import rank
 from kowalevski_cas.notation.vocabulary import Vocabulary

@@ -56,7 +56,7 @@ class Atoms(Symbols):
         start, end = token.start, token.end
         if len(token.text) > _LONGEST_NUMBER:
             raise self.error(f"a number of more than {_LONGEST_NUMBER} digits", token)
-        value = Fraction(token.text)
+        value = Fraction(token.text) if "." in token.text else int(token.text)
         parts = [Number(value.numerator), Number(value.denominator)]
         if value.denominator == 1:
             return self.scripts((parts[0], start, end, ()))

@@ -37,7 +37,7 @@ _BASES = (
 
 def is_applied(left: Formula, right: Formula) -> bool:
     """Whether a factor begins with a bracket that looks like the argument of the one before it."""
-    left, inner, raised = bare(left), bare(right), False
+    inner, raised = bare(right), False
     while isinstance(inner, Power) or (isinstance(inner, Derivative) and inner.mark == "prime"):
         raised, inner = True, bare(inner.children()[0])
         if isinstance(inner, Name):

@@ -14,13 +14,24 @@ from dataclasses import dataclass, replace
 from functools import wraps
 from inspect import get_annotations
 from operator import is_
-from typing import Any, ClassVar, TypeVar
+from typing import Any, ClassVar, TypeVar, dataclass_transform
+
+Kind = TypeVar("Kind")
 
 EQUALITIES = frozenset({"=", r"\equiv"})
 """The signs that say that two members are equal."""
 
 
-@dataclass(frozen=True)
+@dataclass_transform(frozen_default=True)
+def node(kind: type[Kind]) -> type[Kind]:
+    """A kind of nodes with the attributes that it declares. Type checkers let nobody change one.
+
+    A frozen dataclass would see to it at run time as well, whenever one of so many nodes is made.
+    """
+    return dataclass(unsafe_hash=True)(kind)
+
+
+@node
 class Formula:
     """A node of the tree. Children are formulas or tuples of formulas."""
 
@@ -68,14 +79,14 @@ class Formula:
         return replace(self, **changed) if changed else self
 
 
-@dataclass(frozen=True)
+@node
 class Unary(Formula):
     """A node with one argument."""
 
     argument: Formula
 
 
-@dataclass(frozen=True)
+@node
 class Binary(Formula):
     """A node with two arguments."""
 
@@ -83,21 +94,21 @@ class Binary(Formula):
     right: Formula
 
 
-@dataclass(frozen=True)
+@node
 class Number(Formula):
     """A non-negative integer, as printed."""
 
     value: int
 
 
-@dataclass(frozen=True)
+@node
 class Name(Formula):
     r"""A symbol with its index, in canonical LaTeX: ``\omega_1``, ``\boldsymbol{\alpha}``."""
 
     name: str
 
 
-@dataclass(frozen=True)
+@node
 class Sum(Formula):
     """Two or more terms; a subtracted term is a :class:`Negative`."""
 
@@ -108,14 +119,14 @@ class Negative(Unary):
     """A term with a minus sign."""
 
 
-@dataclass(frozen=True)
+@node
 class Product(Formula):
     """Two or more factors, printed side by side."""
 
     factors: tuple[Formula, ...]
 
 
-@dataclass(frozen=True)
+@node
 class Quotient(Formula):
     r"""``\frac{numerator}{denominator}``, or a slash."""
 
@@ -123,7 +134,7 @@ class Quotient(Formula):
     denominator: Formula
 
 
-@dataclass(frozen=True)
+@node
 class Power(Formula):
     """A base with an exponent, which may be a formula of symbols."""
 
@@ -135,7 +146,7 @@ class Root(Unary):
     """A square root."""
 
 
-@dataclass(frozen=True)
+@node
 class Derivative(Unary):
     r"""A derivative along the motion.
 
@@ -146,7 +157,7 @@ class Derivative(Unary):
     mark: str
 
 
-@dataclass(frozen=True)
+@node
 class Partial(Unary):
     r"""The partial derivative by a name, printed :math:`\partial f/\partial x`."""
 
@@ -165,7 +176,7 @@ class ImaginaryPart(Unary):
     """The imaginary part."""
 
 
-@dataclass(frozen=True)
+@node
 class Application(Formula):
     r"""A declared function applied to arguments, as :math:`\varphi(s_1)`."""
 
@@ -173,14 +184,14 @@ class Application(Formula):
     arguments: tuple[Formula, ...]
 
 
-@dataclass(frozen=True)
+@node
 class Vector(Formula):
     """Components in parentheses, as ``(1,0,0)``."""
 
     components: tuple[Formula, ...]
 
 
-@dataclass(frozen=True)
+@node
 class Diagonal(Formula):
     """A diagonal matrix by its entries."""
 
@@ -207,7 +218,7 @@ class Modulus(Unary):
     r"""The absolute value of a number, or the length of a vector: :math:`|x|`."""
 
 
-@dataclass(frozen=True)
+@node
 class Summation(Formula):
     r"""A sum over an index, as :math:`\sum_{i=1}^{3}p_i^2`; it reaches as far as a term does."""
 
@@ -225,7 +236,7 @@ class Constant(Formula):
     r"""The word ``const`` at the end of a chain of equalities."""
 
 
-@dataclass(frozen=True)
+@node
 class Relation(Formula):
     r"""A chain ``members[0] signs[0] members[1] …`` with signs ``=``, ``\equiv``, ``\ne``."""
 
@@ -268,7 +279,18 @@ def times(*factors: Formula) -> Formula:
     return Product(kept) if len(kept) > 1 else kept[0] if kept else Number(1)
 
 
-@dataclass(frozen=True)
+def power(base: Formula, exponent: Formula | int) -> Formula:
+    """A power, which is the base if the exponent is 1."""
+    raised = Number(exponent) if isinstance(exponent, int) else exponent
+    return base if raised == Number(1) else Power(base, raised)
+
+
+def equal(*members: Formula) -> Formula:
+    """That several members are equal; a single one is left alone."""
+    return Relation(members, ("=",) * (len(members) - 1)) if len(members) > 1 else members[0]
+
+
+@node
 class Changed(Unary):
     """A part that another formula has not: ``wrong`` if it should not stand, else as it should.
 

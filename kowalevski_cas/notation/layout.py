@@ -8,7 +8,6 @@ neither is so, what is meant cannot be seen, and is not guessed.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from functools import cache
 from typing import NamedTuple
 
@@ -23,17 +22,16 @@ _BINARY = frozenset({"sign", "plusminus", "relation", "times", "slash"})
 _UNCLEAR = "does this belong to what stands before the break? set a comma, or a sign"
 
 
-@dataclass
 class _Run:
     """Tokens between two breaks, the break before them, and whether they state a relation.
 
     A run is indented if it stands in a row of which the first cell is empty.
     """
 
-    before: str
-    indented: bool = False
-    tokens: list[Token] = field(default_factory=list)
-    relation: bool = False
+    def __init__(self, before: str) -> None:
+        self.before = before
+        self.tokens: list[Token] = []
+        self.indented = self.relation = False
 
 
 def split_display(tex: str) -> tuple[tuple[int, int], ...]:
@@ -139,10 +137,13 @@ def _runs(tokens: list[Token], tex: str) -> list[_Run]:
             broken = _stronger(broken, kind)
         else:
             run.relation |= kind == "relation" and not depth
-            if broken in ("cell", "row", "block") and not _signed(run.tokens[-1], token):
-                raise NotationError(_UNCLEAR, tex, token.start)
-            _append(run.tokens, [token], broken)
-            broken = ""
+            if broken:
+                if broken != "gap" and not _signed(run.tokens[-1], token):
+                    raise NotationError(_UNCLEAR, tex, token.start)
+                _append(run.tokens, [token], broken)
+                broken = ""
+            else:
+                run.tokens.append(token)
     for run in runs:
         while run.tokens and run.tokens[-1].kind == "stop":
             run.tokens.pop()

@@ -51,7 +51,7 @@ class MathML(Printer):
         while dots:
             text = _over(text, _DOTS[min(dots, 4)])
             dots -= min(dots, 4)
-        index = "".join(map(_atom, parts.index))
+        index = "".join(map(_atom, parts.indices))
         return f"<msub>{text}{_one(index)}</msub>" if index else text
 
     def sign(self, sign: str) -> str:

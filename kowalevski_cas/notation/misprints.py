@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from functools import partial
+from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import closeness, letter_and_index
 from kowalevski_cas.notation.formula import (
@@ -40,8 +40,7 @@ Misprint = tuple[str, Path, Formula, str]
 """Its kind, a place, the subtree that should stand there, and the words for it."""
 
 
-@dataclass(frozen=True)
-class _Place:
+class _Place(NamedTuple):
     """A node, the way to it, what it stands in, and whether it is part of an exponent."""
 
     path: Path

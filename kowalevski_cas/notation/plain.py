@@ -88,7 +88,7 @@ def _named(name: str, marks: str = "") -> str:
     """A letter under marks, with its index."""
     parts = symbol(name)
     letter = styled(parts.letter, parts.font)
-    index = "".join(parts.index)
+    index = "".join(parts.indices)
     low = index.translate(_LOW)
     if set(index) & set(low):
         low = f"_{index}" if len(index) == 1 else f"_({index})"

@@ -7,8 +7,8 @@ r"""LaTeX to formula: what the author typed, as a tree.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from kowalevski_cas.notation.cursor import Piece
 from kowalevski_cas.notation.errors import NotationError
@@ -22,22 +22,32 @@ Path = tuple[int, ...]
 
 @dataclass(frozen=True)
 class Statement:
-    """One statement of a display and where it stands in the source.
-
-    ``spans`` gives the interval that printed each node, brackets around it included. A node
-    is addressed by the indices of the children that lead to it.
-    """
+    """One statement of a display and where it stands in the source."""
 
     formula: Formula
     tex: str = field(repr=False)
     start: int
     end: int
-    spans: Mapping[Path, tuple[int, int]] = field(repr=False, compare=False)
+    piece: Piece = field(repr=False, compare=False)
 
     @property
     def source(self) -> str:
         """The source of this statement alone."""
         return self.tex[self.start : self.end]
+
+    @cached_property
+    def spans(self) -> dict[Path, tuple[int, int]]:
+        """The interval that printed each node, brackets around it included.
+
+        A node is addressed by the indices of the children that lead to it.
+        """
+        spans: dict[Path, tuple[int, int]] = {}
+        waiting: list[tuple[Path, Piece]] = [((), self.piece)]
+        while waiting:
+            path, (_, start, end, below) = waiting.pop()
+            spans[path] = (start, end)
+            waiting.extend(((*path, index), child) for index, child in enumerate(below))
+        return spans
 
 
 def read(tex: str, vocabulary: Vocabulary, parser: type[Parser] = Parser) -> Formula:
@@ -67,16 +77,5 @@ def read_display(
     read_so_far = []
     for tokens, start, end in statements(tex):
         piece = parser(tex, tokens, vocabulary).statement()
-        read_so_far.append(Statement(piece[0], tex, start, end, _spans(piece)))
+        read_so_far.append(Statement(piece[0], tex, start, end, piece))
     return tuple(read_so_far)
-
-
-def _spans(piece: Piece) -> dict[Path, tuple[int, int]]:
-    """The interval of every node, by its path."""
-    spans: dict[Path, tuple[int, int]] = {}
-    waiting: list[tuple[Path, Piece]] = [((), piece)]
-    while waiting:
-        path, (_, start, end, below) = waiting.pop()
-        spans[path] = (start, end)
-        waiting.extend(((*path, index), child) for index, child in enumerate(below))
-    return spans

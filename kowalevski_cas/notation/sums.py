@@ -8,9 +8,9 @@ statement.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from itertools import product
 from operator import ge, gt, le, lt, ne
+from typing import NamedTuple
 
 from kowalevski_cas.notation.tokens import BEGINNING, ENDING, Token
 
@@ -24,8 +24,7 @@ _SIGNS = {*_ORDER, "="}
 _BEHIND = frozenset("sign plusminus relation comma stop gap cell row block".split())
 
 
-@dataclass(frozen=True)
-class Sum:
+class Sum(NamedTuple):
     """The sign of a sum with what stands on it, its one term, and where that ends."""
 
     head: list[Token]

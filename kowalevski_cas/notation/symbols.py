@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from kowalevski_cas.notation.cursor import Cursor, Piece
 from kowalevski_cas.notation.errors import NotationError
@@ -26,16 +25,15 @@ from kowalevski_cas.notation.vocabulary import VECTOR
 _DOTS = {r"\dot": 1, r"\ddot": 2, r"\dddot": 3}
 
 
-@dataclass
 class _Scripts:
     """What stands on a letter: its index, primes and power, and where they end."""
 
-    name_end: int
-    index: str = ""
-    primes: int = 0
-    primes_end: int = 0
-    power: Piece | None = None
-    timed: bool = False
+    def __init__(self, name_end: int) -> None:
+        self.name_end = name_end
+        self.index = ""
+        self.primes = self.primes_end = 0
+        self.power: Piece | None = None
+        self.timed = False
 
 
 class Symbols(Cursor):
@@ -118,11 +116,12 @@ class Symbols(Cursor):
 
     def at_time(self, name: str) -> bool:
         """Whether the time stands here in brackets, as the argument of a name that moves."""
-        tokens = self.tokens[self.at : self.at + 3]
+        tokens, at = self.tokens, self.at
         return (
-            name in self.vocabulary.moving
-            and [token.text for token in tokens[::2]] == ["(", ")"]
-            and tokens[1].text in self.vocabulary.times
+            tokens[at].text == "("
+            and name in self.vocabulary.moving
+            and tokens[at + 1].text in self.vocabulary.times
+            and tokens[at + 2].text == ")"
         )
 
     def applied(self, name: str) -> bool:

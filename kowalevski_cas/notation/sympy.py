@@ -18,6 +18,8 @@ from kowalevski_cas.notation.formula import (
     Relation,
     Root,
     Sum,
+    equal,
+    power,
 )
 from kowalevski_cas.notation.latex import to_latex
 
@@ -37,7 +39,7 @@ def from_sympy(expression: Any, name: Callable[[Any], str]) -> Formula:
     if expression.is_Symbol:
         return Name(name(expression))
     if isinstance(expression, sympy.Equality):
-        return Relation((of(expression.lhs), of(expression.rhs)), ("=",))
+        return equal(of(expression.lhs), of(expression.rhs))
     if not isinstance(expression, sympy.Expr):
         raise TypeError(f"{expression} is no equation: write Eq(…, evaluate=False), or LaTeX")
     return _operation(expression, of)
@@ -62,7 +64,7 @@ def _operation(expression: Any, of: Callable[[Any], Formula]) -> Formula:
     if expression.is_Pow and expression.exp.is_Rational and expression.exp.q < 3:
         base, exponent = of(expression.base), Number(int(expression.exp.p))
         base = base if expression.exp.q == 1 else Root(base)
-        return base if exponent == Number(1) else Power(base, exponent)
+        return power(base, exponent)
     raise TypeError(f"{expression} is no sum, product, whole power or square root: write LaTeX")
 
 

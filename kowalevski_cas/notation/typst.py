@@ -41,7 +41,7 @@ class Typst(Printer):
         letter = _atom(parts.letter)
         if parts.font:
             letter = _FONTS[parts.font].format(letter)
-        index = f"_({' '.join(map(_atom, parts.index))})" if parts.index else ""
+        index = f"_({' '.join(map(_atom, parts.indices))})" if parts.indices else ""
         return (accent.format(letter) + index).translate(_GROUPING)
 
     def joined(self, parts: Iterable[str]) -> str:

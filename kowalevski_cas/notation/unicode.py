@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from dataclasses import dataclass
 from functools import cache
+from typing import NamedTuple
 
 from kowalevski_cas.notation.errors import letter_and_index
 from kowalevski_cas.notation.macros import FUNCTIONS, GREEK
@@ -28,16 +28,15 @@ _PIECE_OF = re.compile(r"\\[A-Za-z]+|[^_]")
 _PIECE = re.compile(r"\\[A-Za-z]+(?:\{([^{}]*)\})?|.")
 
 
-@dataclass(frozen=True)
-class Symbol:
-    r"""The parts of a name: its letter in Unicode, the macro that stands on it, its index.
+class Symbol(NamedTuple):
+    r"""The parts of a name: its letter in Unicode, the macro that stands on it, its indices.
 
     A word in upright letters is a letter of several characters.
     """
 
     letter: str
     font: str
-    index: tuple[str, ...]
+    indices: tuple[str, ...]
 
 
 @cache
@@ -45,7 +44,7 @@ def symbol(name: str) -> Symbol:
     r"""The parts of a name.
 
     >>> symbol(r"\boldsymbol{\omega}_{12}")
-    Symbol(letter='ω', font='\\boldsymbol', index=('1', '2'))
+    Symbol(letter='ω', font='\\boldsymbol', indices=('1', '2'))
     """
     letter, index = letter_and_index(name)
     font, brace, inner = letter.partition("{")

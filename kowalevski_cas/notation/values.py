@@ -5,6 +5,7 @@ from __future__ import annotations
 from kowalevski_cas.notation.errors import undotted
 from kowalevski_cas.notation.formula import (
     Application,
+    Changed,
     Commutator,
     Conjugate,
     CrossProduct,
@@ -70,7 +71,7 @@ def applies(left: Formula, right: Formula, raised: bool = False) -> bool:
     It needs those around a sum; and those that a power or a prime is ``raised`` on, around
     whatever is no name or number.
     """
-    while isinstance(left, Derivative | Power | Conjugate):
+    while isinstance(left, Derivative | Power | Conjugate | Changed):
         left = left.children()[0]
     needed = (*_SUMS, Product, Quotient, Power, Root) if raised else _SUMS
     return isinstance(left, Name) and not isinstance(right, needed)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property, reduce
@@ -19,10 +19,15 @@ Shape = frozenset[object]
 
 
 class Divisor(NamedTuple):
-    """A divisor, or what may vanish of it; with its irreducible factors."""
+    """What is divided by, and the irreducible factors of that."""
 
     element: Element
     factors: dict[Shape, Element]
+
+    def without(self, known: Set[Shape]) -> Divisor:
+        """The product of the factors that are not known, each once."""
+        new = {shape: one for shape, one in self.factors.items() if shape not in known}
+        return Divisor(reduce(mul, new.values(), self.element.ring.one), new)
 
 
 class Divisors:
@@ -65,12 +70,7 @@ class Divisors:
         if index not in self._left:
             ring = self.setting.finder.ring
             element = Element(ring, {0: ring.divisors[index]}, {})
-            factors = factors_of(element)
-            new = {shape: one for shape, one in factors.items() if shape not in self.granted}
-            product = reduce(mul, new.values(), ring.one)
-            whole = all(value.denominator == 1 for value in element.terms()[0].values())
-            kept = whole and shape_of(product) == shape_of(element)
-            self._left[index] = Divisor(element if kept else product, new)
+            self._left[index] = Divisor(element, factors_of(element)).without(self.granted)
         return self._left[index]
 
 

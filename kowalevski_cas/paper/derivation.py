@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
@@ -173,7 +174,7 @@ class Derivation:
             ("claims", [claim.id for claim in self.claims]),
             ("displays", [display.id for display in self._known_displays()]),
         ):
-            twice = sorted({id for id in ids if ids.count(id) > 1})
+            twice = sorted(id for id, many in Counter(ids).items() if many > 1)
             if twice:
                 how = ', System(r"…", "name")' if kind == "sections or systems" else ""
                 raise ValueError(f"two {kind} are called {twice[0]}: give one another name{how}")

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping
-from dataclasses import MISSING, fields
+from dataclasses import MISSING
+from functools import cache
 from hashlib import sha256
 from types import NoneType, UnionType
 from typing import Any, get_args, get_origin, get_type_hints
@@ -75,7 +76,7 @@ _Key = tuple[str, str, object]
 
 def _keys(kind: type[Any], shape: str) -> Iterator[_Key]:
     """Keys, their attributes, and the value with which one is left out."""
-    defaults = {one.name: one.default for one in fields(kind)}
+    defaults = getattr(kind, "_field_defaults", vars(kind))  # of a tuple, or of a dataclass
     for entry in shape.split():
         key, _, name = entry.rstrip("?").partition(":")
         yield key, name or key, defaults[name or key] if entry[-1] == "?" else MISSING
@@ -87,7 +88,12 @@ _GOALS: dict[str, type[Any]] = {
 }
 _STEPS: dict[str, type[Any]] = {"let": Let, "root": Adjoined, "power": Raised}
 _WORDS = {kind: word for word, kind in (*_GOALS.items(), *_STEPS.items())}
-_TYPES = {kind: get_type_hints(kind) for kind in (*SHAPES, *_STEPS.values(), Motion)}
+
+
+@cache
+def _types(kind: Any) -> dict[str, Any]:
+    """The types of the attributes of data, by their names."""
+    return get_type_hints(kind)
 
 
 def problem_data(problem: Problem) -> Data:
@@ -99,8 +105,10 @@ def problem_data(problem: Problem) -> Data:
 
 def digest(problem: Problem) -> str:
     """The digest of a statement: any change of its mathematics changes it."""
-    text = json.dumps(problem_data(problem), sort_keys=True)
-    return sha256(text.encode()).hexdigest()[:16]
+    return sha256(_JSON.encode(problem_data(problem)).encode()).hexdigest()[:16]
+
+
+_JSON = json.JSONEncoder(sort_keys=True, check_circular=False)
 
 
 def evidence_data(evidence: Evidence) -> Data:
@@ -115,7 +123,7 @@ def _written(value: Any, spaces: list[Space]) -> Tree:
             return encode(value)
         case str() | int():
             return value
-        case tuple():
+        case tuple() if type(value) is tuple:
             return [_written(one, spaces) for one in value]
         case Space():
             return _place(value, spaces)
@@ -187,7 +195,7 @@ def read_evidence(data: Data, goal: Goal, holds: bool = True) -> Evidence:
         if isinstance(goal, Exists) and kind is Found:
             pairs = zip(found.pop("evidence"), goal.goals, strict=True)
             inner = tuple(read_evidence(entry, one) for entry, one in pairs)
-            return Found(_read(_TYPES[Found]["values"], found.pop("values"), []), inner, **found)
+            return Found(_read(_types(Found)["values"], found.pop("values"), []), inner, **found)
         if kind is Shown:
             point = _read(Point, found.pop("point"), [])
             return Shown(_read_object(Proof, found, []), point)
@@ -250,14 +258,14 @@ def _read_one(kind: Any, data: Tree, spaces: list[Space]) -> Any:
     return _read_object(own, {key: one for key, one in data.items() if key != "goal"}, spaces)
 
 
-def _read_listed(kind: type[Any], data: Tree, spaces: list[Space]) -> Any:
-    types = [*_TYPES[kind].values()][: len(data)]
+def _read_listed(kind: Any, data: Tree, spaces: list[Space]) -> Any:
+    types = [*_types(kind).values()][: len(data)]
     return kind(*(_read(part, one, spaces) for part, one in zip(types, data, strict=True)))
 
 
-def _read_object(kind: type[Any], data: Data, spaces: list[Space]) -> Any:
+def _read_object(kind: Any, data: Data, spaces: list[Space]) -> Any:
     keys = _KEYS[kind]
     if unknown := data.keys() - {key for key, *_ in keys} - ({"roots"} if kind is Point else set()):
         raise FormatError(f"“{min(unknown)}” is unknown here")
     names = {name: data[key] for key, name, least in keys if key in data or least is MISSING}
-    return kind(**{name: _read(_TYPES[kind][name], one, spaces) for name, one in names.items()})
+    return kind(**{name: _read(_types(kind)[name], one, spaces) for name, one in names.items()})

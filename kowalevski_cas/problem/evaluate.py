@@ -138,6 +138,10 @@ class Evaluation(Fold):
 
     def root_name(self, argument: Formula, conjugated: bool = False) -> str:
         """The name of the declared square root of an expression."""
+        for name in () if conjugated else self.roots:
+            step = self.setting.step(name)
+            if isinstance(step, Adjoined) and step.square == argument:
+                return name  # as it is declared
         value = self.scalar(argument, conjugated)
         for name, square in self.roots.items():
             if (square - value).is_zero:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from kowalevski_cas.notation import Formula
 
 Row = tuple[Formula, ...]
 
 
-@dataclass(frozen=True)
-class Point:
+class Point(NamedTuple):
     """A real point: the value of each variable, constant, root and power.
 
     Values are made of rationals, i, and square roots of whole numbers.
@@ -20,8 +20,7 @@ class Point:
     values: Mapping[str, Formula]
 
 
-@dataclass(frozen=True)
-class Proof:
+class Proof(NamedTuple):
     """Why goals vanish where known expressions do.
 
     ``rows`` combine each goal from what is known; no rows at all: the goals vanish
@@ -37,8 +36,7 @@ class Proof:
     power: int = 1
 
 
-@dataclass(frozen=True)
-class Shown:
+class Shown(NamedTuple):
     """That something follows: a proof, and a point at which the hypotheses hold.
 
     Without a point nothing is shown: it may be about nothing.
@@ -48,30 +46,26 @@ class Shown:
     point: Point | None = None
 
 
-@dataclass(frozen=True)
-class At:
+class At(NamedTuple):
     """A point at which something fails, or differentials are independent."""
 
     point: Point
 
 
-@dataclass(frozen=True)
-class Minors:
+class Minors(NamedTuple):
     """That differentials are dependent: each maximal minor as a combination of what is given."""
 
     rows: tuple[Row, ...]
 
 
-@dataclass(frozen=True)
-class Found:
+class Found(NamedTuple):
     """Formulas for bound names, and the evidence for each goal in which they stand."""
 
     values: Mapping[str, Formula]
     evidence: tuple[Evidence, ...]
 
 
-@dataclass(frozen=True)
-class Regardless:
+class Regardless(NamedTuple):
     """Points at which one goal fails whatever the bound names are.
 
     An equation of the goal is a polynomial in the bound names at each point; the sum of these
@@ -83,8 +77,7 @@ class Regardless:
     points: tuple[tuple[Formula, Point], ...]
 
 
-@dataclass(frozen=True)
-class Factor:
+class Factor(NamedTuple):
     """A factor of minors as a sum of squares, perhaps modulo the equations.
 
     With ``granted``, the place of something that is granted not to vanish, and a row that
@@ -97,8 +90,7 @@ class Factor:
     granted: tuple[int, Row] | None = None
 
 
-@dataclass(frozen=True)
-class Roots:
+class Roots(NamedTuple):
     """All solutions of equations, by the real roots of an eliminant of a form of the unknowns.
 
     ``solved`` gives each unknown by numerator and denominator, ``rows`` show this from the
@@ -116,15 +108,13 @@ class Roots:
     point: Point
 
 
-@dataclass(frozen=True)
-class Solutions:
+class Solutions(NamedTuple):
     """More real solutions than there should be."""
 
     points: tuple[Point, ...]
 
 
-@dataclass(frozen=True)
-class Further:
+class Further(NamedTuple):
     """A polynomial that is missing in a kernel; at the point it is independent of what is known."""
 
     formula: Formula
@@ -136,7 +126,7 @@ Evidence = Shown | At | Minors | Found | Regardless | Roots | Solutions | Furthe
 
 @dataclass(frozen=True)
 class Denial:
-    """Evidence that a goal of a problem is false."""
+    """Evidence that a goal of a problem is false. It is no tuple, as that for all goals is."""
 
     goal: int
     evidence: Evidence

@@ -118,47 +118,57 @@ class Fold(ABC):
         """The sum of those terms that are monomials in letters, if any, and the other terms."""
         if not self.letters:
             return [], [*formula.terms]
-        size, names = len(self.ring.polynomials.generators), len(self.ring.names)
+        size = len(self.ring.polynomials.generators)
         found: dict[int, dict[tuple[int, ...], int | Fraction]] = {}
         others = []
         for term in formula.terms:
-            exponents, value = _monomial(term, self.letters, names)
-            if any(exponent > 1 for exponent in exponents[size:]) or not exponents:
+            monomial = _monomial(term, self.letters, size)
+            if monomial is None:
                 others.append(term)
                 continue
-            mask = sum(exponent << bit for bit, exponent in enumerate(exponents[size:]))
-            part, key = found.setdefault(mask, {}), exponents[:size]
-            part[key] = part.get(key, 0) + value
+            mask, exponents, value = monomial
+            part = found.setdefault(mask, {})
+            part[exponents] = part.get(exponents, 0) + value
         return [self.ring.from_terms(found)] if found else [], others
 
 
 def _monomial(
     formula: Formula, letters: Mapping[str, int], size: int
-) -> tuple[tuple[int, ...], int | Fraction]:
-    """The exponents and the coefficient of a product of letters and numbers; else no exponents."""
+) -> tuple[int, tuple[int, ...], int | Fraction] | None:
+    """The roots, the exponents and the coefficient of a product of letters and numbers."""
     value: int | Fraction = 1
-    if isinstance(formula, Negative):
-        value, formula = -value, formula.argument
-    exponents = [0] * size
-    for factor in formula.factors if isinstance(formula, Product) else (formula,):
+    if type(formula) is Negative:
+        value, formula = -1, formula.argument
+    mask, exponents = 0, [0] * size
+    for factor in formula.factors if type(formula) is Product else (formula,):
         power = 1
         if type(factor) is Power and type(factor.exponent) is Number:
             power, factor = factor.exponent.value, factor.base
         if type(factor) is Name and factor.name in letters:
-            exponents[letters[factor.name]] += power
-        elif type(factor) is Number:
-            value *= factor.value**power
-        elif isinstance(factor, Quotient) and (number := _fraction(factor)) is not None:
+            place = letters[factor.name]
+            if place < size:
+                exponents[place] += power
+            elif power == 1 and not mask >> place - size & 1:
+                mask |= 1 << place - size
+            else:
+                return None
+        elif (number := rational_number(factor)) is not None:
             value *= number**power
         else:
-            return (), value
-    return tuple(exponents), value
+            return None
+    return mask, tuple(exponents), value
 
 
-def _fraction(formula: Quotient) -> Fraction | None:
-    match formula:
-        case Quotient(Number(above), Number(below)) if below:
-            return Fraction(above, below)
+def rational_number(formula: Formula) -> int | Fraction | None:
+    """The number that a formula is: a whole one or a quotient, perhaps with a sign."""
+    if type(formula) is Number:
+        return formula.value
+    if type(formula) is Quotient:
+        above, below = formula.numerator, formula.denominator
+        if type(above) is Number and type(below) is Number and below.value:
+            return Fraction(above.value, below.value)
+    if type(formula) is Negative and (value := rational_number(formula.argument)) is not None:
+        return -value
     return None
 
 
@@ -215,6 +225,8 @@ def _inverse(element: Element, formula: Formula) -> Element:
 
 
 def _quotient(formula: Quotient, at: Fold, bar: bool) -> Value:
+    if (number := rational_number(formula)) is not None:
+        return at.ring.number(number)
     value = at(formula.numerator, bar)
     for divisor, exponent in divisors_of(formula.denominator):
         if isinstance(divisor, Number) and divisor.value:

@@ -25,6 +25,7 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
+from kowalevski_cas.problem.fold import rational_number
 from kowalevski_cas.problem.space import Adjoined, Raised, Space, Step
 
 MINUS_ONE = Negative(Number(1))
@@ -47,9 +48,16 @@ class Place:
 
     def __init__(self, at: Evaluation, point: Point) -> None:
         self.at, self.point = at, point
-        squares = {number for value in point.values.values() for number in _squares(value)}
+        rational = {name: rational_number(value) for name, value in point.values.items()}
+        others = {name: point.values[name] for name, number in rational.items() if number is None}
+        squares = {number for value in others.values() for number in _squares(value)}
         self.numbers = _numbers(at.polynomials, tuple(sorted(squares)))
-        given = {name: self.numbers.scalar(value) for name, value in point.values.items()}
+        given = {
+            name: self.numbers.scalar(others[name])
+            if value is None
+            else self.numbers.ring.number(value)
+            for name, value in rational.items()
+        }
         zero = self.numbers.ring.zero
         generators = {name: given.get(name, zero) for name in at.ring.polynomials.generators}
         self._value = Substitution(at.ring, generators, self.numbers.ring, roots={})
@@ -59,6 +67,7 @@ class Place:
             below = at.ring.below[bit]
             if name in given:
                 self._value.roots[bit] = given[name] if below is None else given[name] * self(below)
+        self._vanishes = cache(self._vanishing_divisor)
         self._check(given)
 
     def __call__(self, element: Element) -> Element:
@@ -72,6 +81,8 @@ class Place:
         ring = element.ring
         if any(mask & self._unknown_roots for mask in element.parts):
             return False
+        if not self._unknown:
+            return True
         divisors = (ring.divisors[index] for index in element.denominator)
         occurring = map(ring.polynomials.occurring, (*element.parts.values(), *divisors))
         return all(map(self._unknown.isdisjoint, occurring))
@@ -85,8 +96,11 @@ class Place:
 
     def defines(self, elements: Sequence[Element]) -> bool:
         """Whether nothing by which the elements are divided vanishes there."""
-        divisors = elements[0].ring.divided_by(elements) if elements else ()
-        return not any(self(divisor).is_zero for divisor in divisors)
+        divisors = {index for element in elements for index in element.denominator}
+        return not any(map(self._vanishes, divisors))
+
+    def _vanishing_divisor(self, index: int) -> bool:
+        return self(Element(self.at.ring, {0: self.at.ring.divisors[index]}, {})).is_zero
 
     def _check(self, given: Mapping[str, Element]) -> None:
         at, setting = self.at, self.at.setting

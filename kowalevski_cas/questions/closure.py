@@ -16,7 +16,7 @@ from kowalevski_cas.notation import (
     Formula,
     Number,
     Product,
-    Relation,
+    equal,
     read,
     to_latex,
     total,
@@ -47,10 +47,8 @@ def search(
         yield Finding(Identity, scene, _form(closure, tex), to_latex(_equation(closure, on, scene)))
         if closure.is_regular():
             size = len(space.variables) - len(closure.chain)
-            point = [
-                Relation((read(name, vocabulary), closure.point.values[name]), ("=",))
-                for name in space.variables
-            ]
+            values = closure.point.values
+            point = [equal(read(name, vocabulary), values[name]) for name in space.variables]
             said = f"near a real point the set has dimension {size}: ${in_latex(point)}$"
             yield Finding(
                 LocalDimension, scene, said, attributes={"equations": relations, "dimension": size}
@@ -67,8 +65,7 @@ def _equation(closure: Closure, on: Elaborations, scene: Scene) -> Formula:
         for elements in (closure.chain, closure.row)
     )
     terms = [Product((c, f)) for c, f in zip(row, chain, strict=True) if c != Number(0)]
-    combined = total(terms)
-    return Relation((Derivative(chain[-1], scene.time), combined), ("=",))
+    return equal(Derivative(chain[-1], scene.time), total(terms))
 
 
 def _form(closure: Closure, tex: Callable[[Element], str]) -> str:

@@ -19,11 +19,11 @@ from kowalevski_cas.notation import (
     Name,
     Number,
     Partial,
-    Power,
     Product,
     Quotient,
-    Relation,
     Sum,
+    equal,
+    power,
     times,
     to_latex,
 )
@@ -73,10 +73,10 @@ def search(
     for one in darboux_polynomials(at, degree, special, pool):
         value, K = formula(one.polynomial), formula(one.cofactor)
         if one.equations:
-            given = tuple(_equation(formula(a), formula(b)) for a, b in one.equations)
+            given = tuple(to_latex(equal(formula(a), formula(b))) for a, b in one.equations)
             where = " and ".join(f"${one}$" for one in given)
             says = f"F' = KF with $K={to_latex(K)}$ where {where}"
-            multiple = _equation(Derivative(value, scene.time), Product((K, value)))
+            multiple = to_latex(equal(Derivative(value, scene.time), Product((K, value))))
             yield Finding(Implication, scene, says, multiple, {"given": given})
         elif one.cofactor.is_zero:
             yield Finding(FirstIntegral, scene, INTEGRAL, to_latex(value))
@@ -93,7 +93,9 @@ def search(
             continue  # there are many of them: told where a product needs them
         exponent, rate = formula(factor.exponent), formula(factor.cofactor)
         says = f"so $e^{{{to_latex(exponent)}}}$ is an exponential factor"
-        yield Finding(Identity, scene, says, _equation(Derivative(exponent, scene.time), rate))
+        yield Finding(
+            Identity, scene, says, to_latex(equal(Derivative(exponent, scene.time), rate))
+        )
     for relation in relations(field, moving, exponentials):
         yield _product(relation, moving, scene, formula)
 
@@ -151,12 +153,12 @@ def _product(
     powers = [int(value) for value in whole if value is not None and value.denominator == 1]
     simple = len(powers) == len(used) and relation.exponential.is_zero
     if simple and not relation.multiplier:
-        both = [(n, _power(base, Number(abs(n)))) for n, base in zip(powers, bases, strict=True)]
+        both = [(n, power(base, abs(n))) for n, base in zip(powers, bases, strict=True)]
         above, below = (times(*(one for n, one in both if n * sign > 0)) for sign in (1, -1))
         quotient = above if below == ONE else Quotient(above, below)
         return Finding(FirstIntegral, scene, INTEGRAL, to_latex(quotient))
     exponents = [formula(exponent) for exponent, _ in used]
-    factors = [to_latex(_power(base, n)) for base, n in zip(bases, exponents, strict=True)]
+    factors = [to_latex(power(base, n)) for base, n in zip(bases, exponents, strict=True)]
     terms: list[Formula] = [
         Product((n, formula(one.cofactor))) for n, (_, one) in zip(exponents, used, strict=True)
     ]
@@ -168,12 +170,4 @@ def _product(
         terms += [Partial(Derivative(Name(n), scene.time), n) for n in scene.variables]
     kind = "is a last multiplier" if relation.multiplier else "is constant along every motion"
     says = f"so ${' '.join(factors)}$ {kind}"
-    return Finding(Identity, scene, says, _equation(Sum(tuple(terms)), Number(0)))
-
-
-def _power(base: Formula, exponent: Formula) -> Formula:
-    return base if exponent == ONE else Power(base, exponent)
-
-
-def _equation(left: Formula, right: Formula) -> str:
-    return to_latex(Relation((left, right), ("=",)))
+    return Finding(Identity, scene, says, to_latex(equal(Sum(tuple(terms)), Number(0))))

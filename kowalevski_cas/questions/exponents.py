@@ -22,10 +22,11 @@ from kowalevski_cas.notation import (
     Negative,
     Number,
     Partial,
-    Power,
     Relation,
     Sum,
     Vocabulary,
+    equal,
+    power,
     times,
     to_latex,
     total,
@@ -102,7 +103,7 @@ class _Told:
             ]
             more = times(fraction_formula(weight + 1), side)
             members.append(Sum((*terms, Negative(more))))
-        return to_latex(Relation((*members, Number(0)), ("=",) * len(members)))
+        return to_latex(equal(*members, Number(0)))
 
     def _leading(self, place: int) -> Formula:
         """A component of the field without its lower terms, times what makes it a polynomial."""
@@ -183,10 +184,7 @@ class _Told:
 
     def _factored(self, polynomial: fmpq_mpoly) -> Formula:
         content, factors = polynomial.factor()
-        powers = [
-            self._formula(one) if k == 1 else Power(self._formula(one), Number(int(k)))
-            for one, k in factors
-        ]
+        powers = [power(self._formula(one), int(k)) for one, k in factors]
         return times(fraction_formula(to_fraction(content)), *powers)
 
     def _multiples(

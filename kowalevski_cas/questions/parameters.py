@@ -16,14 +16,14 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     Negative,
-    OpenParser,
     Product,
-    Relation,
     Sum,
+    equal,
     read,
     to_latex,
     total,
 )
+from kowalevski_cas.notation.open import OpenParser
 from kowalevski_cas.paper.claims import Identity, Implication, Union
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -58,7 +58,7 @@ def search(
 
     def tex(*sides: Formula | Element) -> str:
         members = (one if isinstance(one, Formula) else formula(one) for one in sides)
-        return to_latex(Relation(tuple(members), ("=",)))
+        return to_latex(equal(*members))
 
     value, zero = formula(ansatz.value), ansatz.at.ring.zero
     rate = Derivative(value, scene.time)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from kowalevski_cas.notation import Formula, Negative, Power, Product, Quotient, Relation, Root, Sum
 from kowalevski_cas.notation.brackets import COMPOUND
@@ -18,7 +17,8 @@ def compared(
 ) -> tuple[tuple[Formula, ...], tuple[Formula, ...]]:
     r"""Formulas as printed and as they were meant, with marks on what differs.
 
-    >>> from kowalevski_cas.notation import Vocabulary, read, to_mathml
+    >>> from kowalevski_cas.notation import Vocabulary, read
+    >>> from kowalevski_cas.notation.mathml import to_mathml
     >>> words = Vocabulary(frozenset({"x", "y"}))
     >>> _, (meant,) = compared([read("2x", words)], [read("2xy", words)])
     >>> to_mathml(meant)
@@ -44,10 +44,10 @@ def _compared(old: Formula, new: Formula, within: Formula | None) -> tuple[Formu
         if len(factors[0]) != len(factors[1]) and set(factors[0]) & set(factors[1]):
             return _lone(old, factors[0], factors[1], True), _lone(new, *factors[::-1], False)
     before, after = old.children(), new.children()
-    same = len(before) == len(after) and old.mapped(_Next(after)) == new
+    same = len(before) == len(after) and _with(old, after) == new
     if same and isinstance(old, _TAKEN_APART):
         pairs = [_compared(*pair, old) for pair in zip(before, after, strict=True)]
-        return old.mapped(_Next([a for a, _ in pairs])), new.mapped(_Next([b for _, b in pairs]))
+        return _with(old, [a for a, _ in pairs]), _with(new, [b for _, b in pairs])
     bare = not isinstance(within, Sum | Product)  # a sign needs no brackets there
     return _marked(old, True, bare), _marked(new, False, bare)
 
@@ -78,13 +78,7 @@ def _marked(formula: Formula, wrong: bool, bare: bool) -> Formula:
     return Changed(formula, wrong)
 
 
-@dataclass
-class _Next:
-    """Puts formulas in the places of children, one after the other."""
-
-    formulas: Sequence[Formula]
-    place: int = -1
-
-    def __call__(self, _: Formula) -> Formula:
-        self.place += 1
-        return self.formulas[self.place]
+def _with(formula: Formula, children: Sequence[Formula]) -> Formula:
+    """The formula with others in the places of its children."""
+    following = iter(children)
+    return formula.mapped(lambda _: next(following))

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.verify.outcome import Verdict
@@ -19,22 +18,19 @@ if TYPE_CHECKING:  # a terminal shows none
     from kowalevski_cas.report.plates import Plate
 
 
-@dataclass(frozen=True)
-class Code:
+class Code(NamedTuple):
     """Letters as they are typed: a name, a digest, a source."""
 
     text: str
 
 
-@dataclass(frozen=True)
-class Sign:
+class Sign(NamedTuple):
     """The sign of a verdict."""
 
     verdict: Verdict
 
 
-@dataclass(frozen=True)
-class Link:
+class Link(NamedTuple):
     """A text that leads to an anchor of the document, or, with ``outside``, to an address."""
 
     target: str
@@ -42,8 +38,7 @@ class Link:
     outside: bool = False
 
 
-@dataclass(frozen=True)
-class Emphasis:
+class Emphasis(NamedTuple):
     """A text in italics, or in bold type."""
 
     text: Text
@@ -54,12 +49,7 @@ Inline = str | Formula | Code | Sign | Link | Emphasis
 Text = tuple[Inline, ...]
 
 
-class Block:
-    """A piece of the page."""
-
-
-@dataclass(frozen=True)
-class Heading(Block):
+class Heading(NamedTuple):
     """A heading; the first level is that of sections."""
 
     text: Text
@@ -67,8 +57,7 @@ class Heading(Block):
     level: int = 1
 
 
-@dataclass(frozen=True)
-class Paragraph(Block):
+class Paragraph(NamedTuple):
     """A paragraph; ``kind`` is empty, ``lead``, ``note``, or ``record`` for what few will read.
 
     One that ``leads`` on to a display stays with it.
@@ -80,8 +69,7 @@ class Paragraph(Block):
     anchor: str = ""
 
 
-@dataclass(frozen=True)
-class Display(Block):
+class Display(NamedTuple):
     """Formulas on lines of their own, or their ``source`` where they cannot be read.
 
     ``verdict`` puts a sign beside them and ``label`` a text behind; ``wrong`` ones are false.
@@ -99,8 +87,7 @@ class Display(Block):
     lead: Text = ()
 
 
-@dataclass(frozen=True)
-class Claim(Block):
+class Claim(NamedTuple):
     """A statement with its verdict beside it, and what is said of it.
 
     ``folded`` is what the program did, which a reader may skip.
@@ -114,16 +101,14 @@ class Claim(Block):
     folded: tuple[Block, ...] = ()
 
 
-@dataclass(frozen=True)
-class Items(Block):
+class Items(NamedTuple):
     """A list, numbered or not, of items with blocks in them."""
 
     items: tuple[tuple[Block, ...], ...]
     numbered: bool = False
 
 
-@dataclass(frozen=True)
-class Table(Block):
+class Table(NamedTuple):
     """A table with a head; ``columns`` has the part of the line that each is wide."""
 
     columns: tuple[float, ...]
@@ -131,23 +116,24 @@ class Table(Block):
     rows: tuple[tuple[Text, ...], ...]
 
 
-@dataclass(frozen=True)
-class Graph(Block):
+class Graph(NamedTuple):
     """The picture of what rests on what."""
 
     picture: Picture
 
 
-@dataclass(frozen=True)
-class Shown(Block):
+class Shown(NamedTuple):
     """A picture that another command drew."""
 
     plate: Plate
     caption: Text
 
 
-@dataclass(frozen=True)
-class Document:
+Block = Heading | Paragraph | Display | Claim | Items | Table | Graph | Shown
+"""A piece of the page."""
+
+
+class Document(NamedTuple):
     """A titled document: ``short`` is its title in few words, ``subtitle`` has a line each."""
 
     title: str
@@ -175,7 +161,7 @@ def paged(document: Document) -> Document:
             names[display.formulas] = name
             # one by one, so that a page can end between them
             first, *others = (Display((one,)) for one in display.formulas)
-            moved.append(replace(first, label=(name,), anchor=f"long.{name}"))
+            moved.append(first._replace(label=(name,), anchor=f"long.{name}"))
             moved.extend(others)
         return Paragraph((*lead.text, " ", Link(f"long.{name}", (f"formula {name}",)), "."))
 
@@ -190,7 +176,7 @@ def paged(document: Document) -> Document:
             before = block
             if isinstance(block, Claim):
                 inner = tuple(_led(stays(block.blocks))), tuple(_led(stays(block.folded)))
-                before = replace(block, blocks=inner[0], folded=inner[1])
+                before = block._replace(blocks=inner[0], folded=inner[1])
             elif isinstance(block, Paragraph) and block.kind == "record":
                 before = None
         if before is not None:
@@ -198,7 +184,7 @@ def paged(document: Document) -> Document:
 
     blocks = tuple(_led(stays(document.blocks)))
     appendix = (Heading(("Appendix: long formulas",), "appendix"), *moved) if moved else ()
-    return replace(document, blocks=(*blocks, *appendix))
+    return document._replace(blocks=(*blocks, *appendix))
 
 
 def _led(blocks: Iterable[Block]) -> Iterator[Block]:
@@ -206,7 +192,7 @@ def _led(blocks: Iterable[Block]) -> Iterator[Block]:
     lead: list[Paragraph] = []
     for block in blocks:
         if lead and isinstance(block, Display) and not block.verdict:
-            yield replace(block, lead=lead.pop().text)
+            yield block._replace(lead=lead.pop().text)
             continue
         yield from lead
         lead = [block] if isinstance(block, Paragraph) and block.leads else []

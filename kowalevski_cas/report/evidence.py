@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, Relation, to_plain
 from kowalevski_cas.report.compare import compared
@@ -82,7 +81,7 @@ class Evidence:
         having = [
             (
                 row.claim,
-                replace(one, formulas=compared(row.formulas, one.formulas)[1]) if one.edit else one,
+                one._replace(formulas=compared(row.formulas, one.formulas)[1]) if one.edit else one,
             )
             for row in self.rows
             if (one := row.correction)

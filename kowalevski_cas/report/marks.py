@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 from kowalevski_cas.verify.outcome import Verdict
 
 
-@dataclass(frozen=True)
-class Mark:
+class Mark(NamedTuple):
     """The word and the sign of a verdict, in LaTeX and Typst too, its colours, what it means."""
 
     word: str

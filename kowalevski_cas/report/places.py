@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
 from itertools import count, groupby, zip_longest
+from typing import NamedTuple
 
 from kowalevski_cas.audit.roles import Roles
 from kowalevski_cas.notation import Formula, NotationError
@@ -16,8 +16,7 @@ from kowalevski_cas.report.document import anchor
 from kowalevski_cas.verify.outcome import Outcome, Run
 
 
-@dataclass(frozen=True)
-class Row:
+class Row(NamedTuple):
     """Formulas on a line, and the claim that is about them."""
 
     formulas: tuple[Formula, ...]
@@ -25,8 +24,7 @@ class Row:
     outcome: Outcome | None = None
 
 
-@dataclass(frozen=True)
-class Stated:
+class Stated(NamedTuple):
     """Claims that stand together: a single one, or those of the formulas of one display.
 
     ``number`` is that of the equation, or else the report's own; ``near`` then says where the paper
@@ -43,8 +41,7 @@ class Stated:
         return tuple(row.outcome for row in self.rows if row.outcome)
 
 
-@dataclass(frozen=True)
-class Name:
+class Name(NamedTuple):
     """What a claim is called: by the number where it stands, and by its own place among several."""
 
     number: str
@@ -53,8 +50,7 @@ class Name:
     several: int = 1
 
 
-@dataclass(frozen=True)
-class Item:
+class Item(NamedTuple):
     """A display with the claims about it, or claims about none, which has no formulas.
 
     ``label`` is the number of the equation and ``display`` the name of what is displayed; ``role``
@@ -82,8 +78,7 @@ class Item:
         return f"display.{anchor(self.display)}" if self.display else ""
 
 
-@dataclass(frozen=True)
-class Section:
+class Section(NamedTuple):
     """A section of the paper; ``copied`` says whether its formulas are those of a print, if any."""
 
     number: str
@@ -97,13 +92,13 @@ class Section:
         return tuple(outcome for item in self.items for outcome in item.outcomes)
 
 
-@dataclass
 class _Place:
     """A display, and what is to be said at it and after it."""
 
-    rows: dict[int, list[Outcome]] = field(default_factory=dict)
-    whole: list[Outcome] = field(default_factory=list)
-    after: list[tuple[Display | None, Outcome]] = field(default_factory=list)
+    def __init__(self) -> None:
+        self.rows: dict[int, list[Outcome]] = {}
+        self.whole: list[Outcome] = []
+        self.after: list[tuple[Display | None, Outcome]] = []
 
 
 def sections(run: Run, derivation: paper.Derivation, texts: Texts) -> tuple[Section, ...]:
@@ -129,12 +124,12 @@ def numbered(section: str, items: Sequence[Item]) -> tuple[Item, ...]:
         stated = []
         for k, one in enumerate(item.stated):
             if item.label and not k:
-                stated.append(replace(one, number=item.label))
+                stated.append(one._replace(number=item.label))
                 continue
             near = f"before {after.label}" if after and after.label else before
             number = f"{section}.{next(own)}"
-            stated.append(replace(one, number=number, near=near if item.display else ""))
-        found.append(replace(item, stated=tuple(stated)))
+            stated.append(one._replace(number=number, near=near if item.display else ""))
+        found.append(item._replace(stated=tuple(stated)))
         before = f"after {item.label}" if item.label else before
     return tuple(found)
 
@@ -222,7 +217,7 @@ def _stated(rows: tuple[Row, ...], place: _Place) -> Iterator[Stated]:
     claimed = [place.rows.get(number, []) for number in range(1, len(rows) + 1)]
     claimed[0] += [o for k, ones in place.rows.items() if k > len(rows) for o in ones]
     for k, ones in enumerate(zip_longest(*claimed)):
-        shown = [replace(row, outcome=one) for row, one in zip(rows, ones, strict=True)]
+        shown = [row._replace(outcome=one) for row, one in zip(rows, ones, strict=True)]
         yield Stated(tuple(row for row in shown if row.outcome or not k))
     whole = place.whole
     if whole and not any(claimed):

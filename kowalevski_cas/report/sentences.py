@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from types import MappingProxyType
 from typing import Final, TypeVar
 
-from kowalevski_cas.notation import Formula, Number, Relation, Vocabulary, read_prose
+from kowalevski_cas.notation import Formula, Number, Relation, Vocabulary, equal, read_prose
 from kowalevski_cas.report.document import Code, Inline, Link, Text, anchor
 from kowalevski_cas.report.places import Name, Section
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
@@ -93,15 +92,8 @@ def capitalised(text: Text) -> Text:
         case (str(word), *rest):
             return (capital(word), *rest)
         case (Link() as link, *rest):
-            return (replace(link, text=capitalised(link.text)), *rest)
+            return (link._replace(text=capitalised(link.text)), *rest)
     return text
-
-
-def chain(members: Sequence[Formula]) -> Formula:
-    """An equality of several members."""
-    if len(members) == 1:
-        return members[0]
-    return Relation(tuple(members), ("=",) * (len(members) - 1))
 
 
 def nonzero(formula: Formula) -> Formula:
@@ -221,19 +213,19 @@ class Phrases:
     @staticmethod
     def at(at: Point) -> Text:
         """``At`` and the coordinates of a point, equal ones together."""
-        equal: dict[Value, list[Formula]] = {}
+        same: dict[Value, list[Formula]] = {}
         for name, value in at.values.items():
             if name != value:
-                equal.setdefault(value, []).append(name)
+                same.setdefault(value, []).append(name)
         items: list[Text] = []
         rest = False
-        for value, names in equal.items():
-            if value == ZERO and len(equal) > 1 and len(names) > 3:
+        for value, names in same.items():
+            if value == ZERO and len(same) > 1 and len(names) > 3:
                 rest = True
             elif isinstance(value, str):
-                items.append((chain(names), f" = {value}"))
+                items.append((equal(*names), f" = {value}"))
             else:
-                items.append((chain([*names, value]),))
+                items.append((equal(*names, value),))
         if rest:
             items.append(("the other variables ", ZERO))
         return ("At ", *listed(items, ", "), ": ") if items else ()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from itertools import compress
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
@@ -78,8 +77,8 @@ class Builder:
         point = self._point([self.at.scalar(factor.factor) for factor in factors])
         if point is None:
             return None
-        return replace(
-            draft, rows=rows, quotients=quotients, factors=factors, minors=minors, point=point
+        return draft._replace(
+            rows=rows, quotients=quotients, factors=factors, minors=minors, point=point
         )
 
     def _solved(self) -> list[tuple[str, Formula, Formula]] | None:

@@ -15,7 +15,7 @@ from kowalevski_cas.problem.examine import is_real, value_of
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.place import Place
 from kowalevski_cas.search.cofactors import cofactors
-from kowalevski_cas.search.groebner import Combinations, combinations_of, complete, vanishes_on
+from kowalevski_cas.search.groebner import Combinations, combinations_of, complete, vanish_on
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real_cases import proof_by_cases
 
@@ -101,7 +101,7 @@ class FollowsFinder(PointFinder):
         """A point where the given equations and conditions hold; in each conclusion one fails."""
         known = at.differences(goal.given)
         failing = [[e for e in at.differences(one) if not e.is_zero] for one in goal.conclusions]
-        if any(all(vanishes_on(e, known) for e in one) for one in failing):
+        if any(all(vanish_on(one, known)) for one in failing):
             return None
 
         def good(candidate: Candidate) -> bool:

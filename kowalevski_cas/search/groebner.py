@@ -302,18 +302,20 @@ def combinations_of(targets: Sequence[Element], generators: Sequence[Element]) -
     return Combinations(targets, generators, units=units)
 
 
-def vanishes_on(element: Element, known: Sequence[Element]) -> bool:
-    """Whether an element is a combination of known ones, without a condition."""
-    flat = Flat(element.ring)
+def vanish_on(elements: Sequence[Element], known: Sequence[Element]) -> list[bool]:
+    """Which elements are combinations of known ones, without a condition."""
+    given = [one for one in known if not one.is_zero]
+    if not elements or not given:
+        return [element.is_zero for element in elements]
+    flat = Flat(given[0].ring)
     context = fmpq_mpoly_ctx.get(flat.context.names(), Ordering.deglex)
-    given = [one for one in map(flat.polynomial, known) if one]
-    if not given:
-        return element.is_zero
+    relations = (*map(flat.polynomial, given), *flat.relations())
     try:
-        basis = reduced_basis([_in(context, one) for one in (*given, *flat.relations())])
+        basis = reduced_basis([_in(context, one) for one in relations])
     except TooLarge:
-        return False
-    return remainder(_in(context, flat.polynomial(element)), basis).is_zero()
+        return [False] * len(elements)
+    dividends = (_in(context, flat.polynomial(element)) for element in elements)
+    return [remainder(dividend, basis).is_zero() for dividend in dividends]
 
 
 def _content(polynomial: fmpq_mpoly, places: set[int]) -> fmpq_mpoly:

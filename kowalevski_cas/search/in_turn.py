@@ -106,29 +106,17 @@ def shown(
     steps: Sequence[Step],
     rows: Sequence[Sequence[Element]],
     zero: Sequence[Element],
-    conditions: Sequence[Element],
     at: Evaluation,
     names: Names,
 ) -> Shown | None:
     """The proof of some steps and the last rows, and a point where ``zero`` vanishes."""
     divided = [entry for row in (*rows, *(step.row for step in steps)) for entry in row]
     finder = PointFinder(lambda setting: at, names)
-    point = finder.point(at, zero, [*zero, *divided]) or finder.point(
-        at, _essential(zero, conditions), [*zero, *divided], lambda there: there.vanish(zero)
-    )
+    point = finder.point(at, zero, [*zero, *divided])
     proof = Proof(tuple(tuple(map(_divided, row)) for row in rows))
     for element, row, power in reversed(steps):
         proof = Proof((tuple(map(_divided, row)),), written([[element]]), (proof,), power)
     return None if point is None else Shown(proof, point)
-
-
-def _essential(zero: Sequence[Element], conditions: Sequence[Element]) -> list[Element]:
-    """Elements without those that are combinations of shorter ones, away from conditions."""
-    kept = list[Element]()
-    for element in sorted(zero, key=_length):
-        if Combinations([element], kept, conditions=conditions).row(element) is None:
-            kept.append(element)
-    return kept
 
 
 def _divided(element: Element) -> Formula:
@@ -155,4 +143,4 @@ def in_turn(
     known = at.differences(goal.given)
     (targets,) = map(at.differences, goal.conclusions)
     found = steps_to(targets, known, at.ring.divided_by(known), conditions)
-    return found and shown(*found, [*known, *targets], conditions, at, names)
+    return found and shown(*found, [*known, *targets], at, names)

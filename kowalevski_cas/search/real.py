@@ -26,15 +26,11 @@ RATIONAL_ROOTS = 40
 class RealCoordinates:
     """Real coordinates for the generators of a space, and its elements in them.
 
-    Of the roots only those in ``names`` matter; those in ``own`` are coordinates.
+    Of the roots only those in ``names`` matter.
     """
 
     def __init__(
-        self,
-        at: Evaluation,
-        constraints: Sequence[Element],
-        names: Sequence[str],
-        own: Sequence[str] = (),
+        self, at: Evaluation, constraints: Sequence[Element], names: Sequence[str]
     ) -> None:
         self.ring = ring = at.ring
         pairs = dict(at.setting.conjugates)
@@ -48,7 +44,7 @@ class RealCoordinates:
         }
         inner = {bit for r in roots.values() for mask in r.parts for bit in _bits(mask)}
         inner |= {bit for element in constraints for bit in _mixed(element)}
-        moving = {*own, *pairs, *partners, *(ring.roots[bit] for bit in inner)}
+        moving = {*at.setting.coordinates, *pairs, *partners, *(ring.roots[bit] for bit in inner)}
         self.moving = [name for name in roots if name in moving]
         self.radicands = [roots[name] for name in roots if name not in moving]
         self.names = [n for n in (*ring.polynomials.generators, *self.moving)]
@@ -138,19 +134,9 @@ def real_points(
 ) -> Iterator[ExactPoint]:
     """Exact points where some elements vanish and others do not, with rational roots first.
 
-    ``names`` are those to which a point has to give values. Roots that are variables are
-    rational as long as there are such points.
+    ``names`` are those to which a point has to give values. Roots that are variables are rational.
     """
-    found = RealCoordinates(at, zero, names, at.setting.coordinates)
-    yield from _points(found, zero, nonzero)
-    other = RealCoordinates(at, zero, names)
-    if other.moving != found.moving:
-        yield from _points(other, zero, nonzero)
-
-
-def _points(
-    coordinates: RealCoordinates, zero: Sequence[Element], nonzero: Sequence[Element]
-) -> Iterator[ExactPoint]:
+    coordinates = RealCoordinates(at, zero, names)
     constraints = [e for element in zero for e in coordinates.equations(element)]
     constraints = distinct([*constraints, *coordinates.relations()])
     avoid = [

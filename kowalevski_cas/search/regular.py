@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kowalevski_cas.algebra.linear import solve
+from kowalevski_cas.algebra.linear import inverse
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -13,6 +13,9 @@ from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.search.in_turn import Names, Step, shown, steps_to
 
 Matrix = list[list[Element]]
+
+Key = tuple[int, tuple[int, ...]]
+"""A monomial: the roots in it, as a mask, and exponents."""
 
 
 def regular(
@@ -35,9 +38,7 @@ def regular(
     found = steps_to(targets, generators, at.ring.divided_by(known), conditions, multipliers)
     if found is None:
         return None
-    one, zero, size = at.ring.one, at.ring.zero, len(multipliers)
-    columns = [solve(sparse, [one if k == j else zero for k in range(size)]) for j in range(size)]
-    back = [[column[k] for column in columns] for k in range(size)]
+    back, zero = inverse(sparse), at.ring.zero
     steps = []
     for step in found[0]:
         element, *row = (_changed(e, back, multipliers, at) for e in (step.element, *step.row))
@@ -47,9 +48,9 @@ def regular(
             sum((sparse[j][k] * row[n] for j, row in enumerate(found[1])), zero)
             for n in range(len(found[1][0]))
         ]
-        for k in range(size)
+        for k in range(len(multipliers))
     ]
-    return shown(steps, rows, [*known, *targets], conditions, at, names)
+    return shown(steps, rows, [*known, *targets], at, names)
 
 
 def _changed(
@@ -76,40 +77,21 @@ def _sparse(functions: Sequence[Element], at: Evaluation) -> Matrix:
         key = None if rows[j].denominator else _leading(rows[j])
         if key is None:
             continue
-        over = _coefficient(rows[j], key, at).inverse()
+        over = _coefficient(rows[j], key).inverse()
         rows[j], matrix[j] = rows[j] * over, [entry * over for entry in matrix[j]]
         for k in range(size):
             if k == j or rows[k].denominator:
                 continue
-            factor = _coefficient(rows[k], key, at)
+            factor = _coefficient(rows[k], key)
             rows[k] = rows[k] - factor * rows[j]
             matrix[k] = [a - factor * b for a, b in zip(matrix[k], matrix[j], strict=True)]
     return matrix
 
 
-Key = tuple[int, tuple[int, ...]]
-"""A monomial: the roots but i, as a mask, and exponents."""
-
-
 def _leading(element: Element) -> Key | None:
-    unit = _unit(element)
-    return next(
-        ((mask & ~unit, exponents) for mask, part in element.terms().items() for exponents in part),
-        None,
-    )
+    return next(((mask, own) for mask, part in element.terms().items() for own in part), None)
 
 
-def _coefficient(element: Element, key: Key, at: Evaluation) -> Element:
-    """The coefficient of a monomial, a number in which i may stand."""
+def _coefficient(element: Element, key: Key) -> Element:
     mask, exponents = key
-    unit, terms, ring = _unit(element), element.terms(), at.ring
-    real = ring.number(terms.get(mask, {}).get(exponents, 0))
-    if not unit:
-        return real
-    return real + ring.generator("i") * ring.number(terms.get(mask | unit, {}).get(exponents, 0))
-
-
-def _unit(element: Element) -> int:
-    """The mask of i; 0 if there is no i."""
-    roots = element.ring.roots
-    return 1 << roots.index("i") if "i" in roots else 0
+    return element.ring.number(element.terms().get(mask, {}).get(exponents, 0))

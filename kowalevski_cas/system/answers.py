@@ -7,7 +7,9 @@ from functools import cached_property
 from html import escape
 from typing import Any
 
-from kowalevski_cas.notation import Formula, print_prose, read_prose, to_mathml, to_plain, to_sympy
+from kowalevski_cas.notation import Formula, print_prose, read_prose, to_plain
+from kowalevski_cas.notation.mathml import to_mathml
+from kowalevski_cas.notation.sympy import to_sympy
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.texts import Printed

@@ -15,7 +15,6 @@ from kowalevski_cas.notation import (
     Name,
     Negative,
     Number,
-    OpenParser,
     Partial,
     Power,
     Relation,
@@ -24,13 +23,13 @@ from kowalevski_cas.notation import (
     Summation,
     Vector,
     Vocabulary,
-    independent,
     rank,
     read,
     read_display,
     to_latex,
 )
 from kowalevski_cas.notation.errors import letter_and_index, undotted
+from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.names import BRACKET, head, is_bold
 from kowalevski_cas.paper.plain import half_power, written_out

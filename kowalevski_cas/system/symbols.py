@@ -5,15 +5,9 @@ from __future__ import annotations
 from contextlib import suppress
 from typing import Any
 
-from kowalevski_cas.notation import (
-    Name,
-    NotationError,
-    OpenParser,
-    Vocabulary,
-    from_sympy,
-    read,
-    to_latex,
-)
+from kowalevski_cas.notation import Name, NotationError, Vocabulary, read, to_latex
+from kowalevski_cas.notation.open import OpenParser
+from kowalevski_cas.notation.sympy import from_sympy
 
 
 def printed(expression: Any, known: dict[str, Any]) -> str:

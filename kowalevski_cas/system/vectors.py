@@ -10,15 +10,14 @@ from kowalevski_cas.notation import (
     Formula,
     Name,
     NotationError,
-    OpenParser,
     Relation,
     Vector,
     Vocabulary,
-    bold_names,
     heads,
     read,
 )
 from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.notation.open import OpenParser, bold_names
 from kowalevski_cas.paper.texts import Display, Printed
 
 Parts = tuple[str, ...]

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.notation import Formula
@@ -25,8 +24,7 @@ if TYPE_CHECKING:
     from kowalevski_cas.problem.sampled import Sampled
 
 
-@dataclass
-class Decided:
+class Decided(NamedTuple):
     """A statement with its evidence, and what an arithmetic accepted of it."""
 
     statement: Statement

@@ -13,7 +13,7 @@ from kowalevski_cas.paper.denominators import Divisor, Shape, shape_of
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
-from kowalevski_cas.search.groebner import vanishes_on
+from kowalevski_cas.search.groebner import vanish_on
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.shown import written
 
@@ -43,9 +43,8 @@ def _not_implied(goal: Simple, elements: Sequence[Element], setting: Elaboration
     if not setting.powers or not isinstance(goal, Follows) or not goal.given:
         return found
     known, one = at.differences(goal.given), at.ring.one
-    divisors = at.ring.divided_by(elements)
-    pairs = zip(found, divisors, strict=True)
-    return [index for index, divisor in pairs if not vanishes_on(one, [divisor, *known])]
+    pairs = zip(found, at.ring.divided_by(elements), strict=True)
+    return [index for index, divisor in pairs if vanish_on([one], [divisor, *known]) == [False]]
 
 
 def _named(
@@ -55,25 +54,17 @@ def _named(
 
     A divisor is named as a denominator that is printed, in the scene or in what is ``stated``.
     """
-    ring, divisors = setting.finder.ring, setting.divisors
-    left = {index: one for index in indices if (one := divisors.left(index)).factors}
-    if not left:
-        return []
-    known = {
-        shape
-        for index, (_, factors) in left.items()
-        if ring.polynomials.is_monomial(ring.divisors[index])
-        for shape in factors
-    }
+    divisors = setting.divisors
+    left = [one for index in indices if (one := divisors.left(index)).factors]
+    known = {shape for one in left if len(one.factors) == 1 for shape in one.factors}
     found: dict[Formula, None] = {}
     below = cache(lambda: {**divisors.printed, **divisors.below(stated)})
-    for index, divisor in left.items():
-        shape = shape_of(Element(ring, {0: ring.divisors[index]}, {}))
-        if shape in divisors.landmarks:
-            found[divisors.landmarks[shape]] = None
+    for divisor in left:
+        if landmark := divisors.landmarks.get(shape_of(divisor.element)):
+            found[landmark] = None
             continue
-        if shape not in known:
-            divisor = _without(divisor, known)
+        if len(divisor.factors) > 1:
+            divisor = divisor.without(known)
             known |= divisor.factors.keys()
         if divisor.factors:
             named = _printed(divisor, setting, below) or (_positive(divisor.element, setting),)
@@ -84,14 +75,6 @@ def _named(
             del found[second]
             found = {(Product((first, second)) if f == first else f): None for f in found}
     return list(found)
-
-
-def _without(divisor: Divisor, known: set[Shape]) -> Divisor:
-    """A divisor without its factors that are known."""
-    new = {shape: one for shape, one in divisor.factors.items() if shape not in known}
-    if len(new) == len(divisor.factors):
-        return divisor
-    return Divisor(reduce(mul, new.values(), divisor.element.ring.one), new)
 
 
 def _printed(

@@ -17,6 +17,7 @@ from kowalevski_cas.notation import (
     Relation,
     Sum,
     Vector,
+    equal,
     to_latex,
     total,
 )
@@ -212,7 +213,7 @@ def _words(statement: Statement, goal: Goal, place: Place, values: tuple[str, st
         return f"the {which}derivative{whose} along the motion is ${own}$, not $0$"
     if right == Number(0) and any(isinstance(one, Partial) for one in left.nodes()):
         return f"a derivative of the function is ${own}$, so the point is not critical"
-    sides = to_latex(Relation((left, right), ("=",)))
+    sides = to_latex(equal(left, right))
     what = f" of ${sides}$" if not order and len(sides) < SHORT else ""
     if not goal.given:
         printed = statement.claim.formulas(statement.on.texts)

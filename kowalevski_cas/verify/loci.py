@@ -20,7 +20,7 @@ from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Rank
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.problem.trees import FormatError, Tree, encode
-from kowalevski_cas.search.groebner import vanishes_on
+from kowalevski_cas.search.groebner import vanish_on
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.certificate import Stored, Supported
@@ -124,9 +124,11 @@ def rank_on(
     """
     at = setting.finder
     there = at.differences(setting.equations(locus.equations))
-    left = [e for e in at.differences(goal.given) if not vanishes_on(e, there)]
-    if len(left) == len(at.differences(goal.given)):
+    given = at.differences(goal.given)
+    gone = vanish_on(given, there)
+    if not any(gone):
         return None
+    left = [element for element, vanishes in zip(given, gone, strict=True) if not vanishes]
     zero = [*left, *there]
     functions = [*(at.scalar(f) for f in goal.functions), *zero]
     rows = differentials(functions, at)
@@ -152,7 +154,7 @@ def say_nothing_on(setting: Elaboration, given: tuple[Equation, ...], locus: Loc
     """Whether all equations that are given follow from those of a locus."""
     at = setting.finder
     there = at.differences(setting.equations(locus.equations))
-    return all(vanishes_on(e, there) for e in at.differences(given))
+    return all(vanish_on(at.differences(given), there))
 
 
 def circle_of(goal: Count, places: Sequence[Place]) -> tuple[Place, Place] | None:

@@ -7,7 +7,6 @@ on a proof of the claim as it is corrected.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.notation import NotationError
@@ -109,11 +108,11 @@ class Mender(Teller):
             return outcome
         if not self._confirms(claim, outcome):
             message = f"what the derivation accepts at {place.place} has not been proved"
-            return replace(outcome, verdict=Verdict.ERROR, message=message)
+            return outcome._replace(verdict=Verdict.ERROR, message=message)
         correction = outcome.correction
         if correction is None:
             return outcome
-        return replace(outcome, correction=replace(correction, accepted=True))
+        return outcome._replace(correction=correction._replace(accepted=True))
 
     def _confirms(self, claim: Claim, outcome: Outcome) -> bool:
         """Whether an outcome shows what the derivation accepts in place of what is printed."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
 from enum import StrEnum
 from hashlib import sha256
+from typing import NamedTuple
 
 from kowalevski_cas.notation import Edit, Formula, Vocabulary, to_latex
 from kowalevski_cas.paper.texts import Printed
@@ -43,8 +43,7 @@ WORST = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Point:
+class Point(NamedTuple):
     """A point: names, printed roots and levels, each with its value (rationals, i, roots)."""
 
     values: dict[Formula, Value]
@@ -53,8 +52,7 @@ class Point:
         return hash(tuple(self.values.items()))
 
 
-@dataclass(frozen=True)
-class Counterexample:
+class Counterexample(NamedTuple):
     """An exact point on the constraints where the statement fails.
 
     ``left`` and ``right`` are the two values there; ``words`` says what fails
@@ -67,8 +65,7 @@ class Counterexample:
     words: str = ""
 
 
-@dataclass(frozen=True)
-class Screened:
+class Screened(NamedTuple):
     """What an arithmetic of points says about a statement."""
 
     verdict: Verdict
@@ -78,8 +75,7 @@ class Screened:
     radius: float | None = None
 
 
-@dataclass(frozen=True)
-class Condition:
+class Condition(NamedTuple):
     """An expression assumed non-zero, and what happens where it vanishes."""
 
     expression: Formula
@@ -87,8 +83,7 @@ class Condition:
     witness: Counterexample | None = None
 
 
-@dataclass(frozen=True)
-class Step:
+class Step(NamedTuple):
     """One step that the program took, for the report: a sentence and what is displayed.
 
     With a ``point``, the sentence is about this point; what it speaks of and is ``withheld``,
@@ -101,8 +96,7 @@ class Step:
     withheld: bool = False
 
 
-@dataclass(frozen=True)
-class Correction:
+class Correction(NamedTuple):
     """The nearest true statement: its formulas, what was changed, its verdict, its digest.
 
     ``printed`` and ``edit`` say where, if one printed formula was changed, and ``accepted``
@@ -119,8 +113,7 @@ class Correction:
     accepted: bool = False
 
 
-@dataclass(frozen=True)
-class Outcome:
+class Outcome(NamedTuple):
     """Everything a run says about one claim.
 
     ``seconds`` and ``verdicts`` hold the measured time and the verdict of each arithmetic.
@@ -146,8 +139,8 @@ class Outcome:
     rests_on: tuple[str, ...] = ()
     digest: str = ""
     message: str = ""
-    seconds: dict[str, float] = field(default_factory=dict)
-    verdicts: dict[str, Verdict] = field(default_factory=dict)
+    seconds: Mapping[str, float] = {}
+    verdicts: Mapping[str, Verdict] = {}
     chance: float | None = None
     radius: float | None = None
     granted: tuple[Formula, ...] = ()
@@ -155,8 +148,7 @@ class Outcome:
     corrected: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class Run:
+class Run(NamedTuple):
     """The outcomes of one derivation, in the order of the paper.
 
     ``sections`` lists number and heading; ``versions`` the programs and

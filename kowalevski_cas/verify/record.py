@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from kowalevski_cas import UserError
 from kowalevski_cas.notation import to_latex
@@ -18,8 +18,7 @@ class RecordError(UserError, ValueError):
     """A record that cannot be read; the message says what to do."""
 
 
-@dataclass(frozen=True)
-class Difference:
+class Difference(NamedTuple):
     """One way in which a run differs from the record."""
 
     claim: str

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from functools import cached_property
 from itertools import count
 from time import perf_counter
@@ -127,13 +126,11 @@ class Session(Mender):
             missing = [id for id in found.corrected if not self.stands(id)]
             decided = found.verdict is Verdict.REFUTED or found.verdict.likely
             if decided and missing:
-                self.found[claim.id] = replace(
-                    self.unread(
-                        claim, self.on(claim), Verdict.UNDECIDED, f"rests on {', '.join(missing)}"
-                    ),
-                    digest=found.digest,
-                    corrected=found.corrected,
-                    seconds=found.seconds,
+                unread = self.unread(
+                    claim, self.on(claim), Verdict.UNDECIDED, f"rests on {', '.join(missing)}"
+                )
+                self.found[claim.id] = unread._replace(
+                    digest=found.digest, corrected=found.corrected, seconds=found.seconds
                 )
         return self.found[claim.id]
 
@@ -170,7 +167,9 @@ class Session(Mender):
         if outcome.verdict is Verdict.REFUTED:
             correcting = perf_counter()
             outcome = self._with_correction(statement, outcome, correcting - start)
-            outcome.seconds[self.arithmetics[0]] += perf_counter() - correcting
+            first = self.arithmetics[0]
+            spent = outcome.seconds[first] + perf_counter() - correcting
+            outcome = outcome._replace(seconds={**outcome.seconds, first: spent})
         return self.with_acceptance(claim, outcome)
 
     def _decided(self, statement: Statement, start: float) -> Outcome:
@@ -182,7 +181,7 @@ class Session(Mender):
             found[arithmetic] = self._decide(statement, verdicts, arithmetic)
             seconds[arithmetic] = perf_counter() - start
             start = perf_counter()
-        return replace(self._outcome(statement, found), seconds=seconds)
+        return self._outcome(statement, found)._replace(seconds=seconds)
 
     def _with_correction(self, statement: Statement, outcome: Outcome, spent: float) -> Outcome:
         """The outcome with the nearest true statement, if that is found in what time is left."""
@@ -190,11 +189,11 @@ class Session(Mender):
         limits += [] if self.timeout is None else [max(self.timeout - spent, LEAST)]
         try:
             with time_limit(min(limits, default=None)):
-                return replace(outcome, correction=self.correct(statement))
+                return outcome._replace(correction=self.correct(statement))
         except TimeoutError:
             late = "no correction was found within the time"
             accepted = statement.claim.printed in self.accepted
             verdict = Verdict.TIMEOUT if accepted else outcome.verdict
-            return replace(outcome, verdict=verdict, message=outcome.message or late)
+            return outcome._replace(verdict=verdict, message=outcome.message or late)
         except (FormatError, Unproved, ProcessDied) as error:
-            return replace(outcome, verdict=Verdict.ERROR, message=str(error))
+            return outcome._replace(verdict=Verdict.ERROR, message=str(error))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from itertools import product
 from typing import Final
 
@@ -16,9 +15,10 @@ from kowalevski_cas.notation import (
     Number,
     Power,
     Product,
-    Relation,
     Sum,
     Vector,
+    equal,
+    power,
     total,
 )
 from kowalevski_cas.paper.claims import Claim, Dimension
@@ -55,8 +55,8 @@ def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
         told = told or [_IDENTICAL] * follows
     merged: dict[Step, dict[Formula, None]] = {}
     for step in told:
-        merged.setdefault(replace(step, formulas=()), {}).update(dict.fromkeys(step.formulas))
-    return tuple(replace(step, formulas=tuple(formulas)) for step, formulas in merged.items())
+        merged.setdefault(step._replace(formulas=()), {}).update(dict.fromkeys(step.formulas))
+    return tuple(step._replace(formulas=tuple(formulas)) for step, formulas in merged.items())
 
 
 def _steps(claim: Claim, goal: Goal, evidence: Evidence) -> Iterator[Step]:
@@ -100,7 +100,7 @@ def _derivative(formula: Derivative, at: Evaluation) -> Iterator[Step]:
         parts = tuple(shown(value, at.setting) for value in values)
         right = parts[0] if len(parts) == 1 else Vector(parts)
         words = "The derivative along the vector field, as generated:"
-        yield Step(words, (_equal(written(formula, at.setting), right),))
+        yield Step(words, (equal(written(formula, at.setting), right),))
 
 
 # -- proofs --------------------------------------------------------------------------
@@ -139,7 +139,7 @@ def _cases(proof: Proof, at: Evaluation) -> Step:
     if size(element for group in groups for element in group) > LONGEST:
         return Step(f"{words}, for each of its factors", withheld=True)
     factors = [_squares([shown(element, at.setting) for element in group]) for group in groups]
-    return Step(f"{words}, for each factor:", (_equal(flat_product(factors), ZERO),))
+    return Step(f"{words}, for each factor:", (equal(flat_product(factors), ZERO),))
 
 
 def _squares(group: Sequence[Formula]) -> Formula:
@@ -158,13 +158,10 @@ def _combination(goal: Follows, proof: Proof, at: Evaluation) -> Step:
     if terms > LONGEST or products > MOST:
         return Step(f"{words}; its coefficients have {terms} terms", withheld=True)
     choices = product(*(_differences(one, at) for one in goal.conclusions))
-    lefts = [
-        Power(left, Number(proof.power)) if proof.power > 1 else left
-        for left in map(flat_product, choices)
-    ]
+    lefts = [power(left, proof.power) for left in map(flat_product, choices)]
     known = _differences(goal.given, at)
     sums = [_sum(row, known, at.setting) for row in rows]
-    return Step(f"{words}:", tuple(map(_equal, lefts, sums)))
+    return Step(f"{words}:", tuple(map(equal, lefts, sums)))
 
 
 def _differences(equations: Sequence[tuple[Formula, Formula]], at: Evaluation) -> list[Formula]:
@@ -198,7 +195,7 @@ def _sum(row: Sequence[Element], known: Sequence[Formula], setting: Setting) -> 
 def _found(goal: Exists, evidence: Found) -> Iterator[Step]:
     """The numbers that were found; and the equations that are linear in bound names."""
     if goal.numbers:
-        equations = tuple(_equal(Name(name), evidence.values[name]) for name in goal.numbers)
+        equations = tuple(equal(Name(name), evidence.values[name]) for name in goal.numbers)
         yield Step("The numbers that the program found:", equations)
     for one in goal.goals:
         if not isinstance(one, Follows):
@@ -232,7 +229,7 @@ def _bound(
         return Step(f"{one} {words} {many} terms", withheld=True)
     words = f"The {what} are linear combinations of the relations"
     right = _sum(values, [written(one, at.setting) for _, one in terms], at.setting)
-    return Step(f"{words}:", (_equal(written(left, at.setting), right),))
+    return Step(f"{words}:", (equal(written(left, at.setting), right),))
 
 
 def _rank(claim: Claim, goal: Rank, evidence: At) -> Step:
@@ -259,12 +256,5 @@ def _roots(goal: Count, found: Roots) -> Step:
     equation = total([powers[-1], *reversed(terms)])
     return Step(
         "The solutions are given by the roots of one equation, all real and distinct:",
-        (_equal(root, found.form), _equal(equation, ZERO)),
+        (equal(root, found.form), equal(equation, ZERO)),
     )
-
-
-# -- formulas ------------------------------------------------------------------------
-
-
-def _equal(left: Formula, right: Formula) -> Relation:
-    return Relation((left, right), ("=",))

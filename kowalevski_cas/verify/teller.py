@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 from kowalevski_cas.notation import Formula, NotationError
 from kowalevski_cas.paper.claims import Claim
@@ -38,16 +37,12 @@ class Teller(Bench):
             open_ones = [one for one in found.values() if one.verdict not in answered]
             if open_ones:
                 verdict, message = open_ones[0].verdict, open_ones[0].message
-        outcome = replace(
-            self.unread(statement.claim, statement.on, verdict, message, statement),
-            verdicts=verdicts,
-            corrected=self.corrected(statement),
-        )
+        outcome = self.unread(statement.claim, statement.on, verdict, message, statement)
+        outcome = outcome._replace(verdicts=verdicts, corrected=self.corrected(statement))
         if isinstance(first, Screened):
-            return replace(
-                outcome, counterexample=first.counterexample, chance=first.chance,
-                radius=first.radius,
-            )  # fmt: skip
+            return outcome._replace(
+                counterexample=first.counterexample, chance=first.chance, radius=first.radius
+            )
         return self._explained(outcome, statement, first)
 
     def _explained(self, outcome: Outcome, statement: Statement, decided: Decided) -> Outcome:
@@ -62,25 +57,25 @@ class Teller(Bench):
                     name: Verdict.CONDITIONAL if v is Verdict.PROVED else v
                     for name, v in outcome.verdicts.items()
                 }
-                outcome = replace(
-                    outcome, verdict=Verdict.CONDITIONAL, conditions=needed, verdicts=verdicts
+                outcome = outcome._replace(
+                    verdict=Verdict.CONDITIONAL, conditions=needed, verdicts=verdicts
                 )
         against: Counterexample | None = None
         if outcome.verdict is Verdict.REFUTED and isinstance(decided.verdicts, Denial):
             try:
                 against = counterexample(statement, decided.verdicts, decided.accepted)
             except OverflowError as error:
-                return replace(outcome, verdict=Verdict.ERROR, message=str(error))
+                return outcome._replace(verdict=Verdict.ERROR, message=str(error))
             if against is None:
                 denied = statement.goals[decided.verdicts.goal]
-                outcome = replace(outcome, message=why(denied, decided.verdicts.evidence))
+                outcome = outcome._replace(message=why(denied, decided.verdicts.evidence))
         told: tuple[Step, ...] = ()
         if self.explain and decided.verdicts is not None:
             from kowalevski_cas.verify.steps import steps  # a verdict needs none
 
             told = steps(statement, decided.verdicts)
-        return replace(
-            outcome, counterexample=against, steps=told, rests_on=self.rests_on(statement)
+        return outcome._replace(
+            counterexample=against, steps=told, rests_on=self.rests_on(statement)
         )
 
     def unread(

@@ -16,7 +16,7 @@ from time import perf_counter
 from typing import Any
 
 from kowalevski_cas.algebra.flint import Arithmetic as Flint
-from kowalevski_cas.algebra.polynomials import Coefficients, Polynomials, Terms
+from kowalevski_cas.algebra.polynomials import Coefficients, Map, Polynomials, Terms
 from kowalevski_cas.tools import TOOLS
 from study.growth.work import growth
 
@@ -78,16 +78,14 @@ class Recording(Polynomials):
     def generator(self, index: int) -> Recorded:
         return self._given(self.plain.generator(index))
 
-    def constant(self, value: Fraction) -> Recorded:
+    def constant(self, value: int | Fraction) -> Recorded:
         return self._given(self.plain.constant(value))
 
     def derivative(self, polynomial: Recorded, index: int) -> Recorded:
         value = self.plain.derivative(polynomial.value, index)
         return Recorded(self.lines, value, "derive", polynomial.number, index)
 
-    def composed(
-        self, polynomial: Recorded, values: Sequence[Recorded], target: Polynomials
-    ) -> Recorded:
+    def substitution(self, values: Sequence[Recorded], target: Polynomials) -> Map:
         raise NotImplementedError("the growing work has no points")
 
     def is_monomial(self, polynomial: Recorded) -> bool:

@@ -20,10 +20,10 @@ from kowalevski_cas.notation import (
     read,
     read_display,
     to_latex,
-    to_mathml,
     to_plain,
-    to_typst,
 )
+from kowalevski_cas.notation.mathml import to_mathml
+from kowalevski_cas.notation.typst import to_typst
 from tests.notation.strategies import WORDS, formulas
 
 x, y, ell, d, t = Name("x_1"), Name("x_2"), Name(r"\ell"), Name("d"), Name("t")

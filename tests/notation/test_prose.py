@@ -3,15 +3,8 @@
 import pytest
 
 from kowalevski_cas.library import available, load
-from kowalevski_cas.notation import (
-    Formula,
-    Name,
-    Product,
-    print_prose,
-    read_prose,
-    to_plain,
-    to_typst,
-)
+from kowalevski_cas.notation import Formula, Name, Product, print_prose, read_prose, to_plain
+from kowalevski_cas.notation.typst import to_typst
 from tests.notation.strategies import WORDS
 from tests.sample import sampled
 

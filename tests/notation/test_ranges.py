@@ -4,8 +4,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.notation import NotationError, OpenParser, Vocabulary, heads, read_display
+from kowalevski_cas.notation import NotationError, Vocabulary, heads, read_display
 from kowalevski_cas.notation.latex import to_latex
+from kowalevski_cas.notation.open import OpenParser
 
 
 def statements(tex):

@@ -5,7 +5,8 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.notation import Vocabulary, from_sympy, read, to_latex, to_sympy
+from kowalevski_cas.notation import Vocabulary, read, to_latex
+from kowalevski_cas.notation.sympy import from_sympy, to_sympy
 
 x, y = SYMBOLS = sympy.symbols("x y")
 WORDS = Vocabulary(frozenset({"x", "y"}))

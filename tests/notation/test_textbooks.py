@@ -23,10 +23,10 @@ from kowalevski_cas.notation import (
     read,
     read_display,
     to_latex,
-    to_mathml,
     to_plain,
-    to_typst,
 )
+from kowalevski_cas.notation.mathml import to_mathml
+from kowalevski_cas.notation.typst import to_typst
 from tests.notation.textbooks import FORMULAS, WORDS
 
 x, y, p, q, H, theta = map(Name, ["x", "y", "p", "q", "H", r"\theta"])

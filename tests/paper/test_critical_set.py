@@ -158,14 +158,14 @@ def test_wrong_steps_prove_nothing(session) -> None:
     proof = converse.proof
     (step,), (rest,) = proof.product, proof.cases
     for wrong in (
-        replace(proof, product=rest.product),
-        replace(proof, cases=(replace(rest, product=(step,)),)),
-        replace(proof, cases=(replace(rest, power=1),)),
-        replace(proof, cases=(Proof(),)),
-        replace(proof, cases=rest.cases),
+        proof._replace(product=rest.product),
+        proof._replace(cases=(rest._replace(product=(step,)),)),
+        proof._replace(cases=(rest._replace(power=1),)),
+        proof._replace(cases=(Proof(),)),
+        proof._replace(cases=rest.cases),
         Proof(proof.rows),
         rest,
         Proof(),
     ):
         with pytest.raises(Unproved):
-            Judge(finder_of, one.names).holds(one.goals[1], replace(converse, proof=wrong))
+            Judge(finder_of, one.names).holds(one.goals[1], converse._replace(proof=wrong))

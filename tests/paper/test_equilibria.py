@@ -85,7 +85,7 @@ def at_angle(found: Counterexample, t: Fraction) -> Counterexample:
         return formula
 
     values = {name: v.mapped(value) for name, v in found.point.values.items()}
-    return replace(found, point=Point(values))
+    return found._replace(point=Point(values))
 
 
 def test_on_the_exceptional_locus_there_is_a_circle(outcome) -> None:

@@ -150,7 +150,7 @@ def test_what_exists_is_not_zero(papers):
             values = {n: Number(0) if name in (n, None) else v for n, v in found.values.items()}
             if values != found.values:
                 with pytest.raises(Unproved):
-                    judge.holds(goal, replace(found, values=values))
+                    judge.holds(goal, found._replace(values=values))
     assert {statement.claim.id for statement, _, _ in existing(papers)} >= {"limit", "eq7", "eq15"}
 
 

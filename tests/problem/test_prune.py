@@ -79,7 +79,7 @@ def test_parameters_are_part_of_the_statement(derivation):
 def test_different_claims_have_different_digests(run):
     found = [outcome.digest for outcome in run.outcomes]
     assert len(set(found)) == len(found)
-    changed = [replace(run, outcomes=(*run.outcomes[:k], *run.outcomes[k + 1 :])) for k in (0, -2)]
+    changed = [run._replace(outcomes=(*run.outcomes[:k], *run.outcomes[k + 1 :])) for k in (0, -2)]
     assert len({one.digest for one in (run, *changed)}) == 3
 
 

@@ -6,8 +6,9 @@ from xml.etree import ElementTree
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.notation import edits, read_display, to_latex, to_mathml, to_plain
+from kowalevski_cas.notation import edits, read_display, to_latex, to_plain
 from kowalevski_cas.notation.formula import Changed
+from kowalevski_cas.notation.mathml import to_mathml
 from kowalevski_cas.report.compare import compared, unmarked
 from tests.notation.strategies import WORDS, formulas
 

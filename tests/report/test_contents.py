@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass
 from typing import Any
 
 import pytest
@@ -147,7 +147,7 @@ class TestWrong:
         blocks = document(*pair).blocks
         assert "two hold only under a hypothesis that the paper" in said(blocks[0]).lower()
         several = [
-            claim(n, "1", "x=x", n, C, conditions=(replace(needed, expression=Name(n)),))
+            claim(n, "1", "x=x", n, C, conditions=(needed._replace(expression=Name(n)),))
             for n in ("y", "z")
         ]
         assert "hypotheses that the paper does not state (two in all)" in said(document(*several))
@@ -268,19 +268,19 @@ class TestEvidence:
 
     def test_restated_formulas_are_called_so(self) -> None:
         first, *others = in_order(run())
-        text = said(Contents(run(), [replace(first, copied=False), *others]).document().subtitle)
+        text = said(Contents(run(), [first._replace(copied=False), *others]).document().subtitle)
         assert "The formulas of section 1 are restated" in text
         assert "restated" not in said(WHOLE.subtitle)
 
     def test_formulas_without_a_print_are_not_compared_with_one(self) -> None:
-        derived = [replace(section, copied=None) for section in in_order(run())]
+        derived = [section._replace(copied=None) for section in in_order(run())]
         text = said(Contents(run(), derived).document().subtitle)
         assert "All formulas are derived here" in text and "compared" not in text
 
     def test_what_is_restated_does_not_hold_as_printed(self) -> None:
         one = run(claim("a", "1", "x=x", "", P))
         (section,) = in_order(one)
-        lead = said(Contents(one, [replace(section, copied=False)]).document().blocks[0])
+        lead = said(Contents(one, [section._replace(copied=False)]).document().blocks[0])
         assert "The only statement holds as stated here" in lead and "printed" not in lead
 
 

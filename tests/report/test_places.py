@@ -1,7 +1,5 @@
 """The paper in its order: every display, and every claim at what it is about."""
 
-from dataclasses import replace
-
 import pytest
 
 from kowalevski_cas.library import available, load
@@ -104,6 +102,6 @@ def test_claims_that_were_not_run_leave_their_displays() -> None:
     derivation = load("kharlamov2002")
     whole = undecided(derivation)
     (only,) = [outcome for outcome in whole.outcomes if outcome.claim == "eq14"]
-    (section,) = sections(replace(whole, outcomes=(only,)), derivation, derivation.texts())
+    (section,) = sections(whole._replace(outcomes=(only,)), derivation, derivation.texts())
     assert section.number == "2" and section.outcomes == (only,)
     assert {"(9)", "(16)"} < {item.label for item in section.items}

@@ -5,10 +5,10 @@ import re
 
 import pytest
 
-from kowalevski_cas.notation import Name, Number, Power, Product, Sum, to_plain, to_typst
+from kowalevski_cas.notation import Name, Number, Power, Product, Sum, to_plain
 from kowalevski_cas.notation.latex import LATEX
 from kowalevski_cas.notation.mathml import MATHML
-from kowalevski_cas.notation.typst import TYPST
+from kowalevski_cas.notation.typst import TYPST, to_typst
 from kowalevski_cas.report.html import HtmlSetter
 from kowalevski_cas.report.latex import LatexSetter
 from kowalevski_cas.report.pieces import joined, measured, pieces

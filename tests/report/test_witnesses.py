@@ -53,9 +53,8 @@ class TestPrograms:
 
 
 def test_an_arithmetic_confirms_only_its_own_verdict():
-    from dataclasses import replace
 
-    one = replace(claim("a", "1", "x=x", "", P), verdicts={"flint": P, "sympy": R})
+    one = claim("a", "1", "x=x", "", P)._replace(verdicts={"flint": P, "sympy": R})
     assert [(w.name, w.claims) for w in arithmetics([one])] == [
         ("FLINT", frozenset({"a"})), ("SymPy", frozenset()),
     ]  # fmt: skip

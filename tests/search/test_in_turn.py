@@ -1,7 +1,5 @@
 """Equations that follow one after another, each known from there on."""
 
-from dataclasses import replace
-
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -45,8 +43,8 @@ def test_linear_equations_have_one_solution_where_the_determinant_is_not_zero(a,
     if shown is not None:
         accepted(goal, shown)
         (step,) = shown.proof.cases
-        for wrong in (step, replace(shown.proof, product=step.product or ((Number(1),),))):
-            rejected(goal, replace(shown, proof=wrong))
+        for wrong in (step, shown.proof._replace(product=step.product or ((Number(1),),))):
+            rejected(goal, shown._replace(proof=wrong))
 
 
 def test_what_was_shown_is_known_from_there_on():

@@ -3,7 +3,6 @@
 import json
 import random
 from copy import deepcopy
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -234,7 +233,7 @@ def test_cofactors_may_not_be_divided_by_what_vanishes_on_the_set(derivation, ce
     entries[first] = target / known[first]
     rows = list(shown.proof.rows)
     rows[0] = tuple(map(formula_in, entries))
-    decided = session._judged(statement, (replace(shown, proof=Proof(tuple(rows))),), "flint")
+    decided = session._judged(statement, (shown._replace(proof=Proof(tuple(rows))),), "flint")
     assert decided.verdict == "error"
 
 

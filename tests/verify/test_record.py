@@ -1,7 +1,6 @@
 """The record: any difference is seen, in either direction; what cannot be read is said."""
 
 import json
-from dataclasses import replace
 
 import pytest
 
@@ -16,8 +15,8 @@ def recorded(run, tmp_path):
 
 
 def with_outcome(run, id, **changes):
-    return replace(
-        run, outcomes=tuple(replace(o, **changes) if o.claim == id else o for o in run.outcomes)
+    return run._replace(
+        outcomes=tuple(o._replace(**changes) if o.claim == id else o for o in run.outcomes)
     )
 
 

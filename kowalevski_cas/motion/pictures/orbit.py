@@ -32,7 +32,7 @@ def _period(oscillation: Oscillation) -> float:
         return 0.0
     if oscillation.kind != "elliptic":
         return np.inf
-    return float(4 * oscillation.quarter / oscillation.rate) / oscillation.components
+    return float(4 * oscillation.quarter / oscillation.rate) / oscillation.arc.components
 
 
 def times(motion: Motion | MotionO4, turns: float, points: int) -> Array:

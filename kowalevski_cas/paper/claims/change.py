@@ -90,11 +90,11 @@ class Unit(Claim):
 
     def _other(self, texts: Texts) -> Texts:
         """The texts with the other sign on the right side of the equation."""
-        edits = [n.edit for n in self.neighbours(texts) if n.edit is not None]
-        if not edits:
+        edit = next((n.edit for n in self.neighbours(texts)), None)
+        if edit is None:
             raise Meaningless(f"the square of a unit is expected at {self.own.place}")
-        if texts.formula(self.own) != edits[0].formula:
-            return texts.edited(self.own, edits[0])
+        if texts.formula(self.own) != edit.formula:
+            return texts.edited(self.own, edit)
         return replace(texts, edits={p: f for p, f in texts.edits.items() if p != self.own})
 
     def _holds(self, row: Printed, on: Elaborations) -> bool:

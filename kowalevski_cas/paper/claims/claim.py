@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
-from typing import Any, dataclass_transform
+from typing import Any, NamedTuple, dataclass_transform
 
 from kowalevski_cas.notation import Edit, Formula, edits
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -19,8 +19,7 @@ from kowalevski_cas.problem.space import Meaningless, Setting
 Names = Callable[[Setting], Sequence[str]]
 
 
-@dataclass(frozen=True)
-class Neighbour:
+class Neighbour(NamedTuple):
     """A statement that differs a little: a mutant, or a candidate for a correction.
 
     It is that of a claim under texts in which, with an ``edit``, the formula at the place
@@ -41,16 +40,37 @@ class Neighbour:
         return self.base.edited(self.printed, self.edit)
 
 
-@dataclass_transform(eq_default=False, frozen_default=True)
-@dataclass(frozen=True, eq=False)
-class Claim(ABC):
+@dataclass_transform(eq_default=False, frozen_default=True, field_specifiers=(field,))
+class _Kind:
+    """A dataclass of the attributes that a kind declares; no type checker lets them be changed."""
+
+    def __init_subclass__(cls, kw_only: bool = False) -> None:
+        dataclass(eq=False, repr=False, kw_only=kw_only)(cls)
+
+    @cached_property
+    def _stands_on(self) -> list[Printed | Scene]:
+        """The attributes, and what is in tuples and in claims that are attributes, in its order."""
+        found: list[Printed | Scene] = []
+        waiting: list[object] = [*vars(self).values()]
+        while waiting:
+            value = waiting.pop(0)
+            if isinstance(value, Printed | Scene):
+                found.append(value)
+            elif isinstance(value, tuple):
+                waiting = [*value, *waiting]
+            elif isinstance(value, _Kind):
+                found += value._stands_on
+        return found
+
+
+class Claim(_Kind, ABC):
     """One statement of the paper, on its scene.
 
     ``printed`` is the place of the formula, if the claim is one formula;
     ``words`` says what is claimed, and ``sentence`` is the author's sentence that claims it, word
     for word, where the formula alone does not. Whatever else a claim is about, its places, scenes
     and neighbours, follows from the types of its attributes. A kind is a subclass with more
-    attributes; it is a dataclass like this one.
+    attributes.
     """
 
     id: str
@@ -59,12 +79,12 @@ class Claim(ABC):
     words: str
     sentence: str = field(default="", kw_only=True)
 
-    def __init_subclass__(cls, kw_only: bool = False) -> None:
-        dataclass(frozen=True, eq=False, kw_only=kw_only)(cls)
-
     def __post_init__(self) -> None:
         """Refuse displays and single values where tuples are expected."""
         check_attributes(self, f"the claim {self.id}")
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.id}>"
 
     @property
     def own(self) -> Printed:
@@ -92,30 +112,11 @@ class Claim(ABC):
 
     def places(self) -> Iterator[Printed]:
         """The places of the paper that the claim names, its own first; not those of its scenes."""
-        for value in self._attributes:
-            if isinstance(value, Printed):
-                yield value
+        yield from (one for one in self._stands_on if isinstance(one, Printed))
 
     def scenes(self) -> Iterator[Scene]:
         """The scenes on which the claim stands."""
-        for value in self._attributes:
-            if isinstance(value, Scene):
-                yield value
-
-    @cached_property
-    def _attributes(self) -> list[object]:
-        """The attributes, those in tuples and in claims that are attributes included."""
-        found: list[object] = []
-        waiting: list[object] = [getattr(self, own.name) for own in fields(self)]
-        while waiting:
-            value = waiting.pop(0)
-            if isinstance(value, tuple):
-                waiting = [*value, *waiting]
-            elif isinstance(value, Claim):
-                waiting = [*value._attributes, *waiting]
-            else:
-                found.append(value)
-        return found
+        yield from (one for one in self._stands_on if isinstance(one, Scene))
 
     def establishes(self) -> Iterator[Printed]:
         """The places that are right if the claim is."""

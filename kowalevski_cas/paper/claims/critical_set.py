@@ -6,16 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
 
-from kowalevski_cas.notation import (
-    Formula,
-    Negative,
-    Number,
-    Partial,
-    Product,
-    Relation,
-    Sum,
-    edits,
-)
+from kowalevski_cas.notation import Formula, Negative, Number, Partial, Product, Sum, edits, equal
 from kowalevski_cas.paper.claims.claim import Claim, Names, Neighbour
 from kowalevski_cas.paper.claims.forms import equation, equations, expression, moving, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -87,7 +78,7 @@ class CriticalSet(Claim):
 
     def formulas(self, texts: Texts) -> tuple[Formula, ...]:
         function = texts.formula(self.own)
-        return (Relation((function, Number(0)), ("=",)),) if self.zero_level else (function,)
+        return (equal(function, Number(0)),) if self.zero_level else (function,)
 
     def establishes(self) -> Iterator[Printed]:
         """Nothing: the function is what it is, whatever its critical points are."""

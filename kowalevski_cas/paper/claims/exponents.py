@@ -8,7 +8,7 @@ from itertools import combinations
 from math import gcd
 
 from kowalevski_cas.algebra.numbers import rational
-from kowalevski_cas.notation import Formula, Name, Number, Partial, Power, times
+from kowalevski_cas.notation import Formula, Name, Partial, power, times
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import ONE, equation, equations, expression, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -73,11 +73,7 @@ class SolvedExponents(Claim):
 def _one(*powers: tuple[Formula, int]) -> Equation:
     """The equation that a product of whole powers is 1, without negative ones."""
     sides = [
-        times(*(_whole(base, sign * exponent) for base, exponent in powers if sign * exponent > 0))
+        times(*(power(base, sign * exponent) for base, exponent in powers if sign * exponent > 0))
         for sign in (1, -1)
     ]
     return sides[0], sides[1]
-
-
-def _whole(base: Formula, exponent: int) -> Formula:
-    return base if exponent == 1 else Power(base, Number(exponent))
