@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from itertools import combinations, islice
 
-from kowalevski_cas.algebra.numbers import rank
+from kowalevski_cas.algebra.numbers import rank, rational
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import Formula, Number, Product, Sum
 from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
@@ -118,9 +119,11 @@ def _leaving(
 def rank_on(
     statement: Statement, goal: Rank, setting: Elaboration, locus: Locus
 ) -> tuple[int, Point] | None:
-    """The rank of differentials on a locus where an equation of a set says nothing, and a point.
+    """The codimension of a level on a locus where an equation says nothing, and a point of it.
 
-    ``None`` if all equations say something there, or no point is found.
+    All equations of the set have independent differentials at the point, so that near it the set
+    is a manifold; those of the locus that hold on the whole level are no equations of the set.
+    ``None`` if all equations say something there, or no such point is found.
     """
     at = setting.finder
     there = at.differences(setting.equations(locus.equations))
@@ -129,25 +132,29 @@ def rank_on(
     if not any(gone):
         return None
     left = [element for element, vanishes in zip(given, gone, strict=True) if not vanishes]
-    zero = [*left, *there]
-    functions = [*(at.scalar(f) for f in goal.functions), *zero]
-    rows = differentials(functions, at)
+    functions = [at.scalar(f) for f in goal.functions]
     names = statement.names(setting)
-    avoid = [*at.granted, *at.ring.divided_by(functions)]
-    best: tuple[int, Point] | None = None
-    for point in islice(real_points(at, names, zero, avoid), TRIES):
-        try:
+    avoid = [*at.granted, *at.ring.divided_by([*functions, *left, *there])]
+    for point in islice(real_points(at, names, [*left, *there], avoid), TRIES):
+        with suppress(ZeroDivisionError, Misplaced):
             candidate = Candidate(at, point)
-            if not candidate.vanish(zero):
-                continue
+            values = [rational(candidate(f)) for f in functions]
+            level = [
+                f - at.ring.number(v)
+                for f, v in zip(functions, values, strict=True)
+                if v is not None
+            ]
+            holds = vanish_on(there, level)
+            own = [
+                *functions,
+                *left,
+                *(e for e, known in zip(there, holds, strict=True) if not known),
+            ]
+            rows = [row for row in differentials(own, at) if not all(e.is_zero for e in row)]
             found = rank([[candidate(entry) for entry in row] for row in rows])
-            if best is None or found > best[0]:
-                best = found, candidate.point(names)
-            if found == len(rows):
-                break
-        except (ZeroDivisionError, Misplaced):
-            continue
-    return best
+            if candidate.vanish([*left, *there]) and found == len(rows):
+                return found, candidate.point(names)
+    return None
 
 
 def say_nothing_on(setting: Elaboration, given: tuple[Equation, ...], locus: Locus) -> bool:
