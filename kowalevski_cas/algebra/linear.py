@@ -11,9 +11,12 @@ class Singular(ArithmeticError):
     """A linear system without a unique solution."""
 
 
-def solve(matrix: Sequence[Sequence[Element]], right: Sequence[Element]) -> list[Element]:
-    """The solution of a square linear system, by elimination; raises :class:`Singular`."""
-    rows = [[*row, value] for row, value in zip(matrix, right, strict=True)]
+Matrix = Sequence[Sequence[Element]]
+
+
+def solve(matrix: Matrix, right: Matrix) -> list[list[Element]]:
+    """The X with A X = B for a square matrix A, by elimination; raises :class:`Singular`."""
+    rows = [[*row, *values] for row, values in zip(matrix, right, strict=True)]
     for column in range(len(rows)):
         pivot = next((row for row in rows[column:] if not row[column].is_zero), None)
         if pivot is None:
@@ -24,14 +27,20 @@ def solve(matrix: Sequence[Sequence[Element]], right: Sequence[Element]) -> list
         rows = [
             row
             if row[column].is_zero
-            else [a - row[column] * b for a, b in zip(row, pivot, strict=True)]
+            else [a if b.is_zero else a - row[column] * b for a, b in zip(row, pivot, strict=True)]
             for row in rows
         ]
         rows.insert(column, pivot)
-    return [row[-1] for row in rows]
+    return [row[len(rows) :] for row in rows]
 
 
-def determinant(matrix: Sequence[Sequence[Element]]) -> Element:
+def inverse(matrix: Matrix) -> list[list[Element]]:
+    """The inverse of a square matrix; raises :class:`Singular` if there is none."""
+    zero, one, size = matrix[0][0].ring.zero, matrix[0][0].ring.one, range(len(matrix))
+    return solve(matrix, [[one if j == k else zero for k in size] for j in size])
+
+
+def determinant(matrix: Matrix) -> Element:
     """The determinant of a small matrix, by expansion along the first row."""
     first, *rest = matrix
     if not rest:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kowalevski_cas.algebra.linear import Singular, solve
+from kowalevski_cas.algebra.linear import Singular
+from kowalevski_cas.algebra.linear import inverse as inverse_matrix
 from kowalevski_cas.algebra.present import polynomial_formula
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Name, total
@@ -37,14 +38,13 @@ def inverse(old: Meaning, formulas: Sequence[tuple[str, Formula]]) -> dict[str, 
         rows.append(row)
     if len(rows) != len(old.variables):
         raise Meaningless("the change of variables is not one to one")
-    zero, one, size = at.ring.zero, at.ring.one, len(rows)
     try:
-        columns = [solve(rows, [one if k == j else zero for k in range(size)]) for j in range(size)]
+        solved = inverse_matrix(rows)
     except Singular:
         raise SingularChange("the change of variables is not invertible") from None
     return {
-        variable: _combination([column[k] for column in columns], [n for n, _ in formulas])
-        for k, variable in enumerate(old.variables)
+        variable: _combination(row, [name for name, _ in formulas])
+        for variable, row in zip(old.variables, solved, strict=True)
     }
 
 

@@ -105,8 +105,10 @@ def problem_data(problem: Problem) -> Data:
 
 def digest(problem: Problem) -> str:
     """The digest of a statement: any change of its mathematics changes it."""
-    text = json.dumps(problem_data(problem), sort_keys=True)
-    return sha256(text.encode()).hexdigest()[:16]
+    return sha256(_JSON.encode(problem_data(problem)).encode()).hexdigest()[:16]
+
+
+_JSON = json.JSONEncoder(sort_keys=True, check_circular=False)
 
 
 def evidence_data(evidence: Evidence) -> Data:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.space import Equation, Setting
@@ -113,8 +114,7 @@ def simple(goal: Goal) -> tuple[Simple, ...]:
     return goal.goals if isinstance(goal, Exists) else (goal,)
 
 
-@dataclass(frozen=True, eq=False)
-class Problem:
+class Problem(NamedTuple):
     """What a claim states."""
 
     goals: tuple[Goal, ...]

@@ -12,6 +12,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
+from typing import NamedTuple
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.mentions import Mentions, mentions
@@ -87,8 +88,7 @@ class Raised(Definition):
 Step = Let | Adjoined | Raised
 
 
-@dataclass(frozen=True)
-class Motion:
+class Motion(NamedTuple):
     """A row of a vector field: ``factor`` times the rates of the names is ``force``."""
 
     names: tuple[str, ...]

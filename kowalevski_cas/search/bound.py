@@ -115,7 +115,8 @@ def _solved(group: list[Linear], at: Evaluation, goal: Follows) -> dict[str, Ele
     if len(matrix) != len(names):
         return None
     try:
-        return dict(zip(names, solve(matrix, [-at.scalar(free) for free, _ in group]), strict=True))
+        solved = solve(matrix, [[-at.scalar(free)] for free, _ in group])
+        return {name: value for name, (value,) in zip(names, solved, strict=True)}
     except Singular:
         return None
 

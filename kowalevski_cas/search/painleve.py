@@ -40,10 +40,6 @@ class Laurent:
     logarithm: int | None
     """The exponent at which constants are missing whatever holds."""
 
-    def passes(self) -> bool:
-        """Whether nothing is missing."""
-        return not self.conditions and self.logarithm is None
-
 
 def laurent(part: LeadingPart, balance: Balance) -> Laurent:
     """The series of a principal balance under whole weights, up to its largest exponent.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from kowalevski_cas.algebra.linear import solve
+from kowalevski_cas.algebra.linear import inverse
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -38,9 +38,7 @@ def regular(
     found = steps_to(targets, generators, at.ring.divided_by(known), conditions, multipliers)
     if found is None:
         return None
-    one, zero, size = at.ring.one, at.ring.zero, len(multipliers)
-    columns = [solve(sparse, [one if k == j else zero for k in range(size)]) for j in range(size)]
-    back = [[column[k] for column in columns] for k in range(size)]
+    back, zero = inverse(sparse), at.ring.zero
     steps = []
     for step in found[0]:
         element, *row = (_changed(e, back, multipliers, at) for e in (step.element, *step.row))
@@ -50,7 +48,7 @@ def regular(
             sum((sparse[j][k] * row[n] for j, row in enumerate(found[1])), zero)
             for n in range(len(found[1][0]))
         ]
-        for k in range(size)
+        for k in range(len(multipliers))
     ]
     return shown(steps, rows, [*known, *targets], at, names)
 

@@ -161,12 +161,12 @@ def circle_of(goal: Count, places: Sequence[Place]) -> tuple[Place, Place] | Non
     """Two solutions p and q such that p cos φ + q sin φ is one for every φ.
 
     There an equation of degree d is a trigonometric polynomial of degree d: it vanishes
-    identically if it has 2d + 1 zeros.
+    identically if it has 2d + 1 zeros. At p and at q, where tan φ/2 is 0 and 1, it has two.
     """
     at = places[0].at
     equations = at.differences(goal.equations)
     monomials = (m for e in equations for terms in e.terms().values() for m in terms)
-    angles = range(2 * max(map(sum, monomials)) + 1)
+    angles = range(2, 2 * max(map(sum, monomials)) + 1)
     for one, other in combinations(places, 2):
         if all(_between(one, other, t, goal).vanish(equations) for t in angles):
             return one, other

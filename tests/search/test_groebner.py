@@ -8,7 +8,7 @@ from kowalevski_cas.notation import Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.follows import rows_of
-from kowalevski_cas.search.groebner import Combinations
+from kowalevski_cas.search.groebner import Combinations, vanish_on
 
 NAMES = ("x", "y", "p", "q")
 AT = Evaluation(Space(NAMES), load("flint"))
@@ -131,3 +131,12 @@ def test_each_combination_follows(generators, data):
     factors = [data.draw(coefficients) for _ in generators]
     target = sum((f * g for f, g in zip(factors, generators, strict=True)), AT.ring.zero)
     assert target.is_zero or follows(target, generators) == 1
+
+
+@given(st.lists(general, min_size=1, max_size=2), st.data())
+def test_what_vanishes_with_others_is_told_from_what_does_not(generators, data):
+    """Where x does, so does each combination of multiples of x, and one more than that does not."""
+    known = [X * generator for generator in generators]
+    factors = [data.draw(coefficients) for _ in known]
+    target = sum((f * g for f, g in zip(factors, known, strict=True)), AT.ring.zero)
+    assert vanish_on([target, target + ONE, target], known) == [True, False, True]
