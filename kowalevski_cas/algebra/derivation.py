@@ -46,8 +46,11 @@ def _partials(element: Element, field: Field) -> Iterator[tuple[Parts, Element]]
         place = ring.polynomials.places.get(name)
         if place is None or (rate.is_zero and not rate.denominator):
             continue  # a zero remembers what it was divided by
-        derived = ((mask, ring.polynomials.derivative(p, place)) for mask, p in parts.items())
-        if partial := {mask: p for mask, p in derived if p}:
+        partial = {}
+        for mask, p in parts.items():
+            if derived := ring.polynomials.derivative(p, place):
+                partial[mask] = derived
+        if partial:
             yield partial, rate
     for bit, name in enumerate(ring.roots):
         if partial := {mask ^ 1 << bit: p for mask, p in parts.items() if mask >> bit & 1}:

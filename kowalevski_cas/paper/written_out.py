@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 
 from kowalevski_cas.notation import Application, Formula, Name, PoissonBracket, Root
 from kowalevski_cas.notation.vocabulary import MATRIX
@@ -50,16 +50,17 @@ class WrittenOut:
                     waiting.append(self.setting.definition(name))
                     yield place
 
-    def _meant(self, formula: Formula) -> Iterator[tuple[str, Printed]]:
+    def _meant(self, formula: Formula) -> Sequence[tuple[str, Printed]]:
         """The definitions of what stands on top of a formula."""
-        named: Iterable[str] = ()
         match formula:
+            case Name(name):
+                named = [name] if name in self._matrices else []
             case Application(function):
-                named = self._functions.get(function, ())
+                named = self._functions.get(function, [])
             case PoissonBracket():
-                named = self._functions.get(BRACKET, ())
-            case Name(name) if name in self._matrices:
-                named = (name,)
+                named = self._functions.get(BRACKET, [])
             case Root() if (value := self.plain.printed_root(formula)) is not None:
-                yield value
-        yield from ((name, self.setting.scene.definitions[name]) for name in named)
+                return (value,)
+            case _:
+                return ()
+        return [(name, self.setting.scene.definitions[name]) for name in named]

@@ -144,8 +144,10 @@ def _monomial(
         power = 1
         if type(factor) is Power and type(factor.exponent) is Number:
             power, factor = factor.exponent.value, factor.base
-        if type(factor) is Name and factor.name in letters:
-            place = letters[factor.name]
+        if type(factor) is Name:
+            place = letters.get(factor.name)
+            if place is None:
+                return None
             if place < size:
                 exponents[place] += power
             elif power == 1 and not mask >> place - size & 1:

@@ -63,13 +63,14 @@ class Statement:
     @cached_property
     def stands_on(self) -> tuple[Printed, ...]:
         """The places of the paper on which the statement stands, its own first."""
-        own = [*self.claim.places()]
-        found = dict.fromkeys(own)
+        own = dict.fromkeys(self.claim.places())
+        found = {**own}
         for setting, space in self.spaces.items():
             named = [place for step in space.steps for place in setting.places.get(step.name, ())]
             moving = [*setting.motion_places()] if space.field or space.change else []
-            found |= dict.fromkeys([*named, *moving])
-            for place in (*own, *named, *moving):
+            used = dict.fromkeys([*named, *moving])
+            found |= used
+            for place in own | used:
                 found |= dict.fromkeys(setting.written_out(place))
         return tuple(found)
 

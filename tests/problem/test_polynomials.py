@@ -1,32 +1,35 @@
 """The polynomials of the checker, compared with their values at a point modulo a prime."""
 
 from fractions import Fraction
-from math import prod
+from math import gcd, prod
 
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kowalevski_cas.problem.checker import Budget, Ring
+from kowalevski_cas.problem.checker import Budget, Ring, quotient
+from kowalevski_cas.problem.checker.division import primitive
 
 PRIME = 2**61 - 1
 R, S = 987_654_321, 123_123_123
 Y = R * R * pow(3, -1, PRIME) % PRIME
 X = 5 * S * S * Y * pow(R, -1, PRIME) % PRIME
 INVERSES = {"u": pow(X - 2 * Y, -1, PRIME), "v": pow(Y, -1, PRIME)}
-POINT = {"x": X, "y": Y, "r": R, "s": S, **INVERSES}
-"""Where the roots r² = 3 y and s² = x r v / 5 have values, with v = 1/y and u = 1/(x - 2 y)."""
+POINT = {"x": X, "y": Y, "r": R, "s": S, "t": -3, **INVERSES}
+"""Where the roots r² = 3 y, s² = x r v / 5 and t² = 9 have values, v = 1/y and u = 1/(x - 2 y)."""
 
 numbers = st.fractions(max_denominator=60) | st.integers(-(10**200), 10**200).map(Fraction)
-sums = st.lists(st.tuples(numbers, st.lists(st.sampled_from("xyrsuv"), max_size=5)), max_size=6)
+polynomials = st.lists(st.tuples(numbers, st.lists(st.sampled_from("xy"), max_size=4)), max_size=4)
+sums = st.lists(st.tuples(numbers, st.lists(st.sampled_from("xyrstuv"), max_size=5)), max_size=6)
 
 
 def ring():
     """Polynomials in x and y, these inverses and these roots."""
     found = Ring(Budget(10**9))
-    x, _, y, r, *_ = (found.adjoin(name) for name in "xuyrvs")
+    x, _, y, r, *_ = (found.adjoin(name) for name in "xuyrvst")
     found.divisors |= {"u": x - y * found.number(2), "v": y}
     found.relate("r", y * found.number(3))
     found.relate("s", x * r * found.generator("v") * found.number(Fraction(1, 5)))
+    found.relate("t", found.number(9))
     return found
 
 
@@ -43,7 +46,7 @@ def value(found):
     """The value at the point; on the way, what an element says of itself has to be true."""
     powers, under = {m: found.ring.exponents(m) for m in found.terms}, found.under
     assert all(found.terms.values())
-    assert all(e == 1 for both in powers.values() for name, e in both if name in "rs")
+    assert all(e == 1 for both in powers.values() for name, e in both if name in "rst")
     assert not INVERSES.keys() & {name for both in powers.values() for name, _ in both}
     assert found.below > 0
     assert all(n.bit_length() <= found.bits for n in (found.below, *found.terms.values()))
@@ -79,7 +82,21 @@ def test_differences_powers_and_norms(left, right):
     assert value(a**3) == value(a) ** 3 % PRIME
     above, norm = b.normed()
     assert value(above) * value(b) % PRIME == value(norm)
-    assert not {"r", "s"} & {*norm.generators()}
+    assert not {*"rst"} & {*norm.generators()}
+
+
+@given(polynomials, polynomials, polynomials)
+def test_a_quotient_is_exact(left, right, rest):
+    here = ring()
+    a, b, c = (element(here, terms) for terms in (left, right, rest))
+    if not b.terms:
+        return
+    content, b = primitive(b)
+    assert (element(here, right) - here.number(content) * b).vanishes()
+    assert gcd(*b.terms.values()) == 1 and b.below == 1
+    assert (quotient(a * b, b) - a).vanishes()
+    found = quotient(a * b + c, b)
+    assert found is None or (found * b - a * b - c).vanishes()
 
 
 @given(sums, sums)
