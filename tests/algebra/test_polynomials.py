@@ -118,6 +118,13 @@ def test_evaluation_at_a_point_is_a_homomorphism(ring, a, b, at):
 
 
 @every_ring
+@given(terms(), st.tuples(fractions, fractions, fractions))
+def test_numbers_in_place_of_generators_give_the_value_there(ring, a, at):
+    put_in = ring.substitution([ring.constant(x) for x in at], ring)
+    assert put_in(ring.from_terms(a)) == ring.constant(value(a, at))
+
+
+@every_ring
 @given(terms(), terms(), st.tuples(terms(2), terms(2), terms(2)))
 def test_polynomials_in_place_of_generators_are_a_homomorphism(ring, a, b, images):
     p, q = ring.from_terms(a), ring.from_terms(b)

@@ -8,8 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import EXACT, load
+from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import Name, Negative, Number, Power, Product, Quotient, Sum
 from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.fold import rational_number
 from kowalevski_cas.problem.space import Adjoined, Let, Space
 
 MINUS_ONE = Negative(Number(1))
@@ -40,3 +42,12 @@ def test_a_sum_is_that_of_its_terms(at, summands):
     value = at.scalar(Sum(tuple(summands)))
     assert (value - reduce(add, map(at.scalar, summands))).is_zero
     assert {k for term in summands for k in at.scalar(term).denominator} == {*value.denominator}
+
+
+@given(st.fractions())
+def test_a_printed_number_is_read_at_once(value):
+    assert rational_number(fraction_formula(value)) == value
+
+
+def test_a_quotient_by_zero_is_no_number():
+    assert rational_number(Negative(Quotient(Number(1), Number(0)))) is None
