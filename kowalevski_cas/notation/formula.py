@@ -47,6 +47,11 @@ class Formula:
         cls._below += tuple((name, kinds[kind]) for name, kind in own if kind in kinds)
         cls.method = re.sub(r"(?<!^)(?=[A-Z])", "_", cls.__name__).lower()
 
+    def __reduce__(self) -> tuple[type[Formula], tuple[object, ...]]:
+        """What was found of a node and is kept with it is no part of it."""
+        names: tuple[str, ...] = self.__match_args__
+        return type(self), tuple(getattr(self, name) for name in names)
+
     def children(self) -> tuple[Formula, ...]:
         """The subformulas directly below this node, from left to right."""
         found: tuple[Formula, ...] = ()

@@ -14,7 +14,7 @@ from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Display, Paragraph
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.places import names
-from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.report.sentences import Phrases, alike
 from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
 
 if TYPE_CHECKING:
@@ -115,12 +115,11 @@ class Told:
         audit = self.audit
         if audit.wrong:
             yield from ("", "What is wrong")
-        for ones in self._slips():
-            first, names = ones[0], ", ".join(one.id for one in ones)
-            verb = "are" if len(ones) > 1 else "is"
+        for ids, (first, *others) in alike(((f.id, f) for f in audit.formulas if f.wrong), _slip):
+            verb = "are" if others else "is"
             why = "; ".join(audit.said(first))
             place = ":".join(map(str, filter(None, (audit.source.path, first.line))))
-            place = f"{place}: {names} {verb} {first.verdict}"
+            place = f"{place}: {', '.join(ids)} {verb} {first.verdict}"
             printed = () if first.formula is None else (first.formula,)
             yield from self._finding(
                 f"{place}: {why}" if why else place, printed, first.tex,
@@ -128,14 +127,6 @@ class Told:
             )  # fmt: skip
         for outcome in audit.false:
             yield from self._false(outcome)
-
-    def _slips(self) -> Iterable[list[Audited]]:
-        """The formulas to look at; the same change in rows of one display is one slip."""
-        found: dict[object, list[Audited]] = {}
-        for formula in self.audit.formulas:
-            if formula.wrong:
-                found.setdefault(_slip(formula) or id(formula), []).append(formula)
-        return found.values()
 
     def _false(self, outcome: Outcome) -> Iterator[str]:
         audit = self.audit
@@ -187,7 +178,7 @@ class Told:
 def _slip(formula: Audited) -> object:
     """What makes one slip of several changes: the same words in the same display."""
     if formula.correction is None or formula.place is None:
-        return None
+        return formula.id
     return formula.correction.words, formula.place.display.id
 
 
