@@ -9,6 +9,7 @@ from itertools import combinations, islice
 
 from kowalevski_cas.algebra.numbers import rank, rational
 from kowalevski_cas.algebra.present import fraction_formula
+from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Number, Product, Sum
 from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -138,23 +139,24 @@ def rank_on(
     for point in islice(real_points(at, names, [*left, *there], avoid), TRIES):
         with suppress(ZeroDivisionError, Misplaced):
             candidate = Candidate(at, point)
-            values = [rational(candidate(f)) for f in functions]
-            level = [
-                f - at.ring.number(v)
-                for f, v in zip(functions, values, strict=True)
-                if v is not None
+            own = [*left, *_beside(functions, there, candidate)]
+            rows = differentials([*functions, *own], at)
+            moving = [
+                [candidate(e) for e in row] for row in rows if not all(e.is_zero for e in row)
             ]
-            holds = vanish_on(there, level)
-            own = [
-                *functions,
-                *left,
-                *(e for e, known in zip(there, holds, strict=True) if not known),
-            ]
-            rows = [row for row in differentials(own, at) if not all(e.is_zero for e in row)]
-            found = rank([[candidate(entry) for entry in row] for row in rows])
-            if candidate.vanish([*left, *there]) and found == len(rows):
-                return found, candidate.point(names)
+            if candidate.vanish(own) and rank(moving) == len(moving):
+                return len(moving), candidate.point(names)
     return None
+
+
+def _beside(
+    functions: Sequence[Element], there: Sequence[Element], candidate: Candidate
+) -> list[Element]:
+    """What of a locus does not vanish on the whole level of functions through a point of it."""
+    values = ((f, rational(candidate(f))) for f in functions)
+    level = [f - f.ring.number(value) for f, value in values if value is not None]
+    known = vanish_on(there, level)
+    return [element for element, vanishes in zip(there, known, strict=True) if not vanishes]
 
 
 def say_nothing_on(setting: Elaboration, given: tuple[Equation, ...], locus: Locus) -> bool:

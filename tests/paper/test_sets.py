@@ -65,6 +65,23 @@ def test_a_declared_locus_is_the_condition_and_the_point_says_why(paper):
     assert to_latex(condition.witness.left) == "0" and to_latex(condition.witness.right) == "1"
 
 
+@pytest.mark.parametrize(
+    ("left", "said"),
+    [
+        ("y", "has dimension 2"),
+        ("3y-z", "has dimension 2"),
+        ("y^2", None),  # a plane all the same: what the rank leaves is no dimension
+        ("y^2+z^2", None),  # a line
+    ],
+)
+def test_the_dimension_on_a_locus_is_said_where_the_equations_are_independent(paper, left, said):
+    scene = SPACE.having(constants=("a",), loci=(Locus("$a=0$", ("a=0",), "a"),))
+    outcome = dimension(paper, 1, "ax=0", f"{left}+a(z+y)=0", on=scene)
+    (condition,) = outcome.conditions
+    assert to_latex(condition.expression) == "a"
+    assert (said in condition.words) if said else ("has dimension" not in condition.words)
+
+
 def test_complex_equations_count_twice(paper):
     scene = Scene("s", variables=("x", "y"), conjugates=(("x", "y"),))
     alone = dimension(paper, 1, "x=0", on=scene)
