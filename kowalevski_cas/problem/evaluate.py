@@ -133,16 +133,14 @@ class Evaluation(Fold):
 
     def root(self, argument: Formula, conjugated: bool = False) -> Element:
         """The declared square root of an expression, which remembers what that is divided by."""
-        name, value = self.root_name(argument, conjugated), self.scalar(argument, conjugated)
-        return self.scalar(Name(name)) + value * self.ring.zero
-
-    def root_name(self, argument: Formula, conjugated: bool = False) -> str:
-        """The name of the declared square root of an expression."""
-        for name in () if conjugated else self.roots:
-            step = self.setting.step(name)
-            if isinstance(step, Adjoined) and step.square == argument:
-                return name  # as it is declared
         value = self.scalar(argument, conjugated)
+        return self.scalar(Name(self._root_of(value, argument))) + value * self.ring.zero
+
+    def root_name(self, argument: Formula) -> str:
+        """The name of the declared square root of an expression, the first one of several."""
+        return self._root_of(self.scalar(argument), argument)
+
+    def _root_of(self, value: Element, argument: Formula) -> str:
         for name, square in self.roots.items():
             if (square - value).is_zero:
                 return name
