@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from dataclasses import replace
 from functools import cached_property, reduce
-from itertools import pairwise
 
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.notation import (
@@ -33,9 +30,8 @@ from kowalevski_cas.notation import (
     rank,
     times,
     to_latex,
-    total,
 )
-from kowalevski_cas.notation.errors import dotted, letter_and_index, undotted
+from kowalevski_cas.notation.errors import dotted, undotted
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.paper.brackets import Brackets
 from kowalevski_cas.paper.components import parts
@@ -44,12 +40,11 @@ from kowalevski_cas.paper.matrices import OF_MATRICES, applied, by_rows, rows
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.motion import marks
 from kowalevski_cas.paper.roots import root_of_number
+from kowalevski_cas.paper.summation import written_out
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.mentions import mentions
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import MARK
-
-_INDEX = re.compile(r"\\[A-Za-z]+|\d+|.")
 
 
 class Plain:
@@ -286,39 +281,3 @@ def half_power(exponent: Formula) -> int | None:
 
 def _is_whole(exponent: Formula) -> bool:
     return isinstance(exponent.argument if isinstance(exponent, Negative) else exponent, Number)
-
-
-def written_out(formula: Summation) -> Formula:
-    """The terms of a sum; raises :class:`Meaningless` if its limits are no numbers."""
-    match formula.first, formula.last:
-        case Number(first), Number(last):
-            terms = [_at(formula.body, formula.index, k) for k in range(first, last + 1)]
-            return total(terms)
-    shown = to_latex(formula)
-    raise Meaningless(f"print both limits as numbers, for all terms to be known: {shown}")
-
-
-def _at(formula: Formula, index: str, value: int) -> Formula:
-    """The term of a sum for a value of its index, which stands in names too."""
-    if isinstance(formula, Summation) and formula.index == index:  # there it is another one
-        return replace(
-            formula, first=_at(formula.first, index, value), last=_at(formula.last, index, value)
-        )
-    if not isinstance(formula, Name):
-        return formula.mapped(lambda child: _at(child, index, value))
-    if formula.name == index:
-        return Number(value)
-    letter, low = letter_and_index(formula.name)
-    parts = _INDEX.findall(low)
-    if index not in parts:
-        return formula
-    before = (one for one, other in pairwise(parts) if other == index and one.isdecimal())
-    crowded = re.search(r"[^-+,]{2}", "".join(p[:1] for p in parts))
-    if any(int(one) > 1 for one in before) or (
-        crowded and (value > 9 or {*"+-"} & {*parts})  # 2i may be two indices, or a product
-    ):
-        raise Meaningless(f"what is the index of {to_latex(formula)}? write the terms out")
-    low = "".join(str(value) if part == index else part for part in parts)
-    if re.fullmatch(r"\d+(?:[+-]\d+)+", low):  # as in q_{i+1}
-        low = str(sum(map(int, re.findall(r"[+-]?\d+", low))))
-    return Name(f"{letter}_{low}" if len(low) == 1 else f"{letter}_{{{low}}}")

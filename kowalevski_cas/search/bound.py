@@ -17,7 +17,7 @@ from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
 from kowalevski_cas.problem.place import Misplaced
 from kowalevski_cas.problem.space import Equation
-from kowalevski_cas.search.groebner import expressed
+from kowalevski_cas.search.combinations import expressed
 from kowalevski_cas.search.numbers import linear_combination, solved_numbers
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real import real_points

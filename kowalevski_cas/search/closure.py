@@ -19,7 +19,7 @@ from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
 from kowalevski_cas.problem.place import Place
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.search.groebner import expressed
+from kowalevski_cas.search.combinations import expressed
 from kowalevski_cas.search.place import PointFinder
 
 

@@ -19,8 +19,9 @@ from kowalevski_cas.problem.evidence import Evidence, Factor, Point, Roots
 from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.cofactors import cofactors
+from kowalevski_cas.search.combinations import expressed
 from kowalevski_cas.search.eliminants import Eliminant, eliminant
-from kowalevski_cas.search.groebner import expressed, remainder
+from kowalevski_cas.search.groebner import remainder
 from kowalevski_cas.search.levels import System, more_solutions, solutions, system_of, written_point
 from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.search.squares import sum_of_squares

@@ -17,7 +17,8 @@ from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.kernels import TooLarge
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.problem.polynomial_fields import primitive
-from kowalevski_cas.search.groebner import complete, reduced_basis
+from kowalevski_cas.search.combinations import complete
+from kowalevski_cas.search.groebner import reduced_basis
 
 
 class Eliminant(NamedTuple):

@@ -15,7 +15,7 @@ from kowalevski_cas.problem.examine import is_real, value_of
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.place import Place
 from kowalevski_cas.search.cofactors import cofactors
-from kowalevski_cas.search.groebner import Combinations, combinations_of, complete, vanish_on
+from kowalevski_cas.search.combinations import Combinations, combinations_of, complete, vanish_on
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real_cases import proof_by_cases
 

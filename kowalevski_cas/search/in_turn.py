@@ -13,8 +13,8 @@ from kowalevski_cas.problem.evidence import Proof, Shown
 from kowalevski_cas.problem.fold import divisors_of
 from kowalevski_cas.problem.goals import Follows
 from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.search.combinations import Combinations
 from kowalevski_cas.search.follows import LARGEST_POWER
-from kowalevski_cas.search.groebner import Combinations
 from kowalevski_cas.search.place import PointFinder
 
 Names = Callable[[Setting], Sequence[str]]

@@ -13,7 +13,7 @@ from kowalevski_cas.algebra.present import written
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.problem.evidence import Proof
 from kowalevski_cas.problem.examine import value_of
-from kowalevski_cas.search.groebner import Combinations, complete
+from kowalevski_cas.search.combinations import Combinations, complete
 from kowalevski_cas.search.squares import four_squares, sum_of_squares
 
 DEPTH = 12

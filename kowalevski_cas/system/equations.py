@@ -32,8 +32,9 @@ from kowalevski_cas.notation.errors import letter_and_index, undotted
 from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.names import BRACKET, head, is_bold
-from kowalevski_cas.paper.plain import half_power, written_out
+from kowalevski_cas.paper.plain import half_power
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.paper.summation import written_out
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.system.vectors import Vectors, bold, names_only, vectors_of

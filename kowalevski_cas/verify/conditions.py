@@ -13,7 +13,7 @@ from kowalevski_cas.paper.denominators import Divisor, Shape, shape_of
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Follows, Simple
-from kowalevski_cas.search.groebner import vanish_on
+from kowalevski_cas.search.combinations import vanish_on
 from kowalevski_cas.search.squares import sum_of_squares
 from kowalevski_cas.verify.shown import written
 

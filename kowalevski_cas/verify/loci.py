@@ -22,7 +22,7 @@ from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Rank
 from kowalevski_cas.problem.place import Misplaced, Place
 from kowalevski_cas.problem.space import Equation
 from kowalevski_cas.problem.trees import FormatError, Tree, encode
-from kowalevski_cas.search.groebner import vanish_on
+from kowalevski_cas.search.combinations import vanish_on
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.certificate import Stored, Supported

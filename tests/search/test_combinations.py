@@ -7,8 +7,8 @@ from kowalevski_cas.algebra import load
 from kowalevski_cas.notation import Name
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.space import Space
+from kowalevski_cas.search.combinations import Combinations, vanish_on
 from kowalevski_cas.search.follows import rows_of
-from kowalevski_cas.search.groebner import Combinations, vanish_on
 
 NAMES = ("x", "y", "p", "q")
 AT = Evaluation(Space(NAMES), load("flint"))

@@ -1,0 +1,49 @@
+"""Sums over an index, written out term by term; the index may stand in names as well."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from itertools import pairwise
+
+from kowalevski_cas.notation import Formula, Name, Number, Summation, to_latex, total
+from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.problem.space import Meaningless
+
+_INDEX = re.compile(r"\\[A-Za-z]+|\d+|.")
+
+
+def written_out(formula: Summation) -> Formula:
+    """The terms of a sum; raises :class:`Meaningless` if its limits are no numbers."""
+    match formula.first, formula.last:
+        case Number(first), Number(last):
+            terms = [_at(formula.body, formula.index, k) for k in range(first, last + 1)]
+            return total(terms)
+    shown = to_latex(formula)
+    raise Meaningless(f"print both limits as numbers, for all terms to be known: {shown}")
+
+
+def _at(formula: Formula, index: str, value: int) -> Formula:
+    """The term of a sum for a value of its index, which stands in names too."""
+    if isinstance(formula, Summation) and formula.index == index:  # there it is another one
+        return replace(
+            formula, first=_at(formula.first, index, value), last=_at(formula.last, index, value)
+        )
+    if not isinstance(formula, Name):
+        return formula.mapped(lambda child: _at(child, index, value))
+    if formula.name == index:
+        return Number(value)
+    letter, low = letter_and_index(formula.name)
+    parts = _INDEX.findall(low)
+    if index not in parts:
+        return formula
+    before = (one for one, other in pairwise(parts) if other == index and one.isdecimal())
+    crowded = re.search(r"[^-+,]{2}", "".join(p[:1] for p in parts))
+    if any(int(one) > 1 for one in before) or (
+        crowded and (value > 9 or {*"+-"} & {*parts})  # 2i may be two indices, or a product
+    ):
+        raise Meaningless(f"what is the index of {to_latex(formula)}? write the terms out")
+    low = "".join(str(value) if part == index else part for part in parts)
+    if re.fullmatch(r"\d+(?:[+-]\d+)+", low):  # as in q_{i+1}
+        low = str(sum(map(int, re.findall(r"[+-]?\d+", low))))
+    return Name(f"{letter}_{low}" if len(low) == 1 else f"{letter}_{{{low}}}")
