@@ -15,7 +15,10 @@ Matrix = Sequence[Sequence[Element]]
 
 
 def solve(matrix: Matrix, right: Matrix) -> list[list[Element]]:
-    """The X with A X = B for a square matrix A, by elimination; raises :class:`Singular`."""
+    """The X with A X = B for a square matrix A, by elimination; raises :class:`Singular`.
+
+    What a zero was divided by is kept, as by any operation of the tower.
+    """
     rows = [[*row, *values] for row, values in zip(matrix, right, strict=True)]
     for column in range(len(rows)):
         pivot = next((row for row in rows[column:] if not row[column].is_zero), None)
@@ -27,7 +30,10 @@ def solve(matrix: Matrix, right: Matrix) -> list[list[Element]]:
         rows = [
             row
             if row[column].is_zero
-            else [a if b.is_zero else a - row[column] * b for a, b in zip(row, pivot, strict=True)]
+            else [
+                a if b.is_zero and not b.denominator else a - row[column] * b
+                for a, b in zip(row, pivot, strict=True)
+            ]
             for row in rows
         ]
         rows.insert(column, pivot)

@@ -258,8 +258,11 @@ Found = TypeVar("Found")
 
 
 def once(function: Callable[[Formula], Found]) -> Callable[[Formula], Found]:
-    """A function of formulas, whose value is found once for each of them and kept with it."""
-    name = function.__name__
+    """A function of formulas, whose value is found once for each of them and kept with it.
+
+    All who ask are given the same value, which nobody changes.
+    """
+    name = f"{function.__module__}.{function.__qualname__}"
 
     @wraps(function)
     def found(formula: Formula) -> Found:

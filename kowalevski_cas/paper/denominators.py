@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Set
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property, reduce
-from operator import mul
+from operator import mul, or_
 from typing import NamedTuple
 
 from kowalevski_cas.algebra.tower import Element
@@ -40,8 +40,7 @@ class Divisors:
     @cached_property
     def granted(self) -> set[Shape]:
         """The factors of what is taken for granted not to vanish."""
-        elements = map(self.setting.finder.scalar, self.setting.nonzero)
-        return {shape for one in elements for shape in _factors_below(one.inverse())}
+        return granted_by(map(self.setting.finder.scalar, self.setting.nonzero))
 
     @cached_property
     def landmarks(self) -> dict[object, Formula]:
@@ -62,7 +61,7 @@ class Divisors:
         for formula in _below(formulas):
             with suppress(Meaningless, ZeroDivisionError):
                 element = self.setting.finder.scalar(formula)
-                found[formula] = Divisor(element, _factors_below(element.inverse()))
+                found[formula] = Divisor(element, factors_below(element.inverse()))
         return found
 
     def left(self, index: int) -> Divisor:
@@ -85,7 +84,22 @@ def _below(formulas: Iterable[Formula]) -> Iterator[Formula]:
                 yield factor.base if isinstance(factor, Power) else factor
 
 
-def _factors_below(element: Element) -> dict[Shape, Element]:
+def granted_by(elements: Iterable[Element]) -> set[Shape]:
+    """The irreducible polynomials that vanish nowhere but where one of the elements does.
+
+    Of ``x + r``, with a root ``r``, the norm is not among them: it vanishes where ``x = r``, too.
+    """
+    found = set()
+    for element in elements:
+        roots = reduce(or_, element.parts, 0).bit_count()
+        power = element ** (2**roots)
+        for shape, factor in factors_below(element.inverse()).items():
+            if not any(divmod(part, factor.parts[0])[1] for part in power.parts.values()):
+                found.add(shape)
+    return found
+
+
+def factors_below(element: Element) -> dict[Shape, Element]:
     """The irreducible factors of what an element is divided by."""
     found = map(factors_of, element.ring.divided_by([element]))
     return {shape: factor for factors in found for shape, factor in factors.items()}

@@ -11,6 +11,7 @@ from kowalevski_cas.algebra.numbers import prime_factors, rational
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Constant, Formula, Name, Number, Power, to_latex
+from kowalevski_cas.paper.denominators import factors_below, granted_by
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -66,8 +67,8 @@ def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
     for above, below in parts:
         if factor.is_zero or not (above * rest - below * factor).is_zero:
             raise Meaningless(f"the equation at {printed.place} does not give {name}^2", name)
-    granted = {k for f in setting.nonzero for k in at.scalar(f).inverse().denominator}
-    if {*factor.inverse().denominator} - granted - {*factor.denominator}:
+    granted = granted_by(map(at.scalar, setting.nonzero))
+    if factors_below(factor.inverse()).keys() - granted - factors_below(factor).keys():
         shown = to_latex(formula_in(factor))
         raise Meaningless(
             f"the equation at {printed.place} gives {name}^2 only where {shown} is not zero: "

@@ -83,7 +83,8 @@ class Scene:
     ``conjugates``
         pairs of variables that are each other's conjugates; the rest are real.
     ``nonzero``
-        what the scene takes for granted not to vanish.
+        what the scene takes for granted not to vanish. ``x+r`` with a root ``r`` says nothing
+        of ``x-r``, and only the norm of both excludes a denominator with one of them.
     ``loci``
         the places at which every statement about sets is tried once more.
     """

@@ -35,13 +35,15 @@ class Mender(Teller):
 
     def _candidates(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
         """What the derivation accepts, what is recorded, and what is found; true, or not."""
-        claim, accepted = printed.claim, self.derivation.accepted
-        known = [tex for place, tex in accepted.items() if place == claim.printed]
-        known += [str(self.record.get(claim.id, {}).get("correction"))]
-        for tex in known:
+        claim = printed.claim
+        accepted = [
+            tex for place, tex in self.derivation.accepted.items() if place == claim.printed
+        ]
+        recorded = self.record.get(claim.id, {}).get("correction")
+        for tex in (*accepted, *([recorded] if isinstance(recorded, str) else [])):
             found = recorded_correction(claim, printed.on, tex)
             if found is not None and says_something(*found, printed):
-                if tex in accepted.values() or self._leaves_true(claim, found[0]):
+                if tex in accepted or self._leaves_true(claim, found[0]):
                     yield found
         for found in corrections(printed):
             if self._leaves_true(claim, found[0]):

@@ -43,3 +43,16 @@ def test_a_matrix_times_its_inverse_is_one(matrix):
         return
     for k, row in enumerate(product(inverse(matrix), matrix)):
         assert all((value - RING.number(int(j == k))).is_zero for j, value in enumerate(row))
+
+
+@given(st.lists(st.booleans(), min_size=4, max_size=4))
+def test_what_a_zero_was_divided_by_is_kept(inverted):
+    """The second row takes the first one away, which is not zero everywhere."""
+    x = RING.generator(RING.names[0])
+    hidden = [RING.zero * x.inverse() if one else RING.zero for one in inverted]
+    one = RING.one
+    first, second = [one, hidden[0]], [one, one]
+    found = solve([first, second], [[hidden[1], hidden[2]], [one, hidden[3]]])
+    for column, needed in enumerate(((0, 1), (0, 2, 3))):
+        divided = {key for row in found for key in row[column].denominator}
+        assert bool(divided) == any(inverted[k] for k in needed)

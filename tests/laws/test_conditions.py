@@ -11,6 +11,7 @@ from kowalevski_cas.notation import to_latex
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Scene
 from kowalevski_cas.verify.outcome import Verdict
+from tests.laws.test_falsehoods import value
 from tests.paper.small import Paper
 
 pytestmark = pytest.mark.usefixtures("here")
@@ -94,6 +95,32 @@ def test_what_is_granted_of_a_product_is_granted_of_its_factors(granted, below):
     outcome = paper.outcome(Identity, f"{formula}={formula}")
     named = {to_latex(condition.expression).replace(" ", "") for condition in outcome.conditions}
     assert named == {one.strip("()") for one in {*below} - {*granted}}
+
+
+SIGNED = {
+    "x": lambda x, r: x,
+    "r": lambda x, r: r,
+    "(x+r)": lambda x, r: x + r,
+    "(x-r)": lambda x, r: x - r,
+    "(x+2r)": lambda x, r: x + 2 * r,
+    "(x^2+r^2)": lambda x, r: x * x + r * r,
+}
+SOME_SIGNED = st.lists(st.sampled_from([*SIGNED]), min_size=1, max_size=3, unique=True)
+
+
+@given(SOME_SIGNED, SOME_SIGNED)
+def test_what_is_granted_with_one_sign_of_a_root_is_not_granted_with_the_other(granted, below):
+    """Where a denominator vanishes, a condition does, or what is granted."""
+    paper = Paper()
+    place, nonzero = paper("r^2=y"), ("".join(granted),)
+    paper.scene = Scene("s", variables=("x", "y"), roots={"r": place}, nonzero=nonzero)
+    formula = rf"\frac{{1}}{{{''.join(below)}}}"
+    named = paper.outcome(Identity, f"{formula}={formula}").conditions
+    for x, r in product(range(-2, 3), repeat=2):
+        if any(SIGNED[one](x, r) == 0 for one in below):
+            excluded = any(SIGNED[one](x, r) == 0 for one in granted)
+            at = {"x": x, "r": r, "y": r * r}
+            assert excluded or any(value(one.expression, at) == 0 for one in named)
 
 
 def vanishes(tex, point):

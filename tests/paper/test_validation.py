@@ -189,6 +189,13 @@ def test_a_root_is_not_divided_by_what_may_vanish(paper):
     assert paper.outcome(Identity, "r^2=y", scene.having(nonzero=("x",))).verdict == "proved"
 
 
+def test_a_root_is_not_divided_by_what_is_granted_with_the_other_sign_of_a_root(paper):
+    roots = {"s": paper("s^2=z"), "r": paper("(x-s)r^2=(x-s)y")}
+    scene = Scene("s", variables=("x", "y", "z"), roots=roots)
+    refused(paper.outcome(Identity, "r^2=y", scene.having(nonzero=("x+s",))), "nonzero")
+    assert paper.outcome(Identity, "r^2=y", scene.having(nonzero=("x^2-z",))).verdict == "proved"
+
+
 @given(st.lists(st.integers(-3, 3), min_size=3, max_size=3))
 def test_a_real_root_has_a_square_that_is_positive_somewhere(numbers):
     a, b, c = numbers

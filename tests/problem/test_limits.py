@@ -123,8 +123,9 @@ COSTLY = {
         *[["x", "x"]] * 900, evidence={**POINT, "product": [["x"]] * 900, "cofactors": [[]], "cases": [{}] * 900}
     ),
     "squares": lambda: text(
-        [follows([], [["x", 1]])],
-        [{**POINT, "product": [["x"] * 9000], "cofactors": [[0]], "cases": [{}]}],
+        [follows([[["f", 0]]])],
+        [{**POINT, "product": [["f"] * 9000], "cofactors": [[]], "cases": [{"cofactors": [[1, *[0] * 8999]]}]}],
+        {"steps": [["let", "f", ["^", ["+", "x", "y"], 30]]]},
     ),
     "monomials": lambda: text(
         [{"goal": "kernel", "space": 0, "factor": 0, "solutions": [1], "integrals": ["x", "y"], "weights": [1, 1], "degree": 1000}],
