@@ -13,9 +13,7 @@ def mentions(formula: Formula) -> Mentions:
     found: dict[object, Formula] = {}
     for one in formula.nodes():
         kind = type(one)
-        if kind is Name:
-            found[one] = one
-        elif kind is Root:
+        if kind in (Name, Root):
             found[one] = one
         elif kind is Derivative:
             found.setdefault(Derivative, one)
