@@ -36,7 +36,8 @@ def run(arguments: argparse.Namespace) -> int:
     def written(found: Explained) -> tuple[Checked, str]:
         return write(*found, arguments.output)
 
-    for _, said in session.watched(written, explained(chosen, arguments.timeout)):
+    found = explained(chosen, arguments.timeout)
+    for _, said in session.watched(written, found, lambda one: len(one[0].outcomes)):
         print(said, file=sys.stderr)
     return AS_RECORDED
 

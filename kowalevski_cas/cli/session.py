@@ -235,10 +235,18 @@ def natural(text: str) -> int:
     return int(text)
 
 
-def watched(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
-    """The results of ``work`` on every item, each in a process; with progress on a terminal."""
+def watched(
+    work: Callable[[Item], Result], items: Sequence[Item], size: Callable[[Item], int] = lambda _: 0
+) -> list[Result]:
+    """The results of ``work`` on every item, each in a process; with progress on a terminal.
+
+    The items of the largest ``size`` are begun first, so that no long one is left at the end.
+    """
+    order = sorted(range(len(items)), key=lambda place: -size(items[place]))
     with progress_bar() as progress:
-        return list(each(lambda place: work(items[place]), range(len(items)), heard=progress))
+        found = each(lambda place: work(items[place]), order, heard=progress)
+        by_place = dict(zip(order, found, strict=True))
+    return [by_place[place] for place in range(len(items))]
 
 
 def remove_others(folder: Path, names: Iterable[str]) -> None:

@@ -149,7 +149,9 @@ def _verified(arguments: argparse.Namespace) -> int:
         from kowalevski_cas.cli.report import write
 
         work = session.watched(
-            lambda result: write(result.run, result.paper, result.folder, arguments.report), results
+            lambda result: write(result.run, result.paper, result.folder, arguments.report),
+            results,
+            lambda result: len(result.run.outcomes),
         )
         for _, said in work:
             print(said, file=sys.stderr)
