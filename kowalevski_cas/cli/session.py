@@ -85,7 +85,7 @@ def runs(
     for (folder, derivation), kept in zip(chosen, stored, strict=True):
         if not derivation.claims:
             raise CommandError(f"{derivation.name} makes no claims", NOTHING)
-        texts, record = read(derivation), recorded(folder)
+        texts, record = derivation.texts(), recorded(folder)
         try:
             session = Session(derivation, arithmetics, explain, kept, timeout, texts, seed, record)
         except NotationError as error:
@@ -95,15 +95,6 @@ def runs(
     with progress_bar() as progress:
         found = shared(sessions, only, progress)
     return [(run, session.texts) for run, session in zip(found, sessions, strict=True)]
-
-
-def read(derivation: Derivation) -> Texts:
-    """The texts of a derivation, with all its displays read: once for all processes."""
-    texts = derivation.texts()
-    for display in derivation.displays():
-        with suppress(NotationError):  # whoever decides a claim about it says why
-            texts.statements(display)
-    return texts
 
 
 def recorded(folder: Path) -> Mapping[str, Mapping[str, object]]:
