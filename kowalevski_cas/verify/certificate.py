@@ -44,9 +44,9 @@ class Stored:
     path: Path
     instead: Data | None = None
 
-    @cached_property
+    @property
     def data(self) -> Data:
-        """What it has, read when it is asked for.
+        """All that it has, read when it is asked for.
 
         A file that is no JSON of this version has nothing: what it was about is proved anew.
         """
@@ -58,12 +58,17 @@ class Stored:
             return {}
         return data if isinstance(data, dict) and data.get("version") == VERSION else {}
 
+    @cached_property
+    def shown(self) -> Data:
+        """What it has besides the problem, which the digest stands for."""
+        return {key: one for key, one in self.data.items() if key not in ("spaces", "goals")}
+
     def verdicts(self, statement: Statement) -> Verdicts | None:
         """Its evidence for a statement; ``None`` if it is about another one.
 
         Raises :class:`FormatError` if the evidence cannot be read.
         """
-        if self.data.get("digest") != statement.digest:
+        if self.shown.get("digest") != statement.digest:
             return None
         try:
             return self._verdicts(statement)
@@ -72,15 +77,15 @@ class Stored:
 
     def failures(self, statement: Statement, condition: Tree) -> list[Stored] | None:
         """What it has of a condition of a statement; ``None`` if it says nothing of conditions."""
-        entries = self.data.get("failures")
-        if entries is None or self.data.get("digest") != statement.digest:
+        entries = self.shown.get("failures")
+        if entries is None or self.shown.get("digest") != statement.digest:
             return None
         if not isinstance(entries, list) or not all(isinstance(one, dict) for one in entries):
             raise FormatError(f"{self.path}: a list of what fails is expected")
         return [Stored(self.path, one) for one in entries if one.get("condition") == condition]
 
     def _verdicts(self, statement: Statement) -> Verdicts:
-        evidence, sign = self.data.get("evidence"), self.data.get("sign")
+        evidence, sign = self.shown.get("evidence"), self.shown.get("sign")
         if sign not in ("holds", "denied"):
             raise FormatError("it neither holds nor is denied")
         if sign == "denied" and isinstance(evidence, list) and evidence:
