@@ -37,7 +37,7 @@ certificates: $(VENV)/.installed ## Write the certificates, with the evidence th
 	@$(RUN) certificates
 
 mutants: $(VENV)/.installed ## Change one token at a time: what does an audit notice? (PAPER=, SAMPLE=, SEED=)
-	@$(RUN) mutants $(PAPER) $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED))
+	@$(PY) -m study.mutants $(PAPER) $(if $(SAMPLE),--sample $(SAMPLE)) $(if $(SEED),--seed $(SEED))
 
 test: $(VENV)/.dev ## Run the tests (SLOW=1: also the slow ones; JUNIT=file: results as XML)
 	@$(PY) -m pytest -q -n auto --dist loadfile $(if $(SLOW),,-m "not slow") $(if $(JUNIT),--junit-xml="$(JUNIT)")

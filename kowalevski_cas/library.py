@@ -11,6 +11,7 @@ from pathlib import Path
 from types import ModuleType
 
 from kowalevski_cas import UserError
+from kowalevski_cas.notation.errors import Undeclared
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.scene import Scene
 
@@ -86,6 +87,9 @@ def _module(name: str) -> Path | None:
     return None
 
 
+MEND = "Mend the formula, or declare its names; `having` declares constants."
+"""What to do about a name that is not declared."""
+
 SHELF = "kowalevski_cas_derivations"
 """The package below which derivations are loaded, beside those that they rest on."""
 
@@ -124,7 +128,9 @@ def load(name: str) -> Derivation:
     except (Exception, SystemExit) as error:
         place = _place(error, folder if inside else file, file)
         kind = "" if isinstance(error, ValueError) else f"{type(error).__name__}: "
-        raise LibraryError(f"{place}: {kind}{error}") from error
+        said = error.msg if isinstance(error, SyntaxError) else str(error)
+        said += f"\n  {MEND}" if isinstance(error, Undeclared) else ""
+        raise LibraryError(f"{place}: {kind}{said}") from error
 
 
 @contextmanager

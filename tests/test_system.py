@@ -16,9 +16,10 @@ from hypothesis import strategies as st
 from kowalevski_cas import System
 from kowalevski_cas.cli import main
 from kowalevski_cas.notation import NotationError, to_latex
+from kowalevski_cas.paper.claims import DarbouxPolynomial
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 from tests.laws.systems import SYSTEMS
 from tests.sample import sampled
 
@@ -566,6 +567,31 @@ def test_what_is_no_system_is_refused(field, message):
         System(field)
 
 
+def test_one_hypothesis_needs_no_brackets():
+    circle = System(r"\dot x=y, \dot y=-x, \dot z=xz")
+    assert circle.implication("x^2z=0", given="z=0").verdict is Verdict.PROVED
+    assert circle.integral("x^2+y^2+zy", given="z=0").verdict is Verdict.PROVED
+
+
+def test_a_cofactor_may_be_a_number(lorenz):
+    assert lorenz.where("b=1", r"\rho=0").darboux("y^2+z^2", -2).verdict is Verdict.PROVED
+    with pytest.raises(TypeError, match="cofactor is to be a statement"):
+        lorenz.states(DarbouxPolynomial, "darboux", "", printed="x", cofactor=2)
+
+
+@pytest.mark.parametrize(
+    "claim", [System.invariant, System.involution, System.integrable], ids=lambda f: f.__name__
+)
+def test_a_claim_of_nothing_is_an_error(lorenz, claim):
+    assert claim(lorenz).verdict is Verdict.ERROR
+
+
+@pytest.mark.parametrize("degree", [-1, 2.5, "2"])
+def test_a_degree_is_a_natural_number(lorenz, degree):
+    with pytest.raises(ValueError, match="a natural number is expected"):
+        lorenz.find_integrals(degree)
+
+
 def test_a_name_that_nothing_gives_a_value_is_an_error(lorenz):
     outcome = lorenz.integral("x^2+w^2").outcome
     assert outcome.verdict is Verdict.ERROR and "w is not declared here" in outcome.message
@@ -575,11 +601,15 @@ def test_a_name_that_nothing_gives_a_value_is_an_error(lorenz):
         lorenz.define("F=x+w")
     with pytest.raises(ValueError, match=r"x=1 gives no constant: solve it for one of"):
         lorenz.where("x=1")
+    with pytest.raises(
+        ValueError, match=r"k=2 gives no constant.*declare a further one by `having`"
+    ):
+        lorenz.where("k=2")
     with pytest.raises(ValueError, match=r"b=2=3 gives b twice: leave one side out"):
         lorenz.where("b=2=3")
     with pytest.raises(ValueError, match=r"F=x=y gives F twice: leave one side out"):
         lorenz.define("F=x=y")
-    with pytest.raises(ValueError, match=r"x=0, y=0: one formula is expected"):
+    with pytest.raises(ValueError, match=r"“x=0, y=0”: one formula is expected"):
         lorenz.invariant("x=0, y=0")
     with pytest.raises(ValueError, match=r"expect “wrong”: a verdict is one of proved, "):
         lorenz.integral("x", expect="wrong")
@@ -623,6 +653,8 @@ def test_expressions_of_sympy_are_as_good_as_latex():
         lorenz.integral(x**y)
     with pytest.raises(TypeError, match=r"None is no formula, in LaTeX or of SymPy"):
         lorenz.integral(None)
+    with pytest.raises(TypeError, match=r"\['x=0'\] is no formula, in LaTeX or of SymPy"):
+        lorenz.invariant(["x=0"])
     with pytest.raises(TypeError, match=r"by the variables of SymPy, and not 3"):
         System(3)
 
@@ -756,7 +788,7 @@ del system
 
 def test_a_derivation_and_a_system_have_one_vocabulary(lorenz):
     lorenz.invariant("x=0", "y=0")
-    run = verify(Derivation("lorenz", "", "", "", (lorenz.section,)), ["flint"])
+    run = Session(Derivation("lorenz", "", "", "", (lorenz.section,)), ["flint"]).run()
     assert [outcome.verdict for outcome in run.outcomes] == [Verdict.PROVED]
 
 

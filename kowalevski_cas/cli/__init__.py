@@ -24,7 +24,6 @@ COMMANDS = {
     "certificates": "write the certificates of a derivation",
     "export": "write certificates in the language of another program",
     "witness": "let another program confirm the certificates",
-    "mutants": "change one token at a time, and count what an audit notices",
     "motion": "follow a motion from any state: on N⁴ and O⁴ by its closed form",
     "pictures": "draw a motion, and the bifurcation diagrams of the whole top",
     "animation": "show the body as it moves on N⁴, as an animated GIF",

@@ -9,7 +9,7 @@ from __future__ import annotations
 import argparse
 import sys
 
-from kowalevski_cas.cli import session
+from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, CommandError
 from kowalevski_cas.files import write_all
 from kowalevski_cas.verify.certificate import FOLDER
@@ -35,5 +35,5 @@ def run(arguments: argparse.Namespace) -> int:
             session.remove_others(folder, texts)
         for name, reason in reasons.items():
             print(f"{name}: no certificate: {reason}", file=sys.stderr)
-        print(f"{target}: {len(texts)} certificates are written")
+        print(f"{target}: {plain.many(len(texts), 'certificate')} written")
     return AS_RECORDED

@@ -60,6 +60,8 @@ def tell(results: Sequence[Checked]) -> int:
             print(f"without a certificate: {', '.join(found.without)}", file=sys.stderr)
         certified, total = certified + len(found.accepted), total + found.total
     print(f"certificates: CERTIFIED {certified} of {total}")
+    if not total:
+        print("there are none: `kowalevski-cas record` writes them", file=sys.stderr)
     return NOTHING if not total else AS_RECORDED if certified == total else REJECTED
 
 

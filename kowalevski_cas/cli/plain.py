@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import sys
@@ -47,7 +48,8 @@ _COLOURS: Final = {
 def sign(verdict: Verdict, words: str = "") -> str:
     """The sign of a verdict, and words, in its colour on a terminal; all signs are as wide."""
     said = f"{MARKS[verdict].sign:<3} {words}".ljust(4)
-    return f"\x1b[{_COLOURS.get(verdict, '33')}m{said}\x1b[0m" if sys.stdout.isatty() else said
+    coloured = sys.stdout.isatty() and not os.environ.get("NO_COLOR")
+    return f"\x1b[{_COLOURS.get(verdict, '33')}m{said}\x1b[0m" if coloured else said
 
 
 def formulas(found: Iterable[Formula], source: str = "") -> str:
@@ -87,6 +89,11 @@ def _inline(one: Inline) -> str:
 def words(said: str, vocabulary: Vocabulary) -> str:
     """Words with mathematics between dollars."""
     return print_prose(read_prose(said, vocabulary), str, to_plain)
+
+
+def many(number: int, what: str) -> str:
+    """How many there are, in digits."""
+    return f"{number} {what}{'s' * (number != 1)}"
 
 
 def shortened(line: str) -> str:

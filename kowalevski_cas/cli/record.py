@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from kowalevski_cas.algebra import EXACT
-from kowalevski_cas.cli import session
+from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, DISAGREEMENT, UNDECIDED, CommandError
 from kowalevski_cas.files import write_all
 from kowalevski_cas.verify import record
@@ -77,6 +77,8 @@ def _written(folder: Path, found: Run, texts: Mapping[str, str]) -> int:
         | {folder / FOLDER / f"{name}.json": text for name, text in texts.items()}
     )
     session.remove_others(folder, [*texts, *kept])
-    print(f"{folder / record.FILE}: {len(found.outcomes) - len(left)} claims recorded")
+    print(
+        f"{folder / record.FILE}: {plain.many(len(found.outcomes) - len(left), 'claim')} recorded"
+    )
     undecided = any(outcome.verdict is Verdict.UNDECIDED for outcome in found.outcomes)
     return UNDECIDED if left or undecided else AS_RECORDED

@@ -45,7 +45,8 @@ def scan(tex: str) -> list[Token]:
     if len(tex) > LONGEST:
         raise NotationError(f"the formula is longer than {LONGEST} characters", tex, LONGEST)
     if noise := _NOISE.search(tex):
-        raise NotationError("a control character stands in the formula", tex, noise.start())
+        said = 'a control character stands in the formula; in Python, write it with an r, r"…"'
+        raise NotationError(said, tex, noise.start())
     return _Scanner(tex).run()
 
 

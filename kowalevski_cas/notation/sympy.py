@@ -3,6 +3,7 @@ r"""SymPy's expressions as formulas, and formulas as SymPy's expressions."""
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from functools import reduce
 from operator import add, mul, truediv
 from typing import Any
@@ -72,10 +73,11 @@ def _expression(value: Any) -> Any:
     """A value as an expression of SymPy; raises ``TypeError`` if it is none."""
     import sympy
 
-    expression = sympy.sympify(value)
-    if not isinstance(expression, sympy.Basic):
-        raise TypeError(f"{value!r} is no formula, in LaTeX or of SymPy")
-    return expression
+    with suppress(sympy.SympifyError):
+        expression = sympy.sympify(value, strict=True)
+        if isinstance(expression, sympy.Basic):
+            return expression
+    raise TypeError(f"{value!r} is no formula, in LaTeX or of SymPy")
 
 
 def to_sympy(formula: Formula, symbols: Mapping[str, Any]) -> Any:

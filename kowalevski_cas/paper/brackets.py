@@ -48,7 +48,8 @@ class Brackets:
         values: dict[tuple[str, str], Element] = {}
         declared = [n for n in setting.scene.definitions if head(n)[0] == BRACKET]
         if not declared:
-            raise Meaningless(f"no Poisson bracket is declared on “{setting.scene.name}”")
+            said = f"no Poisson bracket is declared on “{setting.scene.name}”"
+            raise Meaningless(rf"{said}: define it by those of the variables, as \{{q,p\}}=1")
         for name in declared:
             for (x, y), formula in self._instances(name):
                 value = finder.scalar(formula)

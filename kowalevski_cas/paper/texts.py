@@ -120,6 +120,10 @@ def check_attributes(one: Any, owner: str) -> None:
                 f"{owner}: {field.name} is to hold statements, not the display {value.id}: "
                 f"write its variable as in {write}"
             )
+        if kind == "Printed" and not isinstance(value, Printed):
+            raise TypeError(
+                f"{owner}: {field.name} is to be a statement, as display[1], not {value!r}"
+            )
         if not kind.startswith("tuple"):
             continue
         if not isinstance(value, tuple) and "|" not in kind:

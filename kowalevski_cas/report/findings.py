@@ -74,7 +74,7 @@ class Findings:
         where = many[Verdict.CONDITIONAL] - len(self.lacking)
         found = [
             (many[Verdict.PROVED], "as printed" if self.copied else "as stated here"),
-            (where, "where their denominators do not vanish"),
+            (where, f"where {'its' if where == 1 else 'their'} denominators do not vanish"),
             (len(self.lacking), f"only under {self._hypotheses()}"),
         ]
         what = counted(len(self.outcomes), "formula or statement", "formulas and statements")
@@ -153,6 +153,8 @@ class Findings:
             shown.append(Display(outcome.formulas, outcome.source))
         if outcome.counterexample:
             shown.append(Paragraph(self.phrases.values(outcome.counterexample)))
+        elif outcome.message:
+            shown.append(Paragraph(self.phrases.sentence(outcome.message)))
         correction = outcome.correction
         if correction is None:
             head = (*head, " No true statement was found near it.")

@@ -293,6 +293,6 @@ def restricted(scene: Scene, place: Printed) -> Scene:
         if name in scene.constants:
             kept = tuple(one for one in scene.constants if one != name)
             return replace(scene, constants=kept).naming(name, place)
-    raise ValueError(
-        f"{place.tex} gives no constant: solve it for one of {', '.join(scene.constants) or 'none'}"
-    )
+    known = ", ".join(scene.constants)
+    solve = f"solve it for one of {known}, or" if known else "there is none:"
+    raise ValueError(f"{place.tex} gives no constant: {solve} declare a further one by `having`")

@@ -35,6 +35,9 @@ from kowalevski_cas.verify.outcome import Verdict, in_latex
 Tex = Any
 """A formula: LaTeX, what was defined, or an expression of SymPy."""
 
+Texs = Any
+"""A formula, or a tuple or a list of formulas."""
+
 LONGEST = 24
 """The signs of a formula by which a claim is called."""
 
@@ -220,7 +223,7 @@ class Field:
         else:
             display = self.section.display(_new(id, known), tex)
         if len([*display]) != 1:
-            raise ValueError(f"{display.tex}: one formula is expected; give each by itself")
+            raise ValueError(f"“{display.tex}”: one formula is expected; give each by itself")
         return display[1]
 
     def _id(self, kind: str, tex: str) -> str:
@@ -230,6 +233,11 @@ class Field:
         letters = re.sub(r"[^A-Za-z0-9]+", "-", re.sub(r"=\s*0\b", "", tex))[:LONGEST].strip("-")
         id = self.prefix + "-".join(filter(None, (kind, letters)))
         return _new(id, {*(one.id for one in self.section.displays), *self.section.lines})
+
+
+def several(formulas: Texs) -> tuple[Tex, ...]:
+    """Formulas as a tuple, also if it is one."""
+    return tuple(formulas) if isinstance(formulas, tuple | list) else (formulas,)
 
 
 def _new(id: str, known: Container[str]) -> str:

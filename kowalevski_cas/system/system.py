@@ -37,7 +37,7 @@ from kowalevski_cas.pool import HERE
 from kowalevski_cas.processes import each
 from kowalevski_cas.questions import forecast, found, question
 from kowalevski_cas.system.answers import Function, Stated
-from kowalevski_cas.system.field import Field, Tex
+from kowalevski_cas.system.field import Field, Tex, Texs, several
 from kowalevski_cas.verify.found import Finding
 
 
@@ -68,15 +68,15 @@ class System(Field):
         says = "both sides are the same function"
         return self.states(Identity, "identity", says, expect, equation)
 
-    def implication(self, equation: Tex, given: Sequence[Tex], expect: str = "") -> Stated:
+    def implication(self, equation: Tex, given: Texs, expect: str = "") -> Stated:
         """An equation holds wherever the given ones do."""
         says = "this holds wherever what is given does"
-        return self.states(Implication, "implication", says, expect, equation, given=tuple(given))
+        return self.states(Implication, "implication", says, expect, equation, given=several(given))
 
-    def integral(self, formula: Tex, given: Sequence[Tex] = (), expect: str = "") -> Stated:
+    def integral(self, formula: Tex, given: Texs = (), expect: str = "") -> Stated:
         """A function is constant along every motion, perhaps on an invariant set only."""
         says = "this is constant along every motion"
-        return self.states(FirstIntegral, "integral", says, expect, formula, given=tuple(given))
+        return self.states(FirstIntegral, "integral", says, expect, formula, given=several(given))
 
     def invariant(self, *relations: Tex, expect: str = "") -> Stated:
         """No motion leaves the set on which these hold; a function stands for its zeros."""
@@ -86,8 +86,8 @@ class System(Field):
 
     def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> Stated:
         """A polynomial F with F' = KF, where K is the cofactor."""
-        says = "its derivative is this multiple of it"
-        return self.states(DarbouxPolynomial, "darboux", says, expect, formula, cofactor=cofactor)
+        says, K = "its derivative is this multiple of it", self._tex(cofactor)
+        return self.states(DarbouxPolynomial, "darboux", says, expect, formula, cofactor=K)
 
     def lax(self, first: Function, second: Function, expect: str = "") -> Stated:
         """A Lax pair of matrices: L' = LM - ML."""
@@ -109,12 +109,12 @@ class System(Field):
         says = f"the brackets of {self._listed(functions)} with each other vanish"
         return self.states(Involution, "involution", says, expect, functions=functions)
 
-    def integrable(self, *integrals: Tex, casimirs: Sequence[Tex] = (), expect: str = "") -> Stated:
+    def integrable(self, *integrals: Tex, casimirs: Texs = (), expect: str = "") -> Stated:
         """Integrability in the sense of Liouville; the first integral is the Hamiltonian."""
         says = f"the motion is integrable in the sense of Liouville, by {self._listed(integrals)}"
         return self.states(
             LiouvilleIntegrable, "integrable", says, expect,
-            integrals=integrals, casimirs=tuple(casimirs),
+            integrals=integrals, casimirs=several(casimirs),
         )  # fmt: skip
 
     def _listed(self, formulas: Sequence[Tex]) -> str:
@@ -122,15 +122,13 @@ class System(Field):
 
     # -- questions ---------------------------------------------------------------
 
-    def find_integrals(
-        self, degree: int, weighted: bool = False, on: Sequence[Tex] = ()
-    ) -> list[Stated]:
+    def find_integrals(self, degree: int, weighted: bool = False, on: Texs = ()) -> list[Stated]:
         """The polynomial first integrals up to a degree, and that there are no others.
 
         If it is ``weighted``, variables count by weights for which the motion is homogeneous. If
         there are equations ``on`` which the motion is looked at, those on that invariant set.
         """
-        given = tuple(map(self._tex, on))
+        given = tuple(map(self._tex, several(on)))
         return self._found("integrals", degree=degree, weighted=weighted, on=given)
 
     def find_darboux(self, degree: int, special: bool = False, cofactor: Tex = "") -> list[Stated]:
@@ -159,8 +157,9 @@ class System(Field):
         What is found in time is claimed; if something may be left, that is said.
         """
         for key in ("degree", "order"):
-            if (value := options.get(key, 0)) < 0:
-                raise ValueError(f"{key}={value}: a number that is not negative is expected")
+            value = options.get(key, 0)
+            if not isinstance(value, int) or value < 0:
+                raise ValueError(f"{key}={value!r}: a natural number is expected")
         forecast(self.scene, name, options.get("degree", 0))
         on = Elaborations(Texts(vocabulary((self.scene,))))
 

@@ -240,6 +240,8 @@ def why(goal: Goal, evidence: Evidence) -> str:
             return "what is said to fail somewhere holds everywhere"
         case Follows(conclusions=()), At():
             return "there is a real point where none is said to be"
+        case Rank(functions=(_,), given=()), Minors():
+            return "the function is constant by itself"
         case Rank(), Minors():
             return "the differentials depend on each other everywhere"
     return ""

@@ -6,15 +6,14 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.audit.audit import Audit, audit
-from kowalevski_cas.audit.catching import Measure
 from kowalevski_cas.audit.patch import mended
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.audit.source import Source, decode, read_source
-from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.library import find, load
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.record import load_record
+from study.mutants.synthetic import synthetic
 
 PAPERS = Path(__file__).parents[2] / ".." / "shared" / "paper"
 NAME = "kharlamov2002"
@@ -33,7 +32,7 @@ def base() -> AuditSession:
     """The run of the derivation, to which audits add nothing."""
     folder = find(NAME)
     stored, record = load_certificates(folder), load_record(folder)
-    return AuditSession(load(NAME), certificates=stored, timeout=2, record=record)
+    return AuditSession(load(NAME), ["flint"], certificates=stored, timeout=2, record=record)
 
 
 def watched(test):
@@ -70,11 +69,6 @@ def patched() -> str:
 def audited_again() -> Audit:
     """The audit of what is mended."""
     return audit(Source("paper.tex", patched()), base())
-
-
-def work() -> Measure:
-    """What audits mutants of it."""
-    return Measure(find(NAME), source().path, source().text, timeout=2)
 
 
 def changed(old: str, new: str) -> Audit:

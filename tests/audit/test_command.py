@@ -206,11 +206,3 @@ def test_a_hostile_change_of_the_paper(write, capsys, value):
 def test_too_many_formulas(write, capsys):
     assert main(["audit", "--list", write("$x$ " * 20_001)]) == 2
     assert "more than 20,000 formulas" in capsys.readouterr().err
-
-
-@pytest.mark.slow
-def test_mutants(paper, capsys):
-    assert main(["mutants", str(paper), "--sample", "1", "--seed", "1", "--jobs", "1"]) == 0
-    out = capsys.readouterr().out
-    assert "seed 1" in out
-    assert "1 mutants" in out

@@ -487,7 +487,7 @@ def test_record_shows_what_changed(cli, write):
     code, out, _ = cli("record", write(WRONG.replace("-v", "v")))
     assert code == 0
     assert "wrong: refuted -> proved" in out
-    assert "1 claims recorded" in out
+    assert "1 claim recorded" in out
 
 
 def test_a_reader_that_goes_away_is_no_error():

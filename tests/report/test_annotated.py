@@ -7,12 +7,12 @@ import pytest
 
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.source import Source, decode
-from kowalevski_cas.audit.synthetic import synthetic
 from kowalevski_cas.cli import main
 from kowalevski_cas.report.annotated import annotated
 from kowalevski_cas.report.document import Claim, Display, Document, Heading, Link, Paragraph
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.verify.outcome import Verdict
+from study.mutants.synthetic import synthetic
 from tests.audit.material import base
 from tests.audit.test_audit import misprinted
 from tests.report.test_contents import parts, said

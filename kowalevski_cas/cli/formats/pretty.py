@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli import plain
 from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.library import MEND
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Display, Paragraph
 from kowalevski_cas.report.findings import Findings
@@ -62,7 +63,7 @@ def _errors(result: Result) -> Iterator[str]:
         yield f"  {file}:{number}: {first}"
         yield from (f"    {line}" for line in rest)
     if wrong:
-        yield "  Mend the formula, or declare its names on the scene of the claim."
+        yield f"  {MEND}"
 
 
 def _summary(result: Result) -> Iterator[str]:
@@ -70,7 +71,7 @@ def _summary(result: Result) -> Iterator[str]:
     counts = Counter(o.verdict for o in run.outcomes)
     shown = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
     seconds = sum(sum(o.seconds.values()) for o in run.outcomes)
-    claims, by = _many(len(run.outcomes), "claim"), ", ".join(run.arithmetics)
+    claims, by = plain.many(len(run.outcomes), "claim"), ", ".join(run.arithmetics)
     head = f"{claims}: {shown}; {by}; {seconds:.2f} s"
     noun, other = (
         ("recorded", "THE RECORD") if result.recorded else ("expected", "WHAT IS EXPECTED")
@@ -170,8 +171,8 @@ class Told:
         """How many there are of each verdict."""
         audit = self.audit
         claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
-        yield f"{_many(len(audit.formulas), 'formula')}: {_counted(audit.counts)}"
-        claimed = _many(len(audit.outcomes), "claim")
+        yield f"{plain.many(len(audit.formulas), 'formula')}: {_counted(audit.counts)}"
+        claimed = plain.many(len(audit.outcomes), "claim")
         yield f"{claimed}: {_counted(claims)}; {audit.seconds:.2f} s"
 
 
@@ -180,10 +181,6 @@ def _slip(formula: Audited) -> object:
     if formula.correction is None or formula.place is None:
         return formula.id
     return formula.correction.words, formula.place.display.id
-
-
-def _many(number: int, what: str) -> str:
-    return f"{number} {what}{'s' * (number != 1)}"
 
 
 def _counted(counts: Mapping[str, int]) -> str:

@@ -12,6 +12,7 @@ from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import Rows, applied
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Exists, Follows, Goal
+from kowalevski_cas.problem.space import Meaningless
 
 
 class InvariantRelations(Claim):
@@ -30,7 +31,9 @@ class InvariantRelations(Claim):
         yield Exists((moves, there), names_in(cofactors))
 
     def functions(self, on: Elaborations) -> list[Formula]:
-        """The left minus the right sides of the equations."""
+        """The left minus the right sides of the equations; it takes one to define a set."""
+        if not self.relations:
+            raise Meaningless("no equations are given")
         return [minus(sides) for sides in equations(on, on(self.scene), self.relations)]
 
     def moves_by(self, cofactors: Rows, on: Elaborations) -> Follows:

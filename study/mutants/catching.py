@@ -10,8 +10,6 @@ from pathlib import Path
 from time import perf_counter
 
 from kowalevski_cas.audit.audit import Audit, audit
-from kowalevski_cas.audit.equivalence import equivalence
-from kowalevski_cas.audit.mutants import Mutant
 from kowalevski_cas.audit.session import AS_BEFORE, AuditSession
 from kowalevski_cas.audit.source import Source
 from kowalevski_cas.library import load
@@ -21,6 +19,8 @@ from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.record import load_record
+from study.mutants.equivalence import equivalence
+from study.mutants.mutant import Mutant
 
 
 @dataclass(frozen=True)
@@ -165,6 +165,7 @@ class Measure:
 def _audited(measure: Measure) -> Audit:
     session = AuditSession(
         load(str(measure.folder)),
+        ["flint"],
         certificates=load_certificates(measure.folder),
         timeout=measure.timeout,
         record=load_record(measure.folder),
