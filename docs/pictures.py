@@ -15,7 +15,7 @@ from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Document, Link
 from kowalevski_cas.report.places import sections
 from kowalevski_cas.report.typst import render_typst
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 
 MOTION = {"hodographs": "hodographs.png", "traces": "motion.png", "sections": "diagram.png"}
 PAGE = "#set page(width: 150mm, height: auto, margin: (x: 4mm, y: 3mm), header: none)\n"
@@ -24,7 +24,7 @@ PAGE = "#set page(width: 150mm, height: auto, margin: (x: 4mm, y: 3mm), header: 
 def erratum(folder: Path) -> bytes:
     """Equation (14) as printed and as it was meant, as the report has it."""
     derivation = load("kharlamov2002")
-    run = verify(derivation, ("flint",), only=["eq14"])
+    run = Session(derivation, ("flint",)).run(["eq14"])
     paper = sections(run, derivation, derivation.texts())
     _, slip, *_ = Contents(run, paper).findings.blocks()
     flat = [part.text if isinstance(part, Link) else (part,) for part in slip.head]

@@ -14,7 +14,7 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.record import load_record
-from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.run import Session
 
 for profile, examples in (("quick", 6), ("slow", 100)):
     settings.register_profile(
@@ -75,7 +75,7 @@ def run(derivation, certificates, record, tmp_path_factory):
     with place.with_suffix(".lock").open("w") as lock:
         flock(lock, LOCK_EX)
         if not place.exists():
-            found = verify(derivation, EXACT, certificates=certificates, record=record)
+            found = Session(derivation, EXACT, certificates=certificates, record=record).run()
             place.write_bytes(pickle.dumps(found))
     return pickle.loads(place.read_bytes())
 

@@ -40,9 +40,9 @@ PROVE = """
 import sys
 from kowalevski_cas.library import find, load
 from kowalevski_cas.verify.certificate import load_certificates
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 kept = load_certificates(find("kharlamov2002"))
-run = verify(load("kharlamov2002"), (sys.argv[1],), sys.argv[2:], certificates=kept)
+run = Session(load("kharlamov2002"), (sys.argv[1],), certificates=kept).run(sys.argv[2:])
 assert all(o.verdict.likely or o.correction is not None for o in run.outcomes), run.outcomes
 print(*sys.modules)
 """

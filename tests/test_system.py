@@ -19,7 +19,7 @@ from kowalevski_cas.notation import NotationError, to_latex
 from kowalevski_cas.paper.claims import DarbouxPolynomial
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 from tests.laws.systems import SYSTEMS
 from tests.sample import sampled
 
@@ -788,7 +788,7 @@ del system
 
 def test_a_derivation_and_a_system_have_one_vocabulary(lorenz):
     lorenz.invariant("x=0", "y=0")
-    run = verify(Derivation("lorenz", "", "", "", (lorenz.section,)), ["flint"])
+    run = Session(Derivation("lorenz", "", "", "", (lorenz.section,)), ["flint"]).run()
     assert [outcome.verdict for outcome in run.outcomes] == [Verdict.PROVED]
 
 

@@ -38,15 +38,15 @@ class AuthorSession(AuditSession):
         other: Mapping[str, str],
     ) -> None:
         super().__init__(
-            base.derivation, base.arithmetics, base.stored, base.timeout, base.record,
-            base.patience, base.explain,
+            base.derivation, base.arithmetics, base.explain, base.stored, base.timeout,
+            record=base.record,
         )  # fmt: skip
+        self.patience = base.patience
         self.base = base
         self.known = base.outcomes
         self.refused, self.other = refused, other
         self.causes = {**base.causes}
         self.misprints = {**base.misprints}
-        self._places = base._places
         self.texts = self._with(base.texts, sources)
         self.elaborations = base.elaborations.apart(self.texts)
         self.changed = frozenset(

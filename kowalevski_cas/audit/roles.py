@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
 
 from kowalevski_cas.notation import Formula, Name, NotationError, Relation
-from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -95,10 +93,3 @@ def unused(derivation: Derivation, before: Texts, after: Texts, printed: Printed
 def _names(texts: Texts, printed: Printed) -> set[str]:
     formula = texts.statement(printed).formula
     return {found.name for found in mentions(formula) if isinstance(found, Name)}
-
-
-def places_of(claim: Claim) -> Iterator[Printed]:
-    """Every place on which the verdict of a claim can depend."""
-    yield from claim.places()
-    for scene in claim.scenes():
-        yield from scene.places

@@ -7,19 +7,16 @@ claim true and nothing is claimed about it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from functools import cached_property
 
-from kowalevski_cas.audit.roles import places_of
 from kowalevski_cas.limits import tell, time_limit
 from kowalevski_cas.notation import Edit, Formula, NotationError, edits
 from kowalevski_cas.paper.claims import Claim, Neighbour
-from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Display, Printed, Texts
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.certificate import Stored
 from kowalevski_cas.verify.corrections import true_ones
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.run import Session
@@ -35,22 +32,17 @@ AS_BEFORE = "as the derivation has it"
 class AuditSession(Session):
     """A run over the texts of a derivation, in which each outcome is found once."""
 
-    def __init__(
-        self,
-        derivation: Derivation,
-        arithmetics: Sequence[str] = ("flint",),
-        certificates: Mapping[str, Stored] | None = None,
-        timeout: float | None = None,
-        record: Mapping[str, Mapping[str, object]] | None = None,
-        patience: float | None = PATIENCE,
-        explain: bool = False,
-    ) -> None:
-        super().__init__(derivation, arithmetics, explain, certificates, timeout, record=record)
-        self.patience = patience
-        self.causes: dict[str, tuple[Printed, ...]] = {}
-        self.misprints: dict[Printed, Edit] = {}
+    patience = PATIENCE
+
+    @cached_property
+    def causes(self) -> dict[str, tuple[Printed, ...]]:
+        """The places that make refuted claims false, by claim."""
+        return {}
+
+    @cached_property
+    def misprints(self) -> dict[Printed, Edit]:
         """Edits of formulas about which nothing is claimed, by which claims become true."""
-        self._places: dict[Claim, frozenset[Printed]] = {}
+        return {}
 
     @cached_property
     def outcomes(self) -> dict[str, Outcome]:
@@ -101,9 +93,7 @@ class AuditSession(Session):
 
     def places(self, claim: Claim) -> frozenset[Printed]:
         """Every place on which the outcome for a claim can depend."""
-        if claim not in self._places:
-            self._places[claim] = frozenset(places_of(claim))
-        return self._places[claim]
+        return frozenset(claim.places()).union(*(scene.places for scene in claim.scenes()))
 
     def repairs(self, display: Display) -> Iterator[tuple[Printed, Edit]]:
         """The edits that make statements of a display true."""

@@ -133,8 +133,8 @@ def auditing(folder: Path, derivation: Derivation, arguments: argparse.Namespace
     """The run of a derivation with which sources are compared."""
     arithmetics = EXACT if arguments.arithmetic == "all" else (arguments.arithmetic,)
     stored, record = load_certificates(folder), session.recorded(folder)
-    explain = arguments.report is not None
-    return AuditSession(derivation, arithmetics, stored, arguments.timeout, record, explain=explain)
+    explain, timeout = arguments.report is not None, arguments.timeout
+    return AuditSession(derivation, arithmetics, explain, stored, timeout, record=record)
 
 
 def exit_code(found: Audit) -> int:

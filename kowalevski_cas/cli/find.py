@@ -25,7 +25,7 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.questions import QUESTIONS, forecast, found, question
 from kowalevski_cas.verify.found import Finding, with_findings
 from kowalevski_cas.verify.outcome import Outcome, Run
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 
 
 def _number(default: int, help: str) -> dict[str, Any]:
@@ -149,7 +149,7 @@ def _answer(
     if not unfinished:
         pool.forget()
     claims = with_findings(derivation, findings)
-    run = verify(claims, ["flint"], timeout=arguments.timeout)
+    run = Session(claims, ["flint"], timeout=arguments.timeout).run()
     both = zip(findings, run.outcomes, strict=True)
     green = (one for one, outcome in both if outcome.verdict.green)
     kept = {line: one.kind.__name__ for one in green if (line := one.python(name, scene))}

@@ -15,7 +15,7 @@ from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.verify.outcome import Counterexample, Outcome, Verdict, in_latex
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 
 
 class Shown:
@@ -60,7 +60,7 @@ class Stated(Shown):
     def outcome(self) -> Outcome:
         """All that a run says about it, with FLINT, in the seconds that it has."""
         derivation = Derivation("", "", "", "", (self.section,))
-        return verify(derivation, ["flint"], [self.claim.id], timeout=self.seconds).outcomes[0]
+        return Session(derivation, ["flint"], timeout=self.seconds).run([self.claim.id]).outcomes[0]
 
     @property
     def verdict(self) -> Verdict:

@@ -35,7 +35,18 @@ class Decided(NamedTuple):
 
 
 class Bench:
-    """Texts, the settings of scenes, and their evaluations, each made once."""
+    """Texts, the settings of scenes, and their evaluations, each made once.
+
+    Args:
+        derivation: whose claims are decided.
+        arithmetics: in which, one after the other.
+        explain: whether outcomes tell their steps.
+        certificates: save the searches whose results they hold.
+        timeout: in seconds, for each claim.
+        texts: are read instead of what the derivation prints, or are what it prints.
+        seed: chooses the points of the arithmetics that only screen.
+        record: says which corrections are tried first.
+    """
 
     def __init__(
         self,

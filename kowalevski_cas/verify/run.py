@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from itertools import count
 from time import perf_counter
@@ -12,14 +12,12 @@ from kowalevski_cas.library import library
 from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
-from kowalevski_cas.paper.derivation import Derivation
-from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.bench import Decided
-from kowalevski_cas.verify.certificate import Stored, load_certificates
+from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.mender import Mender
 from kowalevski_cas.verify.outcome import Outcome, Run, Screened, Verdict
 from kowalevski_cas.verify.statement import Statement
@@ -28,34 +26,6 @@ Progress = Callable[[str, int, int], None]
 
 LEAST = 0.5
 """Seconds for a correction, however little the refutation has left."""
-
-
-def verify(
-    derivation: Derivation,
-    arithmetics: Sequence[str],
-    only: Sequence[str] = (),
-    explain: bool = False,
-    progress: Progress = lambda claim, done, total: None,
-    certificates: Mapping[str, Stored] | None = None,
-    timeout: float | None = None,
-    texts: Texts | None = None,
-    seed: int = 1,
-    record: Mapping[str, Mapping[str, object]] | None = None,
-) -> Run:
-    """Decide the claims of a derivation.
-
-    With ``only``, those are decided, and the claims whose corrections they rest on. With
-    ``explain``, outcomes tell their steps. ``certificates`` saves the
-    searches whose results they hold. ``timeout`` is in seconds, for each claim; with one, the run
-    has a process of its own. ``texts`` are read instead of what the derivation prints, or are what
-    it prints. ``seed`` chooses the points of the arithmetics that only screen.
-    ``record`` says which corrections are tried first.
-    """
-    session = Session(derivation, arithmetics, explain, certificates, timeout, texts, seed, record)
-    if timeout is None or watched():
-        return session.run(only, progress)
-    (run,) = shared([session], only, progress)
-    return run
 
 
 def shared(
@@ -95,14 +65,15 @@ class Session(Mender):
             (load_points if name in POINTS else load)(name)
         return [c for c in self.derivation.claims if not only or c.id in only]
 
-    def run(self, only: Sequence[str] = (), progress: Progress = lambda *_: None) -> Run:
-        """Decide the chosen claims."""
-        chosen = self.chosen(only)
-        outcomes = []
-        for done, claim in enumerate(chosen):
-            progress(claim.id, done, len(chosen))
-            outcomes.append(self.outcome(claim))
-        return self.result(outcomes)
+    def run(self, only: Sequence[str] = ()) -> Run:
+        """Decide the claims with these ids, or all, and before them those that they rest on.
+
+        With a limit of time, the run has processes of its own.
+        """
+        if self.timeout is None or watched():
+            return self.result([self.outcome(claim) for claim in self.chosen(only)])
+        (run,) = shared([self], only)
+        return run
 
     def result(self, outcomes: Sequence[Outcome]) -> Run:
         """The run in which these outcomes were found."""

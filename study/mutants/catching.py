@@ -165,6 +165,7 @@ class Measure:
 def _audited(measure: Measure) -> Audit:
     session = AuditSession(
         load(str(measure.folder)),
+        ["flint"],
         certificates=load_certificates(measure.folder),
         timeout=measure.timeout,
         record=load_record(measure.folder),

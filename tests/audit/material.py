@@ -32,7 +32,7 @@ def base() -> AuditSession:
     """The run of the derivation, to which audits add nothing."""
     folder = find(NAME)
     stored, record = load_certificates(folder), load_record(folder)
-    return AuditSession(load(NAME), certificates=stored, timeout=2, record=record)
+    return AuditSession(load(NAME), ["flint"], certificates=stored, timeout=2, record=record)
 
 
 def watched(test):

@@ -10,7 +10,7 @@ from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.verify.outcome import in_latex
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 from study.mutants.synthetic import synthetic
 from tests.audit.material import audited, base, changed, source, watched
 
@@ -22,10 +22,9 @@ def by_id(found):
 @pytest.mark.slow
 def test_an_audit_says_what_verify_says():
     typed = {place.display.id: place.typed.tex for place in audited().places}
-    run = verify(
-        base().derivation, ["flint"], certificates=base().stored, record=base().record,
-        texts=base().derivation.texts(typed),
-    )  # fmt: skip
+    derivation, kept, record = base().derivation, base().stored, base().record
+    texts = derivation.texts(typed)
+    run = Session(derivation, ["flint"], certificates=kept, texts=texts, record=record).run()
     said = {o.claim: (o.verdict, o.conditions, o.counterexample) for o in run.outcomes}
     found = {k: (o.verdict, o.conditions, o.counterexample) for k, o in audited().outcomes.items()}
     assert found == said
@@ -177,7 +176,9 @@ def misprinted(tex: str) -> AuditSession:
         Identity("rate", scene, "the energy is constant", printed=rate[1]),
         Identity("value", scene, "the energy", printed=value[1]),
     )
-    return AuditSession(Derivation("rotation", "A rotation", "", "", (section,)), patience=600)
+    session = AuditSession(Derivation("rotation", "A rotation", "", "", (section,)), ["flint"])
+    session.patience = 600
+    return session
 
 
 def test_a_misprint_in_a_definition_of_the_derivation_is_the_cause():

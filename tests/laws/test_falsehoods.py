@@ -6,7 +6,7 @@ from fractions import Fraction
 import pytest
 
 from kowalevski_cas.notation import Formula, Name, Negative, Number, Power, Product, Quotient, Sum
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 from tests.laws.falsehoods import KINDS, NAMES, Maker
 from tests.laws.systems import Stated, System
 
@@ -41,7 +41,7 @@ def value(formula: Formula, point: dict[str, int]) -> Fraction:
 def outcome_of(false, seconds):
     stated = Stated(false.about, false.tex, given=false.given, number=false.number)
     system = System("false", false.motion, NAMES, (stated,), nonzero=false.nonzero, root=false.root)
-    (outcome,) = verify(system.derivation(), ("flint",), timeout=seconds).outcomes
+    (outcome,) = Session(system.derivation(), ("flint",), timeout=seconds).run().outcomes
     return outcome
 
 

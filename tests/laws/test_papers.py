@@ -11,7 +11,7 @@ from kowalevski_cas.paper.scene import Change
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.record import load_record
-from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
 from tests.sample import sampled
 
@@ -30,7 +30,7 @@ def recorded(name):
 
 
 def verdicts(derivation, kept, only=()):
-    run = verify(derivation, ("flint",), only, **kept)
+    run = Session(derivation, ("flint",), **kept).run(only)
     return {outcome.claim: str(outcome.verdict) for outcome in run.outcomes}
 
 

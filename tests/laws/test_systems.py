@@ -9,7 +9,7 @@ import pytest
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.problem import checker
-from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.run import Session
 from tests.laws.systems import NAME, SYSTEMS, System
 from tests.sample import sampled
 
@@ -25,7 +25,7 @@ def system(request) -> System:
 
 def verdicts(system: System, arithmetics=("flint",), only=()) -> dict[str, str]:
     """The verdicts by claim, the same in each arithmetic."""
-    run = verify(system.derivation(), arithmetics, only)
+    run = Session(system.derivation(), arithmetics).run(only)
     for outcome in run.outcomes:
         assert {str(v) for v in outcome.verdicts.values()} == {str(outcome.verdict)}
     return {outcome.claim: str(outcome.verdict) for outcome in run.outcomes}

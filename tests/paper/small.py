@@ -1,7 +1,7 @@
 """Small scenes: a harmonic oscillator and Euler's top, and derivations of a few claims on them."""
 
 from kowalevski_cas.paper.derivation import Change, Derivation, Scene, Section
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 
 
 def derivation(section):
@@ -12,7 +12,7 @@ def decide(section, *claims, arithmetics=("flint",), sources=None, **options):
     """The outcomes for claims of a section, in order; ``sources`` are read in place of displays."""
     section.claim(*claims)
     paper = derivation(section)
-    return verify(paper, arithmetics, texts=paper.texts(sources), **options).outcomes
+    return Session(paper, arithmetics, texts=paper.texts(sources), **options).run().outcomes
 
 
 def verdicts(section, *claims, **options):

@@ -6,7 +6,7 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.paper.claims import AllDarboux, AllIntegrals
 from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.found import Finding, with_findings
-from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.run import Session
 from tests.laws.systems import EULER, LORENZ, SPECIAL_LORENZ, TODA, VOLTERRA
 from tests.sample import sampled
 
@@ -35,7 +35,7 @@ CASES = [
 @pytest.mark.parametrize(("system", "degree", "integrals", "verdict"), sampled(CASES, 4))
 def test_the_verdict_in_every_arithmetic_and_its_certificate(system, degree, integrals, verdict):
     derivation = claimed(system, degree, *integrals)
-    (outcome,) = verify(derivation, EXACT).outcomes
+    (outcome,) = Session(derivation, EXACT).run().outcomes
     assert {str(one) for one in outcome.verdicts.values()} == {verdict} == {str(outcome.verdict)}
     (claim,) = derivation.claims
     (_, text), *_ = Session(derivation, ["flint"]).certificates(claim)
@@ -67,7 +67,7 @@ def test_all_darboux_polynomials_with_a_cofactor(
     }  # fmt: skip
     finding = Finding(AllDarboux, given.scenes()[0], "these are all", "", attributes)
     derivation = with_findings(given, [finding])
-    (outcome,) = verify(derivation, EXACT).outcomes
+    (outcome,) = Session(derivation, EXACT).run().outcomes
     assert {str(one) for one in outcome.verdicts.values()} == {verdict} == {str(outcome.verdict)}
     (_, text), *_ = Session(derivation, ["flint"]).certificates(derivation.claims[0])
     certificate = checker.check(text)
@@ -78,10 +78,10 @@ def test_weights_of_the_variables():
     integrals = ("b_1+b_2+b_3", "b_1^2+b_2^2+b_3^2+2a_1^2+2a_2^2")
     for weights, verdict in (((1, 1, 1, 1, 1), "refuted"), ((2, 2, 1, 1, 1), "proved")):
         derivation = claimed(TODA, 3, *integrals, weights=weights)
-        assert str(verify(derivation, ["flint"]).outcomes[0].verdict) == verdict
+        assert str(Session(derivation, ["flint"]).run().outcomes[0].verdict) == verdict
 
 
 @pytest.mark.parametrize("weights", [(0, 1, 1), (1, -1, 1), (1, 1), (1, 1, 1, 1)])
 def test_weights_that_are_none(weights):
-    (outcome,) = verify(claimed(LORENZ, 2, weights=weights), ["flint"]).outcomes
+    (outcome,) = Session(claimed(LORENZ, 2, weights=weights), ["flint"]).run().outcomes
     assert str(outcome.verdict) == "error" and "a positive weight" in outcome.message

@@ -11,7 +11,7 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.verify.record import differences, load_record
-from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
 
 IDS = """
@@ -110,7 +110,8 @@ def test_the_conditions_are_named(outcomes, id):
 
 def test_conditions_that_are_not_stated_come_with_a_point_where_it_fails(derivation, certificates):
     ids = ["M4-dimension", "N4-dimension", "appelrot-dimension", "eq16.invariance", "equilibria"]
-    found = verify(derivation, ["flint"], ids, explain=True, certificates=certificates).outcomes
+    session = Session(derivation, ["flint"], explain=True, certificates=certificates)
+    found = session.run(ids).outcomes
     assert all(any(c.witness is not None for c in outcome.conditions) for outcome in found)
 
 

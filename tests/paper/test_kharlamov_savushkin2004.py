@@ -9,7 +9,7 @@ from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import to_latex
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.record import differences, load_record
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 
 NAME = "kharlamov_savushkin2004"
 DERIVATION = load(NAME)
@@ -29,7 +29,7 @@ def run(request):
     stored = load_certificates(find(NAME))
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(sys.modules, "kowalevski_cas.search.find", None)
-        return verify(DERIVATION, request.param, certificates=stored, record=RECORD)
+        return Session(DERIVATION, request.param, certificates=stored, record=RECORD).run()
 
 
 @pytest.fixture(scope="module")
@@ -74,14 +74,14 @@ GIVEN_IN_PART = {"G": {2}}
 
 def test_without_evidence_the_searches_come_to_the_same(outcomes):
     ids = ["m", "m-real", "g", "combined", "curve.1"]
-    found = verify(DERIVATION, ["flint"], only=ids)
+    found = Session(DERIVATION, ["flint"]).run(ids)
     assert {o.claim: o.verdict for o in found.outcomes} == {i: outcomes[i].verdict for i in ids}
 
 
 def test_the_claims_rest_on_those_that_establish_their_formulas():
     ids = ["point.g", "point.F2", "l"]
     stored = load_certificates(find(NAME))
-    run = verify(DERIVATION, ["flint"], only=ids, explain=True, certificates=stored)
+    run = Session(DERIVATION, ["flint"], explain=True, certificates=stored).run(ids)
     rests = {outcome.claim: outcome.rests_on for outcome in run.outcomes}
     assert "G" in rests["point.g"]
     assert {"point.x1", "point.c1"} <= set(rests["point.F2"])

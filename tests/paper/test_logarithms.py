@@ -5,7 +5,7 @@ import pytest
 from kowalevski_cas import System
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 from tests.sample import sampled
 
 pytestmark = pytest.mark.usefixtures("uncorrected", "here")
@@ -74,7 +74,9 @@ def test_all_arithmetics_and_the_checker_agree(tmp_path):
 
     system = System(VOLTERRA, "volterra")
     system.integral(INTEGRAL)
-    run = verify(Derivation("v", "", "", "", (system.section,)), ["flint", "symengine", "sympy"])
+    run = Session(
+        Derivation("v", "", "", "", (system.section,)), ["flint", "symengine", "sympy"]
+    ).run()
     assert [one.verdict for one in run.outcomes] == [Verdict.CONDITIONAL]
     file = tmp_path / "volterra.py"
     file.write_text(

@@ -4,7 +4,7 @@ import pytest
 
 from kowalevski_cas.paper.derivation import Derivation, Scene, Section
 from kowalevski_cas.verify.outcome import Verdict
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 
 ROTATION = r"""
 {\bf R} = \begin{pmatrix} x & -y \\ y & x \end{pmatrix}, \quad
@@ -20,7 +20,7 @@ def verdict(tex):
     scene = Scene("plane", variables=("x", "y"), constants=(r"\mu",))
     section.identity("claim", tex, on=scene.moving(motion).defining(matrices), says="it holds")
     derivation = Derivation("matrices", "matrices", "nobody", "none", (section,))
-    (outcome,) = verify(derivation, ["flint"]).outcomes
+    (outcome,) = Session(derivation, ["flint"]).run().outcomes
     return outcome.verdict, outcome.message
 
 

@@ -10,7 +10,7 @@ from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import At, Denial, Point
 from kowalevski_cas.verify.certificate import certificate, load_certificates
 from kowalevski_cas.verify.record import load_record
-from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement, finder_of
 from tests.sample import sampled
 
@@ -31,7 +31,9 @@ ASIDE = {
 @pytest.mark.parametrize("name", sampled(PAPERS, 2))
 def test_every_formula_is_right_as_printed_and_as_recorded(name, ring):
     record = load_record(find(name))
-    run = verify(load(name), [ring], certificates=load_certificates(find(name)), record=record)
+    run = Session(
+        load(name), [ring], certificates=load_certificates(find(name)), record=record
+    ).run()
     assert {outcome.claim for outcome in run.outcomes} == {*record}
     assert all(outcome.verdict.green for outcome in run.outcomes)
     assert all(outcome.correction is None for outcome in run.outcomes)

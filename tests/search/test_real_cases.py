@@ -6,7 +6,7 @@ from kowalevski_cas import System
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.paper.claims import Union
 from kowalevski_cas.problem import checker
-from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.run import Session
 from tests.paper.small import derivation
 
 
@@ -35,7 +35,7 @@ def test_a_union_is_decided_over_the_real_numbers(given, sets, verdict):
     system = plane()
     system.states(Union, "union", "", given=tuple(given), sets=tuple(map(tuple, sets)))
     claimed = derivation(system.section)
-    (outcome,) = verify(claimed, EXACT).outcomes
+    (outcome,) = Session(claimed, EXACT).run().outcomes
     assert str(outcome.verdict) == verdict
     (claim,) = claimed.claims
     (_, text), *_ = Session(claimed, ["flint"]).certificates(claim)

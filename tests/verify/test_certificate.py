@@ -14,7 +14,7 @@ from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.evidence import Proof, Shown
 from kowalevski_cas.verify.certificate import VERSION, Stored, load_certificates
 from kowalevski_cas.verify.record import load_record
-from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
 from tests.problem.tampering import at, changed, names_in, others, places, twisted
 from tests.sample import sampled
@@ -191,7 +191,7 @@ def test_in_every_arithmetic(derivation, certificates, arithmetic):
         [["*", 2, entry] for entry in row] for row in evidence[0]["cofactors"]
     ]
     stored = forged(certificates, "eq20.2", evidence)
-    (outcome,) = verify(derivation, [arithmetic], ["eq20.2"], certificates=stored).outcomes
+    (outcome,) = Session(derivation, [arithmetic], certificates=stored).run(["eq20.2"]).outcomes
     is_an_error(outcome, certificates, "eq20.2")
     assert f"({arithmetic}: the two sides are not equal)" in outcome.message
 
@@ -251,7 +251,7 @@ def test_files_that_are_none_have_nothing(tmp_path, text):
 
 def test_what_is_passed_over_is_proved_anew(derivation, certificates, record):
     ids = ["eq9.i", "eq10.7", "eq12", "eq22"]
-    found = verify(derivation, ["flint"], only=ids).outcomes
+    found = Session(derivation, ["flint"]).run(ids).outcomes
     assert {o.claim: str(o.verdict) for o in found} == {id: record[id]["verdict"] for id in ids}
     for outcome in found:
         assert (outcome.correction is None) == (record[outcome.claim]["correction"] is None)

@@ -9,7 +9,7 @@ from kowalevski_cas.paper.derivation import Derivation, Scene, Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.verify.corrections import printed_of, true_ones
 from kowalevski_cas.verify.outcome import in_latex
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 from tests.paper.small import Oscillator, decide, derivation
 from tests.sample import sampled
 
@@ -87,7 +87,7 @@ def test_a_recorded_correction_leaves_true_what_was_true():
     assert in_latex(own.correction.formulas) == "D = x^2"
     cube = section.inline("cube", "D - x^3 = 0")
     section.claim(Identity("cube", both[0].scene, "", printed=cube[1]))
-    own, _, other = verify(derivation(section), ["flint"], record=recorded).outcomes
+    own, _, other = Session(derivation(section), ["flint"], record=recorded).run().outcomes
     assert (own.verdict, own.correction, other.verdict) == ("refuted", None, "proved")
 
 
@@ -129,7 +129,7 @@ def test_what_another_derivation_accepts_is_said_and_has_to_be_proved_there(
     later = Section("1", "")
     side = later.inline("side", f"D = {accepted.partition('=')[2]}")
     later.claim(Identity("use", use.scene, "", printed=side[1]))
-    (found,) = verify(Derivation("later", "", "", "", (later,), (base,)), ["flint"]).outcomes
+    (found,) = Session(Derivation("later", "", "", "", (later,), (base,)), ["flint"]).run().outcomes
     name = "own" if claimed else "D.1"
     assert found.corrected == (f"base/{name}",)
     said = f"rests on base/{name}" if verdict == "undecided" else ""
@@ -140,10 +140,10 @@ def test_a_claim_by_itself_is_decided_with_what_it_rests_on():
     section, printed, both = scene_with("D = x^3")
     section.accept(printed[1], "D = x^2")
     section.claim(*both)
-    (use,) = verify(derivation(section), ["flint"], ["use"]).outcomes
+    (use,) = Session(derivation(section), ["flint"]).run(["use"]).outcomes
     assert use.verdict == "proved"
     section.accept(printed[1], "D = 2x^2")
-    (use,) = verify(derivation(section), ["flint"], ["use"]).outcomes
+    (use,) = Session(derivation(section), ["flint"]).run(["use"]).outcomes
     assert (use.verdict, use.message) == ("undecided", "rests on own")
 
 

@@ -4,7 +4,7 @@ from random import Random
 
 import pytest
 
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 from tests.sample import sampled
 
 
@@ -15,9 +15,9 @@ def test_a_run_with_limits_says_what_one_without_says_or_nothing(
     rng = Random(seed)
     limit = 10 ** rng.uniform(-2.5, 0)
     only = [claim.id for claim in rng.sample(derivation.claims, 15)]
-    limited = verify(
-        derivation, ["flint"], only, certificates=certificates, timeout=limit, record=record
-    )
+    limited = Session(
+        derivation, ["flint"], certificates=certificates, timeout=limit, record=record
+    ).run(only)
     assert sorted(outcome.claim for outcome in limited.outcomes) == sorted(only)
     for outcome in limited.outcomes:
         known = outcomes[outcome.claim]
@@ -40,9 +40,9 @@ def test_nothing_that_rests_on_a_claim_without_a_verdict_has_one(
     (unit,) = (claim for claim in derivation.claims if claim.id == "eq9.i")
     monkeypatch.setattr(type(unit), "goals", late)
     only = [*_resting(outcomes, "eq9.i")[::8], "eq6"]
-    limited = verify(
-        derivation, ["flint"], only, certificates=certificates, timeout=60, record=record
-    )
+    limited = Session(
+        derivation, ["flint"], certificates=certificates, timeout=60, record=record
+    ).run(only)
     said = {outcome.claim: (outcome.verdict, outcome.message) for outcome in limited.outcomes}
     assert said.pop("eq6") == ("proved", "")
     assert said and set(said.values()) == {("undecided", "rests on eq9.i")}

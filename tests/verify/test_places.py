@@ -2,7 +2,7 @@
 
 import pytest
 
-from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.run import Session, shared
 from kowalevski_cas.verify.statement import Statement
 
 
@@ -42,9 +42,7 @@ def test_foundations(session, id, some, none):
 
 def test_only_decides_and_reports_the_claim_alone(derivation, certificates):
     seen = []
-    run = verify(
-        derivation, ["flint"], ["eq10.5"], certificates=certificates,
-        progress=lambda claim, done, total: seen.append((claim, done, total)),
-    )  # fmt: skip
+    alone = Session(derivation, ["flint"], certificates=certificates)
+    (run,) = shared([alone], ["eq10.5"], lambda *told: seen.append(told))
     assert [o.claim for o in run.outcomes] == ["eq10.5"]
     assert seen == [("eq10.5", 0, 1)]

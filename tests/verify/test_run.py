@@ -14,7 +14,7 @@ from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import differences, load_record
-from kowalevski_cas.verify.run import Session, verify
+from kowalevski_cas.verify.run import Session
 from tests.paper.small import Oscillator, decide, derivation, verdicts
 from tests.sample import sampled
 
@@ -128,5 +128,5 @@ def test_what_has_a_certificate_is_searched_for_no_more(name, monkeypatch):
     """That goes for the corrections of other derivations as well on which one rests."""
     monkeypatch.setitem(sys.modules, "kowalevski_cas.search.find", None)
     kept, record = load_certificates(find(name)), load_record(find(name))
-    run = verify(load(name), ["flint"], certificates=kept, record=record)
+    run = Session(load(name), ["flint"], certificates=kept, record=record).run()
     assert run.outcomes and not differences(run, record, True)

@@ -5,7 +5,7 @@ import pytest
 from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import contradictions
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 
 BEYOND = {
     "ansatz-exponents", "equilibria", "critical-set", "last-multiplier",
@@ -19,7 +19,7 @@ BEYOND = {
     params=[pytest.param(p, marks=[] if p == "modular" else pytest.mark.slow) for p in POINTS],
 )
 def screening(request, derivation, certificates, record):
-    return verify(derivation, (request.param,), certificates=certificates, record=record)
+    return Session(derivation, (request.param,), certificates=certificates, record=record).run()
 
 
 def test_the_paper_is_screened_as_it_is_recorded(screening, record):

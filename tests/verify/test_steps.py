@@ -4,7 +4,7 @@ import pytest
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.notation import to_plain
-from kowalevski_cas.verify.run import verify
+from kowalevski_cas.verify.run import Session
 
 CLAIMS = (
     "U1-prime", "eq4.1", "eq7", "J3", "M4-dimension", "eq9.i", "eq9", "eq10.5", "eq14", "eq15", "Q1-prime",
@@ -17,7 +17,9 @@ CLAIMS = (
 @pytest.fixture(scope="module")
 def told(derivation, certificates, record):
     """The outcomes by claim, with their steps."""
-    found = verify(derivation, EXACT[:1], CLAIMS, True, certificates=certificates, record=record)
+    found = Session(
+        derivation, EXACT[:1], explain=True, certificates=certificates, record=record
+    ).run(CLAIMS)
     return {outcome.claim: outcome for outcome in found.outcomes}
 
 

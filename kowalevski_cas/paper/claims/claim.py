@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, NamedTuple, dataclass_transform
@@ -50,17 +50,17 @@ class _Kind:
     @cached_property
     def _stands_on(self) -> list[Printed | Scene]:
         """The attributes, and what is in tuples and in claims that are attributes, in its order."""
-        found: list[Printed | Scene] = []
-        waiting: list[object] = [*vars(self).values()]
-        while waiting:
-            value = waiting.pop(0)
-            if isinstance(value, Printed | Scene):
-                found.append(value)
-            elif isinstance(value, tuple):
-                waiting = [*value, *waiting]
-            elif isinstance(value, _Kind):
-                found += value._stands_on
-        return found
+        return [*_places_and_scenes(vars(self).values())]
+
+
+def _places_and_scenes(values: Iterable[object]) -> Iterator[Printed | Scene]:
+    for value in values:
+        if isinstance(value, Printed | Scene):
+            yield value
+        elif isinstance(value, tuple):
+            yield from _places_and_scenes(value)
+        elif isinstance(value, _Kind):
+            yield from value._stands_on
 
 
 class Claim(_Kind, ABC):
