@@ -87,14 +87,14 @@ def _readme(run: Run, checked: Checked) -> str:
     return template.format(
         title=title, origin=origin, name=run.derivation, version=__version__, folder=FOLDER,
         sums=SUMS, number=checked.total, files=" ".join(f"{name}/*.json" for name in folders),
-        citation="".join(_citation(outcome, origin) for outcome in sure[:1]),
+        citation="".join(_citation(outcome, f"“{title}” ({origin})") for outcome in sure[:1]),
         example="".join(f"{FOLDER}/{outcome.claim}.json" for outcome in sure[:1]),
     )  # fmt: skip
 
 
-def _citation(outcome: Outcome, origin: str) -> str:
+def _citation(outcome: Outcome, paper: str) -> str:
     said = "is false as printed" if outcome.verdict is Verdict.REFUTED else "holds"
     return (
-        f"Claim {outcome.claim} of {origin}, {said}: statement {outcome.digest}, "
+        f"Claim {outcome.claim} of {paper} {said}: statement {outcome.digest}, "
         f"certificate {FOLDER}/{outcome.claim}.json, kowalevski_cas {__version__}."
     )
