@@ -31,6 +31,7 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.errors import letter_and_index, undotted
 from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.vocabulary import VECTOR
+from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.names import BRACKET, head, is_bold
 from kowalevski_cas.paper.plain import half_power
 from kowalevski_cas.paper.scene import Scene
@@ -179,8 +180,7 @@ def _supposing(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
     """A scene with what is supposed not to vanish, or with the imaginary unit."""
     match formula:
         case Relation((left, right), (r"\ne",)):
-            difference = left if right == Number(0) else Sum((left, Negative(right)))
-            return scene.having(nonzero=(to_latex(difference),))
+            return scene.having(nonzero=(to_latex(minus((left, right))),))
         case Relation((Power(Name("i"), Number(2)), Negative(Number(1))), ("=",)):
             kept = tuple(name for name in scene.constants if name != "i")
             return replace(scene, constants=kept).with_unit(place)

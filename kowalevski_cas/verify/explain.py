@@ -11,11 +11,9 @@ from kowalevski_cas.notation import (
     Derivative,
     Formula,
     Name,
-    Negative,
     Number,
     Partial,
     Relation,
-    Sum,
     Vector,
     equal,
     to_latex,
@@ -26,7 +24,7 @@ from kowalevski_cas.paper.claims.forms import ZERO
 from kowalevski_cas.paper.denominators import shape_of
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
-from kowalevski_cas.problem.collect import collect
+from kowalevski_cas.problem.collect import collect_sides
 from kowalevski_cas.problem.differentials import chosen
 from kowalevski_cas.problem.evidence import (
     At,
@@ -251,8 +249,8 @@ def _regardless(goal: Exists, evidence: Regardless, place: Place) -> Counterexam
     """What is left of an equation at a point where all bound names drop out."""
     one = goal.goals[evidence.goal]
     assert isinstance(one, Follows)
-    for left, right in one.conclusions[0]:
-        free = collect(Sum((left, Negative(right))), goal.bound).get((), Number(0))
+    for sides in one.conclusions[0]:
+        free = collect_sides(sides, goal.bound).get((), Number(0))
         value = place(place.at.scalar(free))
         if not value.is_zero:
             left = number_formula(value)
