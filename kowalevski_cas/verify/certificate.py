@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -36,16 +36,20 @@ class Supported(NamedTuple):
     accepted: Accepted
 
 
-@dataclass(frozen=True)
 class Stored:
     """The certificate of a claim in a file, or other data in its place; not checked yet."""
 
-    path: Path
-    instead: Data | None = None
+    def __init__(self, path: Path, instead: Data | None = None) -> None:
+        self.path, self.instead = path, instead
+
+    @cached_property
+    def beside(self) -> Data:
+        """What it has beside a problem and evidence, which are large, and seldom read again."""
+        return _beside(self.data)
 
     @property
     def data(self) -> Data:
-        """What it has, read whenever it is asked for: it is large, and seldom asked for twice.
+        """All that it has, read whenever it is asked for.
 
         A file that is no JSON of this version has nothing: what it was about is proved anew.
         """
@@ -63,6 +67,7 @@ class Stored:
         Raises :class:`FormatError` if the evidence cannot be read.
         """
         data = self.data
+        self.beside = _beside(data)
         if data.get("digest") != statement.digest:
             return None
         try:
@@ -72,13 +77,16 @@ class Stored:
 
     def failures(self, statement: Statement, condition: Tree) -> list[Stored] | None:
         """What it has of a condition of a statement; ``None`` if it says nothing of conditions."""
-        data = self.data
-        entries = data.get("failures")
-        if entries is None or data.get("digest") != statement.digest:
+        entries = self.beside.get("failures")
+        if entries is None or self.beside.get("digest") != statement.digest:
             return None
         if not isinstance(entries, list) or not all(isinstance(one, dict) for one in entries):
             raise FormatError(f"{self.path}: a list of what fails is expected")
         return [Stored(self.path, one) for one in entries if one.get("condition") == condition]
+
+
+def _beside(data: Data) -> Data:
+    return {key: data.get(key) for key in ("digest", "failures")}
 
 
 def _verdicts(data: Data, statement: Statement) -> Verdicts:
