@@ -109,8 +109,9 @@ def _verdicts(data: Data, statement: Statement) -> Verdicts:
 def load_certificates(folder: Path) -> dict[str, Stored]:
     """The certificates in a derivation's folder by claim; those of corrections with a slash."""
     own = folder / FOLDER
-    paths = sorted(own.glob("**/*.json"))
-    return {path.relative_to(own).with_suffix("").as_posix(): Stored(path) for path in paths}
+    places = (("", own), (f"{CORRECTED}/", own / CORRECTED))
+    found = ((before + path.stem, path) for before, at in places for path in at.glob("*.json"))
+    return {name: Stored(path) for name, path in sorted(found)}
 
 
 def certificate(
