@@ -44,7 +44,7 @@ from kowalevski_cas.verify.certificate import Stored, Supported
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies
 from kowalevski_cas.verify.loci import circle_of, drop_on, failure_on, rank_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
-from kowalevski_cas.verify.shown import named, point, scaled
+from kowalevski_cas.verify.shown import named, point, scaled, written
 from kowalevski_cas.verify.statement import Statement
 
 SHORT = 160
@@ -200,7 +200,7 @@ def _words(statement: Statement, goal: Goal, place: Place, values: tuple[str, st
     """What fails at a point, if not what is printed; ``values`` are the two sides there."""
     assert isinstance(goal, Follows)
     own, other = values
-    left, right = _failing(goal, place)
+    left, right = (written(side, place.at.setting) for side in _failing(goal, place))
     order = 0
     while isinstance(left, Derivative):
         left, order = left.argument, order + 1
