@@ -601,6 +601,24 @@ def test_a_counterexample_is_told_in_the_functions_that_are_printed(field, false
     assert all(isinstance(v, Number | Quotient) for name, v in values.items() if "exp" in name)
 
 
+E3 = r"""\dot{\mathbf M}=\{\mathbf M,H\},\ H=\frac12(M_1^2+2M_2^2+3M_3^2),\
+\{M_i,M_j\}=\varepsilon_{ijk}M_k"""
+
+
+def test_brackets_with_indices_stand_beside_the_equations_of_motion():
+    top = System(E3)
+    assert top.scene.variables == ("M_1", "M_2", "M_3") and not top.scene.constants
+    assert top.integrable("H", casimirs=r"\mathbf M^2").verdict is Verdict.PROVED
+
+
+def test_a_definition_is_not_mended_into_that_of_another_name():
+    top = System(E3)
+    top.define("K=M_1^2+M_2^2+M_3^2")
+    claim = top.involution("H", top.define("K_2=M_1^2+M_2^2+5M_2M_3"))
+    assert claim.verdict is Verdict.REFUTED and claim.outcome.correction is None
+    assert claim.outcome.counterexample.words.startswith("a bracket is $")
+
+
 def test_a_cofactor_may_be_a_number(lorenz):
     assert lorenz.where("b=1", r"\rho=0").darboux("y^2+z^2", -2).verdict is Verdict.PROVED
     with pytest.raises(TypeError, match="cofactor is to be a statement"):

@@ -32,7 +32,7 @@ from kowalevski_cas.notation.errors import letter_and_index, undotted
 from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
-from kowalevski_cas.paper.names import BRACKET, head, is_bold
+from kowalevski_cas.paper.names import BRACKET, head, is_bold, summed
 from kowalevski_cas.paper.plain import half_power
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.summation import written_out
@@ -76,7 +76,7 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     laws = tuple(place for place, formula in formulas.items() if _is_law(formula))
     others = [place for place in formulas if place not in laws]
     heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
-    defined = {one for known, arguments in heads_of for one in (known, *arguments)} - {*moving}
+    defined = {one for f, given in heads_of for one in (f, *given, *summed(given))} - {*moving}
     nodes = (node for formula in formulas.values() for node in formula.nodes())
     names = [node.name for node in nodes if isinstance(node, Name)]
     _check(display, formulas, laws, moving, defined)

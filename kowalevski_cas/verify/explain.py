@@ -19,7 +19,14 @@ from kowalevski_cas.notation import (
     to_latex,
     total,
 )
-from kowalevski_cas.paper.claims import CriticalSet, Dimension
+from kowalevski_cas.paper.claims import (
+    Casimir,
+    CriticalSet,
+    Dimension,
+    Involution,
+    Jacobi,
+    LiouvilleIntegrable,
+)
 from kowalevski_cas.paper.claims.forms import ZERO
 from kowalevski_cas.paper.denominators import shape_of
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -209,6 +216,11 @@ def _words(statement: Statement, goal: Goal, place: Place, values: tuple[str, st
         of = to_latex(left)
         whose = f" of ${of}$" if len(of) < SHORT else " of a given function" if goal.given else ""
         return f"the {which}derivative{whose} along the motion is ${own}$, not $0$"
+    if isinstance(statement.claim, Casimir | Involution | Jacobi | LiouvilleIntegrable):
+        if not order:
+            return f"a bracket is ${own}$, not $0$"
+        rate = f"the derivative of ${to_latex(left)}$ is ${own}$"
+        return f"{rate}, and its bracket with the Hamiltonian ${other}$"
     if right == Number(0) and any(isinstance(one, Partial) for one in left.nodes()):
         return f"a derivative of the function is ${own}$, so the point is not critical"
     sides = to_latex(equal(left, right))
