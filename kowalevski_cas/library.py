@@ -45,7 +45,7 @@ def find(name: str) -> Path:
     A derivation that is a folder keeps its record and its certificates with it; that in a file
     ``lorenz.py`` has a folder ``lorenz.evidence`` beside it, once there is something to keep.
     """
-    for folder in (library() / name, Path(name)):
+    for folder in (library() / name, Path(name), Path(f"{name}{EVIDENCE}")):
         if source(folder).is_file():
             return folder
     path = Path(name)

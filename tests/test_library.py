@@ -2,6 +2,7 @@
 
 import os
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -16,6 +17,12 @@ def test_the_library_has_the_paper():
 
 def test_a_path_is_as_good_as_a_name():
     assert load(str(library() / "kharlamov2002")).name == "kharlamov2002"
+
+
+def test_a_file_is_found_without_its_ending(tmp_path, monkeypatch):
+    (tmp_path / "circle.py").write_text("")
+    monkeypatch.chdir(tmp_path)
+    assert find("circle") == find("circle.py") == Path("circle.evidence")
 
 
 def test_scenes_have_names_to_be_typed_on_a_command_line():

@@ -15,9 +15,18 @@ from hypothesis import strategies as st
 
 from kowalevski_cas import System
 from kowalevski_cas.cli import main
-from kowalevski_cas.notation import NotationError, to_latex
+from kowalevski_cas.notation import (
+    NotationError,
+    Number,
+    Quotient,
+    print_prose,
+    read_prose,
+    to_latex,
+    to_plain,
+)
 from kowalevski_cas.paper.claims import DarbouxPolynomial
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import Session
 from tests.laws.systems import SYSTEMS
@@ -571,6 +580,43 @@ def test_one_hypothesis_needs_no_brackets():
     circle = System(r"\dot x=y, \dot y=-x, \dot z=xz")
     assert circle.implication("x^2z=0", given="z=0").verdict is Verdict.PROVED
     assert circle.integral("x^2+y^2+zy", given="z=0").verdict is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("field", "false", "said"),
+    [
+        (r"\dot q=p, \dot p=-e^{2q}", r"p^2+2e^{2q}", "the derivative of p² + 2 exp(2q) along"),
+        (r"\dot\theta=p, \dot p=-\sin\theta", r"p^2-\sin^2\theta", "of p² − sin(θ)² along the"),
+        (r"\dot x=e^x+y, \dot y=x", r"\dot x=ye^x", ""),
+    ],
+)
+def test_a_counterexample_is_told_in_the_functions_that_are_printed(field, false, said):
+    system = System(field)
+    claim = system.identity(false) if r"\dot" in false else system.integral(false)
+    against = claim.outcome.counterexample
+    words = print_prose(read_prose(against.words, vocabulary((system.scene,))), str, to_plain)
+    assert said in words and "$" not in words
+    values = {to_plain(name): value for name, value in against.point.values.items()}
+    assert not any("/2)" in name for name in values)
+    assert all(isinstance(v, Number | Quotient) for name, v in values.items() if "exp" in name)
+
+
+E3 = r"""\dot{\mathbf M}=\{\mathbf M,H\},\ H=\frac12(M_1^2+2M_2^2+3M_3^2),\
+\{M_i,M_j\}=\varepsilon_{ijk}M_k"""
+
+
+def test_brackets_with_indices_stand_beside_the_equations_of_motion():
+    top = System(E3)
+    assert top.scene.variables == ("M_1", "M_2", "M_3") and not top.scene.constants
+    assert top.integrable("H", casimirs=r"\mathbf M^2").verdict is Verdict.PROVED
+
+
+def test_a_definition_is_not_mended_into_that_of_another_name():
+    top = System(E3)
+    top.define("K=M_1^2+M_2^2+M_3^2")
+    claim = top.involution("H", top.define("K_2=M_1^2+M_2^2+5M_2M_3"))
+    assert claim.verdict is Verdict.REFUTED and claim.outcome.correction is None
+    assert claim.outcome.counterexample.words.startswith("a bracket is $")
 
 
 def test_a_cofactor_may_be_a_number(lorenz):

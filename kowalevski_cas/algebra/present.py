@@ -10,6 +10,7 @@ from math import lcm
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import (
+    Application,
     Formula,
     Name,
     Negative,
@@ -121,7 +122,7 @@ def _fraction(
             if exponent % 2:
                 top = top.argument if isinstance(top, Negative) else Negative(top)
         if exponent:
-            power = _power(divisor, exponent)
+            power = raised(divisor, exponent)
             bottom += power.factors if isinstance(power, Product) else (power,)
     return _over(top, [*bottom, *roots])
 
@@ -153,7 +154,7 @@ def polynomial_formula(terms: Terms, names: Sequence[Formula]) -> Formula:
 
 
 def _sum(terms: Terms, names: Sequence[Formula], order: Sequence[tuple[int, ...]]) -> Formula:
-    powers = {e: (_power(n, k) for n, k in zip(names, e, strict=True) if k) for e in terms}
+    powers = {e: (raised(n, k) for n, k in zip(names, e, strict=True) if k) for e in terms}
     return total(multiple(terms[e], powers[e]) for e in order)
 
 
@@ -173,7 +174,7 @@ def _product(terms: Terms, names: Sequence[Formula]) -> Formula:
         order = sorted(factor, reverse=True)
         first = next(e for e in order if factor[e] > 0)
         order.sort(key=lambda e: e != first)
-        shown.append(_power(_sum(factor, names, order), exponent))
+        shown.append(raised(_sum(factor, names, order), exponent))
     return multiple(number, shown)
 
 
@@ -204,10 +205,13 @@ def multiple(value: Fraction, factors: Iterable[Formula]) -> Formula:
     return Negative(shown) if value < 0 else shown
 
 
-def _power(base: Formula, exponent: int) -> Formula:
+def raised(base: Formula, exponent: int) -> Formula:
+    """A power with a whole exponent; that of a power, or of an exponential function, is one."""
     if exponent == 1:
         return base
     match base:
+        case Application(r"\exp", (Quotient(above, Number(below)),)) if exponent % below == 0:
+            return Application(r"\exp", (multiple(Fraction(exponent // below), (above,)),))
         case Power(own, Number(value)):
             return Power(own, Number(value * exponent))
     return Power(base, Number(exponent))

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Sequence
 from hashlib import sha256
 from importlib.resources import files
 from pathlib import Path
@@ -18,11 +17,11 @@ from kowalevski_cas import __version__
 from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.check import tell
 from kowalevski_cas.cli.exits import NOTHING, CommandError
-from kowalevski_cas.cli.report import Explained, certified, explained
+from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.cli.report import certified, explained
 from kowalevski_cas.files import write_all
 from kowalevski_cas.problem import checker
 from kowalevski_cas.report.pdf import page
-from kowalevski_cas.report.places import Section
 from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.committed import Checked, certificate_files
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
@@ -50,19 +49,19 @@ def run(arguments: argparse.Namespace) -> int:
         if target.exists() and any(target.iterdir()):
             raise CommandError(f"{target} is not empty: remove it, or write elsewhere")
 
-    def written(found: Explained) -> tuple[Checked, str]:
-        return _write(*found, arguments.output)
-
-    done = session.watched(written, explained(chosen, arguments.timeout))
+    done = session.watched(
+        lambda found: _write(found, arguments.output), explained(chosen, arguments.timeout)
+    )
     for _, said in done:
         print(said, file=sys.stderr)
     return max(tell([checked]) for checked, _ in done)
 
 
-def _write(run: Run, paper: Sequence[Section], folder: Path, output: Path) -> tuple[Checked, str]:
+def _write(found: Result, output: Path) -> tuple[Checked, str]:
     """Write the bundle of a run; what the checker says of its certificates, and where it is."""
-    checked, digests = certified(run, folder)
-    _, written = page(run, paper, digests, evidence=FOLDER)
+    run, folder = found.run, found.folder
+    checked, digests = certified(found)
+    _, written = page(run, found.paper, digests, evidence=FOLDER)
     contents: dict[str, bytes] = {name: text.encode() for name, text in written.items()}
     for path in certificate_files(folder):
         contents[f"{FOLDER}/{path.relative_to(folder / FOLDER).as_posix()}"] = path.read_bytes()
@@ -88,14 +87,14 @@ def _readme(run: Run, checked: Checked) -> str:
     return template.format(
         title=title, origin=origin, name=run.derivation, version=__version__, folder=FOLDER,
         sums=SUMS, number=checked.total, files=" ".join(f"{name}/*.json" for name in folders),
-        citation="".join(_citation(outcome, origin) for outcome in sure[:1]),
+        citation="".join(_citation(outcome, f"“{title}” ({origin})") for outcome in sure[:1]),
         example="".join(f"{FOLDER}/{outcome.claim}.json" for outcome in sure[:1]),
     )  # fmt: skip
 
 
-def _citation(outcome: Outcome, origin: str) -> str:
+def _citation(outcome: Outcome, paper: str) -> str:
     said = "is false as printed" if outcome.verdict is Verdict.REFUTED else "holds"
     return (
-        f"Claim {outcome.claim} of {origin}, {said}: statement {outcome.digest}, "
+        f"Claim {outcome.claim} of {paper} {said}: statement {outcome.digest}, "
         f"certificate {FOLDER}/{outcome.claim}.json, kowalevski_cas {__version__}."
     )

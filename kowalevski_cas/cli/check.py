@@ -14,7 +14,7 @@ from pathlib import Path
 
 from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, REJECTED
-from kowalevski_cas.library import available, find, source
+from kowalevski_cas.library import available, find, load, source
 from kowalevski_cas.problem.checker import printable
 from kowalevski_cas.verify.certificate import CORRECTED, FOLDER
 from kowalevski_cas.verify.committed import Checked, Expected, check_committed, check_files
@@ -72,8 +72,12 @@ def _checked(names: list[str]) -> list[Checked]:
         files.setdefault(path.parent.resolve(), []).append(path)
     folders = [name for name in names if not name.endswith(".json")] if names else available()
     derivations = [find(name) for name in folders]
-    found = session.watched(lambda at: check_committed(at, load_record(at) or {}), derivations)
+    found = session.watched(_committed, derivations)
     return [*(check_files(paths, _about(at)) for at, paths in files.items()), *found]
+
+
+def _committed(folder: Path) -> Checked:
+    return check_committed(folder, load(str(folder)), load_record(folder) or {})
 
 
 def _about(folder: Path) -> Expected | None:
@@ -81,4 +85,4 @@ def _about(folder: Path) -> Expected | None:
     folder = folder.parent if folder.name == CORRECTED else folder
     if folder.name != FOLDER or not source(folder.parent).is_file():
         return None
-    return Expected(folder.parent, load_record(folder.parent) or {})
+    return Expected(load(str(folder.parent)), load_record(folder.parent) or {})

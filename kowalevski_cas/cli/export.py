@@ -42,7 +42,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def translated(format: str, folder: Path, derivation: Derivation) -> tuple[dict[str, Json], Export]:
     """The certificates of a derivation and their export; what is left out is named on stderr."""
-    certificates = accepted(folder)
+    certificates = accepted(folder, derivation)
     export = load(format).files(certificates)
     if not export.texts:
         raise CommandError(f"no claim of {derivation.name} can be said in {format}", NOTHING)
@@ -53,10 +53,11 @@ def translated(format: str, folder: Path, derivation: Derivation) -> tuple[dict[
     return certificates, export
 
 
-def accepted(folder: Path) -> dict[str, Json]:
+def accepted(folder: Path, derivation: Derivation) -> dict[str, Json]:
     """The certificates in the folder of a derivation by name; all have to be as recorded."""
     record = load_record(folder)
-    found = check_committed(folder, record) if record else check_files(certificate_files(folder))
+    files = certificate_files(folder)
+    found = check_committed(folder, derivation, record) if record else check_files(files)
     for name, reason in found.rejected.items():
         raise CommandError(f"{name}: {reason}", REJECTED)
     stored = load_certificates(folder)

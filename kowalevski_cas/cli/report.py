@@ -11,15 +11,11 @@ from pathlib import Path
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import AS_RECORDED
+from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.report.pdf import write_report
-from kowalevski_cas.report.places import Section, sections
 from kowalevski_cas.verify.certificate import FOLDER
 from kowalevski_cas.verify.committed import Checked, check_committed, statements
-from kowalevski_cas.verify.outcome import Run
-
-Explained = tuple[Run, Sequence[Section], Path]
-"""A run, its outcomes in the order of the paper, and the folder of the derivation."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -33,38 +29,41 @@ def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     chosen = session.derivations(arguments.derivations)
 
-    def written(found: Explained) -> tuple[Checked, str]:
-        return write(*found, arguments.output)
-
-    found = explained(chosen, arguments.timeout)
-    for _, said in session.watched(written, found, lambda one: len(one[0].outcomes)):
-        print(said, file=sys.stderr)
+    write(explained(chosen, arguments.timeout), arguments.output)
     return AS_RECORDED
 
 
-def explained(chosen: Sequence[tuple[Path, Derivation]], timeout: float) -> list[Explained]:
+def explained(chosen: Sequence[tuple[Path, Derivation]], timeout: float) -> list[Result]:
     """Runs that tell their steps, with what a report needs."""
     runs = session.runs(chosen, EXACT, explain=True, timeout=timeout)
     versions = session.versions()
     return [
-        (run._replace(versions=versions), sections(run, derivation, texts), folder)
-        for (folder, derivation), (run, texts) in zip(chosen, runs, strict=True)
+        Result(*one, texts, run._replace(versions=versions))
+        for one, (run, texts) in zip(chosen, runs, strict=True)
     ]
 
 
-def write(
-    run: Run, paper: Sequence[Section], derivation: Path, folder: Path
-) -> tuple[Checked, str]:
-    """Write the report of a run; what the checker says of its certificates, and where it is."""
-    checked, digests = certified(run, derivation)
-    evidence = os.path.relpath(derivation / FOLDER, folder)
-    written = write_report(run, paper, folder, digests, Path(evidence).as_posix())
+def write(results: Sequence[Result], output: Path) -> list[Checked]:
+    """Write the reports of runs, those of most claims first; what the checker says of each."""
+    done = session.watched(
+        lambda found: _written(found, output), results, lambda found: len(found.run.outcomes)
+    )
+    for _, said in done:
+        print(said, file=sys.stderr)
+    return [checked for checked, _ in done]
+
+
+def _written(found: Result, output: Path) -> tuple[Checked, str]:
+    checked, digests = certified(found)
+    evidence = Path(os.path.relpath(found.folder / FOLDER, output)).as_posix()
+    written = write_report(found.run, found.paper, output, digests, evidence)
     said = [*written.notes, f"{written.html} and {written.pdf} are written"]
     return checked, "\n".join(said)
 
 
-def certified(run: Run, folder: Path) -> tuple[Checked, dict[str, str]]:
+def certified(found: Result) -> tuple[Checked, dict[str, str]]:
     """What the checker says of certificates, and the digests of those about this run's claims."""
-    checked = check_committed(folder, session.recorded(folder), statements(run))
+    record, run = session.recorded(found.folder), found.run
+    checked = check_committed(found.folder, found.derivation, record, statements(run))
     own = {outcome.claim: outcome.digest for outcome in run.outcomes}
     return checked, dict(own.items() & checked.digests.items())

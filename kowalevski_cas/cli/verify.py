@@ -148,14 +148,7 @@ def _verified(arguments: argparse.Namespace) -> int:
         from kowalevski_cas.cli.check import tell
         from kowalevski_cas.cli.report import write
 
-        work = session.watched(
-            lambda result: write(result.run, result.paper, result.folder, arguments.report),
-            results,
-            lambda result: len(result.run.outcomes),
-        )
-        for _, said in work:
-            print(said, file=sys.stderr)
-        if checked := [found for found, _ in work if found.total]:
+        if checked := [found for found in write(results, arguments.report) if found.total]:
             codes.append(tell(checked))
     return max(codes, key=_URGENCY.index)
 

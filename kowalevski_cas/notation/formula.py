@@ -266,10 +266,11 @@ def once(function: Callable[[Formula], Found]) -> Callable[[Formula], Found]:
 
     @wraps(function)
     def found(formula: Formula) -> Found:
-        known = vars(formula)
-        if name not in known:
-            known[name] = function(formula)
-        value: Found = known[name]
+        value: Found
+        try:
+            value = getattr(formula, name)
+        except AttributeError:
+            setattr(formula, name, value := function(formula))
         return value
 
     return found

@@ -92,7 +92,8 @@ def _named(name: str, marks: str = "") -> str:
     low = index.translate(_LOW)
     if set(index) & set(low):
         low = f"_{index}" if len(index) == 1 else f"_({index})"
-    return unicodedata.normalize("NFC", letter + _MARKS.get(parts.font, "") + marks) + low
+    above = (_MARKS.get(parts.font, "") + marks).replace(2 * _DOT, _MARKS[r"\ddot"])
+    return unicodedata.normalize("NFC", letter + above) + low
 
 
 def _word(text: str) -> bool:

@@ -20,6 +20,16 @@ def is_indexed(name: str) -> bool:
     return name.endswith(("_i", "_j"))
 
 
+def summed(arguments: Iterable[str]) -> set[str]:
+    r"""What is summed over in a bracket of these coordinates, if they are indexed.
+
+    >>> sorted(summed(("M_i", "p_j")))
+    ['M_k', '\\varepsilon_{ijk}', 'p_k']
+    """
+    found = {f"{one[:-1]}k" for one in arguments if is_indexed(one)}
+    return {EPSILON, *found} if found else found
+
+
 @cache
 def head(name: str) -> tuple[str, tuple[str, ...]]:
     r"""The function and its arguments in a head like ``\varphi(s)``; a bare name has none.

@@ -25,7 +25,7 @@ def root_of_number(radicand: Formula) -> tuple[Fraction, tuple[int, ...]] | None
     for the root of anything else.
     """
     try:
-        value = rational(_numbers().scalar(radicand))
+        value = rational(rationals().scalar(radicand))
     except Meaningless:
         return None
     if value is None or value <= 0:
@@ -38,7 +38,7 @@ def root_of_number(radicand: Formula) -> tuple[Fraction, tuple[int, ...]] | None
 
 
 @cache
-def _numbers() -> Evaluation:
+def rationals() -> Evaluation:
     """The rational numbers."""
     return Evaluation(Space((), ("",)), load("flint"))
 

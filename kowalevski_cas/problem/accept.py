@@ -16,8 +16,8 @@ from typing import Any
 
 from kowalevski_cas.algebra.numbers import rank, rational
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Negative, Number, Sum
-from kowalevski_cas.problem.collect import collect
+from kowalevski_cas.notation import Number
+from kowalevski_cas.problem.collect import collect_sides
 from kowalevski_cas.problem.count import check_free, check_roots, check_solutions
 from kowalevski_cas.problem.differentials import chosen, differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -210,7 +210,7 @@ class Judge(Examiner):
         weighted: Sequence[tuple[Fraction, Place]],
     ) -> bool:
         """Whether the weighted sum of an equation at points is a number other than zero."""
-        collected = collect(Sum((sides[0], Negative(sides[1]))), goal.bound)
+        collected = collect_sides(sides, goal.bound)
         free = at.components(collected.pop((), ZERO))
         for monomial, coefficient in collected.items():
             elements = at.components(coefficient)

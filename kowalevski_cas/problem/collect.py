@@ -17,11 +17,17 @@ from kowalevski_cas.notation import (
     times,
     total,
 )
-from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.problem.space import Equation, Meaningless
 
 Monomial = tuple[str, ...]
 Collected = dict[Monomial, Formula]
 """Coefficients by sorted monomials; the empty one is what is free of bound names."""
+
+
+def collect_sides(sides: Equation, bound: Container[str]) -> Collected:
+    """The coefficients of the left minus the right side of an equation."""
+    left, right = sides
+    return collect(Sum((left, Negative(right))), bound)
 
 
 def collect(formula: Formula, bound: Container[str]) -> Collected:

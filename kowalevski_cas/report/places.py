@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from itertools import count, groupby, zip_longest
 from typing import NamedTuple
 
 from kowalevski_cas.audit.roles import Roles
-from kowalevski_cas.notation import Formula, NotationError
+from kowalevski_cas.notation import Formula, NotationError, split_display
 from kowalevski_cas.paper import derivation as paper
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.texts import Display, Printed, Texts
@@ -17,11 +17,23 @@ from kowalevski_cas.verify.outcome import Outcome, Run
 
 
 class Row(NamedTuple):
-    """Formulas on a line, and the claim that is about them."""
+    """What stands on a line, its formulas for who asks, and the claim that is about them."""
 
-    formulas: tuple[Formula, ...]
     source: str
+    read: Callable[[], tuple[Formula, ...]]
     outcome: Outcome | None = None
+
+    @classmethod
+    def of(cls, outcome: Outcome) -> Row:
+        """The formulas of a claim."""
+        return cls(outcome.source, lambda: outcome.formulas, outcome)
+
+    @property
+    def formulas(self) -> tuple[Formula, ...]:
+        """The formulas; none, if they cannot be read."""
+        with suppress(NotationError):
+            return self.read()
+        return ()
 
 
 class Stated(NamedTuple):
@@ -185,13 +197,9 @@ def _apart(claims: Sequence[tuple[Display | None, Outcome]]) -> Iterator[Item]:
     for display, ones in groupby(claims, lambda pair: pair[0]):
         outcomes = [outcome for _, outcome in ones]
         if display is None:
-            yield from (Item(stated=(Stated((_row_of(outcome),)),)) for outcome in outcomes)
+            yield from (Item(stated=(Stated((Row.of(outcome),)),)) for outcome in outcomes)
         else:
-            yield Item(stated=(Stated(tuple(map(_row_of, outcomes))),))
-
-
-def _row_of(outcome: Outcome) -> Row:
-    return Row(outcome.formulas, outcome.source, outcome)
+            yield Item(stated=(Stated(tuple(map(Row.of, outcomes))),))
 
 
 def _home(claim: Claim) -> Display | None:
@@ -204,12 +212,18 @@ def _home(claim: Claim) -> Display | None:
 
 def _displayed(display: Display, place: _Place, texts: Texts, roles: Roles) -> Item:
     role = roles.at(Printed(display, 1).place).elsewhere
-    rows: tuple[Row, ...] = ()
+    source = texts.source(display)
+    spans: tuple[tuple[int, int], ...] = ()
     with suppress(NotationError):
-        rows = tuple(Row((one.formula,), one.source) for one in texts.statements(display))
-    rows = rows or (Row((), texts.source(display)),)
+        spans = split_display(source)
+    places = enumerate(spans or ((0, len(source)),), 1)
+    rows = tuple(_row(source[start:end], display[k], texts) for k, (start, end) in places)
     stated = tuple(_stated(rows, place))
     return Item(rows, stated, display.label, role, display.id, display.source)
+
+
+def _row(source: str, printed: Printed, texts: Texts) -> Row:
+    return Row(source, lambda: (texts.statement(printed).formula,))
 
 
 def _stated(rows: tuple[Row, ...], place: _Place) -> Iterator[Stated]:
@@ -221,7 +235,6 @@ def _stated(rows: tuple[Row, ...], place: _Place) -> Iterator[Stated]:
         yield Stated(tuple(row for row in shown if row.outcome or not k))
     whole = place.whole
     if whole and not any(claimed):
-        together = tuple(formula for row in rows for formula in row.formulas)
-        yield Stated((Row(together, rows[0].source, whole[0]),))
+        yield Stated((Row(rows[0].source, lambda: sum((r.read() for r in rows), ()), whole[0]),))
         whole = whole[1:]
-    yield from (Stated((_row_of(outcome),)) for outcome in whole)
+    yield from (Stated((Row.of(outcome),)) for outcome in whole)

@@ -10,8 +10,8 @@ from kowalevski_cas.algebra.linear import Singular, solve
 from kowalevski_cas.algebra.numbers import rational
 from kowalevski_cas.algebra.present import formula_in, fraction_formula
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Negative, Number, Sum
-from kowalevski_cas.problem.collect import Collected, collect
+from kowalevski_cas.notation import Formula, Number
+from kowalevski_cas.problem.collect import Collected, collect_sides
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Found, Point, Regardless
 from kowalevski_cas.problem.goals import Exists, Fails, Follows, Simple
@@ -84,7 +84,7 @@ def _linear(
 
 
 def _row(sides: Equation, unknown: Sequence[str]) -> Linear:
-    collected = collect(Sum((sides[0], Negative(sides[1]))), unknown)
+    collected = collect_sides(sides, unknown)
     free = collected.pop((), Number(0))
     if any(len(monomial) > 1 for monomial in collected):
         return free, {}
@@ -126,8 +126,8 @@ def never(goal: Exists, finder: PointFinder) -> Regardless | None:
     for index, one in enumerate(goal.goals):
         if isinstance(one, Fails) or not isinstance(one, Follows) or one.given:
             continue
-        for left, right in one.conclusions[0]:
-            collected = collect(Sum((left, Negative(right))), goal.bound)
+        for sides in one.conclusions[0]:
+            collected = collect_sides(sides, goal.bound)
             none = _no_numbers if goal.numbers else _no_expressions
             points = none(collected, finder, finder.of(one.space))
             if points is not None:

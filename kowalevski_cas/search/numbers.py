@@ -12,8 +12,8 @@ from kowalevski_cas.algebra.flint import polynomial_of, to_flint, to_fraction
 from kowalevski_cas.algebra.polynomials import Terms
 from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Negative, Sum
-from kowalevski_cas.problem.collect import collect
+from kowalevski_cas.notation import Formula
+from kowalevski_cas.problem.collect import collect_sides
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import Exists, Follows
 from kowalevski_cas.problem.space import Equation
@@ -38,7 +38,7 @@ def solved_numbers(goal: Exists, finder: PointFinder) -> dict[str, Formula] | No
 
 def _coefficients(sides: Equation, numbers: Sequence[str], at: Evaluation) -> Iterable[Terms]:
     """What multiplies each monomial in the names of a space, as a polynomial in numbers."""
-    collected = collect(Sum((sides[0], Negative(sides[1]))), numbers)
+    collected = collect_sides(sides, numbers)
     elements = {tuple(map(m.count, numbers)): at.scalar(c) for m, c in collected.items()}
     below: dict[int, int] = {}
     for element in elements.values():

@@ -31,7 +31,8 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.errors import letter_and_index, undotted
 from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.vocabulary import VECTOR
-from kowalevski_cas.paper.names import BRACKET, head, is_bold
+from kowalevski_cas.paper.claims.forms import minus
+from kowalevski_cas.paper.names import BRACKET, head, is_bold, summed
 from kowalevski_cas.paper.plain import half_power
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.summation import written_out
@@ -75,7 +76,7 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     laws = tuple(place for place, formula in formulas.items() if _is_law(formula))
     others = [place for place in formulas if place not in laws]
     heads_of = [head(one) for place in others for one in (*place.heads.names, *place.heads.squares)]
-    defined = {one for known, arguments in heads_of for one in (known, *arguments)} - {*moving}
+    defined = {one for f, given in heads_of for one in (f, *given, *summed(given))} - {*moving}
     nodes = (node for formula in formulas.values() for node in formula.nodes())
     names = [node.name for node in nodes if isinstance(node, Name)]
     _check(display, formulas, laws, moving, defined)
@@ -179,8 +180,7 @@ def _supposing(scene: Scene, place: Printed, formula: Formula) -> Scene | None:
     """A scene with what is supposed not to vanish, or with the imaginary unit."""
     match formula:
         case Relation((left, right), (r"\ne",)):
-            difference = left if right == Number(0) else Sum((left, Negative(right)))
-            return scene.having(nonzero=(to_latex(difference),))
+            return scene.having(nonzero=(to_latex(minus((left, right))),))
         case Relation((Power(Name("i"), Number(2)), Negative(Number(1))), ("=",)):
             kept = tuple(name for name in scene.constants if name != "i")
             return replace(scene, constants=kept).with_unit(place)

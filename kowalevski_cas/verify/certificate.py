@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -44,9 +43,9 @@ class Stored:
     path: Path
     instead: Data | None = None
 
-    @cached_property
+    @property
     def data(self) -> Data:
-        """What it has, read when it is asked for.
+        """What it has, read whenever it is asked for: it is large, and seldom asked for twice.
 
         A file that is no JSON of this version has nothing: what it was about is proved anew.
         """
@@ -63,36 +62,40 @@ class Stored:
 
         Raises :class:`FormatError` if the evidence cannot be read.
         """
-        if self.data.get("digest") != statement.digest:
+        data = self.data
+        if data.get("digest") != statement.digest:
             return None
         try:
-            return self._verdicts(statement)
+            return _verdicts(data, statement)
         except (FormatError, TypeError, ValueError, RecursionError) as error:
             raise FormatError(f"{self.path}: {error}") from None
 
     def failures(self, statement: Statement, condition: Tree) -> list[Stored] | None:
         """What it has of a condition of a statement; ``None`` if it says nothing of conditions."""
-        entries = self.data.get("failures")
-        if entries is None or self.data.get("digest") != statement.digest:
+        data = self.data
+        entries = data.get("failures")
+        if entries is None or data.get("digest") != statement.digest:
             return None
         if not isinstance(entries, list) or not all(isinstance(one, dict) for one in entries):
             raise FormatError(f"{self.path}: a list of what fails is expected")
         return [Stored(self.path, one) for one in entries if one.get("condition") == condition]
 
-    def _verdicts(self, statement: Statement) -> Verdicts:
-        evidence, sign = self.data.get("evidence"), self.data.get("sign")
-        if sign not in ("holds", "denied"):
-            raise FormatError("it neither holds nor is denied")
-        if sign == "denied" and isinstance(evidence, list) and evidence:
-            entry = dict(evidence[0])
-            place = entry.pop("goal", None)
-            if not isinstance(place, int) or not 0 <= place < len(statement.goals):
-                raise FormatError("it denies no goal")
-            return Denial(place, read_evidence(entry, statement.goals[place], False))
-        if not isinstance(evidence, list) or len(evidence) != len(statement.goals):
-            raise FormatError("there is not evidence for each goal")
-        pairs = zip(evidence, statement.goals, strict=True)
-        return tuple(read_evidence(entry, goal) for entry, goal in pairs)
+
+def _verdicts(data: Data, statement: Statement) -> Verdicts:
+    """The evidence for a statement in the data of a certificate."""
+    evidence, sign = data.get("evidence"), data.get("sign")
+    if sign not in ("holds", "denied"):
+        raise FormatError("it neither holds nor is denied")
+    if sign == "denied" and isinstance(evidence, list) and evidence:
+        entry = dict(evidence[0])
+        place = entry.pop("goal", None)
+        if not isinstance(place, int) or not 0 <= place < len(statement.goals):
+            raise FormatError("it denies no goal")
+        return Denial(place, read_evidence(entry, statement.goals[place], False))
+    if not isinstance(evidence, list) or len(evidence) != len(statement.goals):
+        raise FormatError("there is not evidence for each goal")
+    pairs = zip(evidence, statement.goals, strict=True)
+    return tuple(read_evidence(entry, goal) for entry, goal in pairs)
 
 
 def load_certificates(folder: Path) -> dict[str, Stored]:

@@ -13,9 +13,9 @@ from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 
-from kowalevski_cas.library import load
 from kowalevski_cas.limits import tell
 from kowalevski_cas.notation import NotationError
+from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.bench import Bench
@@ -59,18 +59,20 @@ def certificate_files(folder: Path) -> list[Path]:
 
 
 def check_committed(
-    folder: Path, record: Record, decided: Mapping[str, str] = MappingProxyType({})
+    folder: Path,
+    derivation: Derivation,
+    record: Record,
+    decided: Mapping[str, str] = MappingProxyType({}),
 ) -> Checked:
-    """Check the certificates in a derivation's folder.
+    """Check the certificates in the folder of a derivation.
 
     ``decided`` are the :func:`statements` that a run has just written from the print.
 
     A certificate is rejected if it is about something else than the derivation prints, or the
     record has another statement of the claim, or another sign; so is one that the record asks for
-    and that is missing. Raises :class:`~kowalevski_cas.library.LibraryError` if the derivation
-    cannot be loaded.
+    and that is missing.
     """
-    found = check_files(certificate_files(folder), Expected(folder, record, decided))
+    found = check_files(certificate_files(folder), Expected(derivation, record, decided))
     for name in wanted(record):
         if not (folder / FOLDER / f"{name}.json").is_file():
             found.rejected[f"{name}.json"] = "it is in the record, and missing"
@@ -121,14 +123,14 @@ class Expected:
     are written anew.
     """
 
-    folder: Path
+    derivation: Derivation
     record: Record
     decided: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def bench(self) -> Bench:
         """What is printed."""
-        return Bench(load(str(self.folder)), [])
+        return Bench(self.derivation, [])
 
     def compare(self, name: str, certificate: checker.Certificate, corrected: bool) -> None:
         """Reject a certificate that is about something else."""
@@ -159,7 +161,7 @@ class Expected:
 
     def printed(self, id: str, corrected: bool) -> Statement | None:
         """What is printed of a claim, or its recorded correction; ``None`` if it says nothing."""
-        claim = next((one for one in self.bench.derivation.claims if one.id == id), None)
+        claim = next((one for one in self.derivation.claims if one.id == id), None)
         if claim is None:
             return None
         with suppress(NotationError, Meaningless):  # what says nothing has no certificate

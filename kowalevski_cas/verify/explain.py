@@ -11,22 +11,27 @@ from kowalevski_cas.notation import (
     Derivative,
     Formula,
     Name,
-    Negative,
     Number,
     Partial,
     Relation,
-    Sum,
     Vector,
     equal,
     to_latex,
     total,
 )
-from kowalevski_cas.paper.claims import CriticalSet, Dimension
+from kowalevski_cas.paper.claims import (
+    Casimir,
+    CriticalSet,
+    Dimension,
+    Involution,
+    Jacobi,
+    LiouvilleIntegrable,
+)
 from kowalevski_cas.paper.claims.forms import ZERO
 from kowalevski_cas.paper.denominators import shape_of
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.scene import Locus
-from kowalevski_cas.problem.collect import collect
+from kowalevski_cas.problem.collect import collect_sides
 from kowalevski_cas.problem.differentials import chosen
 from kowalevski_cas.problem.evidence import (
     At,
@@ -46,7 +51,7 @@ from kowalevski_cas.verify.certificate import Stored, Supported
 from kowalevski_cas.verify.conditions import Divided, conditions_of, implies
 from kowalevski_cas.verify.loci import circle_of, drop_on, failure_on, rank_on, say_nothing_on
 from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
-from kowalevski_cas.verify.shown import named, point, scaled
+from kowalevski_cas.verify.shown import named, point, scaled, written
 from kowalevski_cas.verify.statement import Statement
 
 SHORT = 160
@@ -202,7 +207,7 @@ def _words(statement: Statement, goal: Goal, place: Place, values: tuple[str, st
     """What fails at a point, if not what is printed; ``values`` are the two sides there."""
     assert isinstance(goal, Follows)
     own, other = values
-    left, right = _failing(goal, place)
+    left, right = (written(side, place.at.setting) for side in _failing(goal, place))
     order = 0
     while isinstance(left, Derivative):
         left, order = left.argument, order + 1
@@ -211,6 +216,11 @@ def _words(statement: Statement, goal: Goal, place: Place, values: tuple[str, st
         of = to_latex(left)
         whose = f" of ${of}$" if len(of) < SHORT else " of a given function" if goal.given else ""
         return f"the {which}derivative{whose} along the motion is ${own}$, not $0$"
+    if isinstance(statement.claim, Casimir | Involution | Jacobi | LiouvilleIntegrable):
+        if not order:
+            return f"a bracket is ${own}$, not $0$"
+        rate = f"the derivative of ${to_latex(left)}$ is ${own}$"
+        return f"{rate}, and its bracket with the Hamiltonian ${other}$"
     if right == Number(0) and any(isinstance(one, Partial) for one in left.nodes()):
         return f"a derivative of the function is ${own}$, so the point is not critical"
     sides = to_latex(equal(left, right))
@@ -251,8 +261,8 @@ def _regardless(goal: Exists, evidence: Regardless, place: Place) -> Counterexam
     """What is left of an equation at a point where all bound names drop out."""
     one = goal.goals[evidence.goal]
     assert isinstance(one, Follows)
-    for left, right in one.conclusions[0]:
-        free = collect(Sum((left, Negative(right))), goal.bound).get((), Number(0))
+    for sides in one.conclusions[0]:
+        free = collect_sides(sides, goal.bound).get((), Number(0))
         value = place(place.at.scalar(free))
         if not value.is_zero:
             left = number_formula(value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from itertools import count
+from itertools import count, permutations
 from time import perf_counter
 
 from kowalevski_cas.algebra import POINTS, load, load_points
@@ -31,7 +31,13 @@ LEAST = 0.5
 def shared(
     sessions: Sequence[Session], only: Sequence[str] = (), progress: Progress = lambda *_: None
 ) -> list[Run]:
-    """The runs of sessions; processes share the claims of all of them."""
+    """The runs of sessions; processes share the claims of all of them.
+
+    A session asks another one for what it rests on there.
+    """
+    for one, other in permutations(sessions, 2):
+        if one.bases.get(other.derivation.name) is other.derivation:
+            one.elsewhere[other.derivation.name] = other
     chosen = [(session, session.chosen(only)) for session in sessions]
     tasks = [(session, claim) for session, claims in chosen for claim in claims]
     begun = count()

@@ -3,24 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from math import prod
 
-from kowalevski_cas.algebra.present import name_formula, product_of
+from kowalevski_cas.algebra.numbers import rational
+from kowalevski_cas.algebra.present import fraction_formula, name_formula, product_of, raised
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
+    Application,
     Derivative,
     Formula,
     Name,
     Negative,
     NotationError,
     Number,
+    Power,
     Product,
+    Quotient,
     Root,
     Vocabulary,
 )
 from kowalevski_cas.notation.formula import times
 from kowalevski_cas.paper.elaborate import Elaboration
-from kowalevski_cas.problem.space import Setting
+from kowalevski_cas.paper.roots import rationals
+from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.problem.trees import MARK
 from kowalevski_cas.verify.outcome import Point
 
@@ -37,8 +43,19 @@ def named(name: str, setting: Setting) -> Formula:
 
 
 def point(values: Mapping[str, Formula], setting: Setting) -> Point:
-    """A point of a setting."""
-    return Point({named(name, setting): _one_root(value) for name, value in values.items()})
+    """A point of a setting, with the values of exponential functions for those of their roots."""
+    return Point(dict(_value(named(name, setting), _one_root(v)) for name, v in values.items()))
+
+
+def _value(name: Formula, value: Formula) -> tuple[Formula, Formula]:
+    """A name and its value; an exponential function and its value for its root and that of it."""
+    if not (isinstance(name, Application) and name.function == r"\exp"):
+        return name, value
+    square: Formula = Power(value, Number(2))
+    with suppress(Meaningless):
+        number = rational(rationals().scalar(square))
+        square = square if number is None else fraction_formula(number)
+    return raised(name, 2), square
 
 
 def _one_root(formula: Formula) -> Formula:
@@ -77,7 +94,12 @@ def written(formula: Formula, setting: Setting) -> Formula:
     if isinstance(formula, Derivative) and formula.mark == MARK:
         time, argument = setting.scene.time, written(formula.argument, setting)
         return Derivative(argument, MARK if time == "t" and isinstance(argument, Name) else time)
-    return formula.mapped(lambda child: written(child, setting))
+    match shown := formula.mapped(lambda child: written(child, setting)):
+        case Power(base, Number(exponent)):
+            return raised(base, exponent)
+        case Quotient(above, Number(1)):
+            return above
+    return shown
 
 
 def _read(name: Name, vocabulary: Vocabulary) -> Formula:

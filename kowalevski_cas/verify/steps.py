@@ -15,7 +15,9 @@ from kowalevski_cas.notation import (
     Number,
     Power,
     Product,
+    Relation,
     Sum,
+    Unwritten,
     Vector,
     equal,
     power,
@@ -40,8 +42,6 @@ MOST = 12
 
 _VANISHES: Final = Step("The derivative along the vector field vanishes identically.")
 
-_IDENTICAL: Final = Step("The two sides agree identically.")
-
 
 def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
     """The steps that the program took; formulas of which the same is said stand together."""
@@ -52,11 +52,20 @@ def steps(statement: Statement, verdicts: Verdicts) -> tuple[Step, ...]:
         both = zip(statement.goals, verdicts, strict=True)
         told = [s for goal, evidence in both for s in _steps(statement.claim, goal, evidence)]
         follows = all(isinstance(goal, Follows) for goal in statement.goals)
-        told = told or [_IDENTICAL] * follows
+        told = told or [_identical(statement)] * follows
     merged: dict[Step, dict[Formula, None]] = {}
     for step in told:
         merged.setdefault(step._replace(formulas=()), {}).update(dict.fromkeys(step.formulas))
     return tuple(step._replace(formulas=tuple(formulas)) for step, formulas in merged.items())
+
+
+def _identical(statement: Statement) -> Step:
+    """That everything vanishes identically: two sides, if the claim is an equation."""
+    own = statement.claim.printed
+    formula = None if own is None else statement.on.texts.formula(own)
+    if isinstance(formula, Relation) and Unwritten() not in formula.nodes():
+        return Step("The two sides agree identically.")
+    return Step("The equations that say so hold identically.")
 
 
 def _steps(claim: Claim, goal: Goal, evidence: Evidence) -> Iterator[Step]:

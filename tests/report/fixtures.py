@@ -545,7 +545,7 @@ def in_order(run: Run) -> tuple[Section, ...]:
         outcomes = [outcome for outcome in run.outcomes if outcome.section == number]
         items = []
         for name, ones in groupby(outcomes, lambda one: re.sub(r"\.\d+$", "", one.claim)):
-            rows = tuple(Row(one.formulas, one.source, one) for one in ones)
+            rows = tuple(map(Row.of, ones))
             label = f"({name[2:]})" if re.fullmatch(r"eq\d+", name) else ""
             items.append(Item(rows, (Stated(rows),), label, display=name if rows[0].source else ""))
         if outcomes:

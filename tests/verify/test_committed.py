@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from kowalevski_cas.library import available, find
+from kowalevski_cas.library import available, find, load
 from kowalevski_cas.problem import checker
 from kowalevski_cas.verify.committed import (
     Expected,
@@ -59,6 +59,10 @@ def rejected(data, message=None):
         checker.check(seal(data))
 
 
+def committed(folder, *known):
+    return check_committed(folder, load(str(folder)), *known)
+
+
 @pytest.mark.parametrize("many", [25, pytest.param(None, marks=pytest.mark.slow)])
 def test_all_are_accepted(many):
     files = random.Random(1).sample(FILES, many or len(FILES))
@@ -101,7 +105,7 @@ class TestRecord:
         (folder / where).mkdir(parents=True)
         (folder / where / "eq6.json").write_text(TEXTS[claim], encoding="utf-8")
         entry = {"statement": self.DATA["digest"], "verdict": "proved", **entry}
-        return check_committed(folder, {"eq6": entry, "eq7": {"verdict": "undecided"}})
+        return committed(folder, {"eq6": entry, "eq7": {"verdict": "undecided"}})
 
     def test_as_recorded(self, paper):
         found = self.checked(paper)
@@ -134,7 +138,7 @@ class TestRecord:
             "verdict": "refuted",
             "correction": "x",
         }
-        (why,) = check_committed(paper, {"eq14": entry}).rejected.values()
+        (why,) = committed(paper, {"eq14": entry}).rejected.values()
         assert "a correction has to hold" in why
 
     def test_one_that_says_something_else_under_the_same_digest(self, paper):
@@ -146,24 +150,24 @@ class TestRecord:
         assert not check_files(certificate_files(paper)).digests
         path.write_text(seal(data))
         entry = {"statement": self.DATA["digest"], "verdict": "proved"}
-        assert not check_committed(paper, {"eq6": entry}).digests
+        assert not committed(paper, {"eq6": entry}).digests
 
     def test_one_that_is_missing(self, paper):
         entry = {"statement": self.DATA["digest"], "verdict": "proved", "correction": "x"}
-        found = check_committed(paper, {"eq6": entry})
+        found = committed(paper, {"eq6": entry})
         missing = "it is in the record, and missing"
         assert found.rejected == {"eq6.json": missing, "corrected/eq6.json": missing}
 
     def test_one_of_a_claim_that_is_not_made(self, paper):
         self.checked(paper)
-        (why,) = check_committed(paper, {}).rejected.values()
+        (why,) = committed(paper, {}).rejected.values()
         assert "no such claim" in why
 
 
 class TestPrint:
     """A certificate is compared with what is printed, whatever it and the record say."""
 
-    PAPER = Expected(FIRST.parent, load_record(FIRST.parent))
+    PAPER = Expected(load(str(FIRST.parent)), load_record(FIRST.parent))
 
     def checked(self, folder, data, where="certificates", **entry):
         (folder / where).mkdir(parents=True, exist_ok=True)
@@ -190,15 +194,15 @@ class TestPrint:
     @pytest.mark.parametrize("name", sampled(available(), 1, seed=1))
     def test_each_certificate_is_about_what_is_printed(self, name):
         folder = find(name)
-        about = Expected(folder, load_record(folder))
+        about = Expected(load(name), load_record(folder))
         for path in certificate_files(folder):
             data = json.loads(path.read_text(encoding="utf-8"))
             printed = about.printed(data["claim"], path.parent.name == "corrected")
             assert printed.digest == data["digest"], path
 
-    def test_what_a_run_has_decided_is_not_written_anew(self, run, folder, record):
+    def test_what_a_run_has_decided_is_not_written_anew(self, derivation, run, folder, record):
         decided = statements(run)
-        about = Expected(folder, record, decided)
+        about = Expected(derivation, record, decided)
         found = check_files(sorted((folder / "certificates").rglob("eq1[04]*.json")), about)
         assert found.digests.items() <= decided.items() and not found.rejected
         assert len(found.digests) > 2 and "bench" not in vars(about)
@@ -208,9 +212,9 @@ class TestPrint:
         (paper / "certificates").mkdir()
         shutil.copy(FIRST / "eq6.json", paper / "certificates")
         record = {"eq6": load_record(paper)["eq6"]}
-        assert check_committed(paper, record, {"eq6": wrong}).accepted
+        assert committed(paper, record, {"eq6": wrong}).accepted
         record["eq6"] = {**record["eq6"], "statement": wrong}
-        assert not check_committed(paper, record, {"eq6": wrong}).accepted
+        assert not committed(paper, record, {"eq6": wrong}).accepted
 
     def test_another_goal_that_fails_where_a_condition_is_violated(self, tmp_path):
         data, other = certificate("limit"), certificate("eq16.invariance")["failures"]
@@ -239,11 +243,11 @@ class TestPrint:
         (paper / "certificates").mkdir()
         shutil.copy(FIRST / "eq6.json", paper / "certificates")
         record = {"eq6": load_record(paper)["eq6"]}
-        assert check_committed(paper, record).accepted
+        assert committed(paper, record).accepted
         text = section.read_text(encoding="utf-8")
         assert "J_1^2  + J_2^2" in text
         section.write_text(text.replace("J_1^2  + J_2^2", "J_1^2  - J_2^2"), encoding="utf-8")
-        (why,) = check_committed(paper, record).rejected.values()
+        (why,) = committed(paper, record).rejected.values()
         assert "prints another" in why
 
     def test_a_print_that_cannot_be_read(self, paper):
@@ -252,7 +256,7 @@ class TestPrint:
         shutil.copy(FIRST / "eq6.json", paper / "certificates")
         text = section.read_text(encoding="utf-8")
         section.write_text(text.replace("J_1^2  + J_2^2", "J_1^2  + ("), encoding="utf-8")
-        (why,) = check_committed(paper, {"eq6": load_record(FIRST.parent)["eq6"]}).rejected.values()
+        (why,) = committed(paper, {"eq6": load_record(FIRST.parent)["eq6"]}).rejected.values()
         assert "prints another" in why
 
 

@@ -9,12 +9,13 @@ import pytest
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import available, find, load
 from kowalevski_cas.paper.claims import Identity
+from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.record import differences, load_record
-from kowalevski_cas.verify.run import Session
+from kowalevski_cas.verify.run import Session, shared
 from tests.paper.small import Oscillator, decide, derivation, verdicts
 from tests.sample import sampled
 
@@ -130,3 +131,27 @@ def test_what_has_a_certificate_is_searched_for_no_more(name, monkeypatch):
     kept, record = load_certificates(find(name)), load_record(find(name))
     run = Session(load(name), ["flint"], certificates=kept, record=record).run()
     assert run.outcomes and not differences(run, record, True)
+
+
+class Unsure(Session):
+    """A run that decides nothing."""
+
+    def _judged(self, statement, verdicts, arithmetic):
+        return Decided(statement, None, Accepted(), Verdict.UNDECIDED)
+
+
+@pytest.mark.parametrize("own", [True, False])
+def test_what_rests_on_another_derivation_asks_the_run_of_that_one_and_no_namesake(own, small):
+    """Above a misprint that is corrected below, where a run of the one below says nothing."""
+    printed = small("K=(x-v)(x+v)=x^2+v^2")
+    on = small.scene.defining(printed)
+    small.section.claim(Identity("t", on, "", printed=printed))
+    small.section.accept(printed, "K=(x-v)(x+v)=x^2-v^2")
+    below, namesake = (Derivation("below", "", "", "", (small.section,)) for _ in range(2))
+    section = Section("2", "")
+    section.identity("eq2", "K=x^2-v^2", on=on, says="")
+    above = Derivation("above", "", "", "", (section,), rests_on=(below,))
+    known = Unsure(below if own else namesake, ["flint"])
+    (outcome,) = shared([known, Session(above, ["flint"])], ["eq2"])[1].outcomes
+    assert outcome.corrected == ("below/t",)
+    assert outcome.verdict == ("undecided" if own else "proved")

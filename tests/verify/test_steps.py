@@ -10,6 +10,7 @@ CLAIMS = (
     "U1-prime", "eq4.1", "eq7", "J3", "M4-dimension", "eq9.i", "eq9", "eq10.5", "eq14", "eq15", "Q1-prime",
     "eq16.invariance",
     "real-form.1", "equilibria", "eq22", "critical-set", "redundant-integral", "kowalevski-variable",
+    "eq13.conjugate",
 )  # fmt: skip
 
 
@@ -76,7 +77,8 @@ def test_what_is_too_long_is_counted(steps):
 
 
 def test_sides_that_are_equal_identically_are_said_to_be_so(steps):
-    assert steps("Q1-prime") == [("The two sides agree identically.", [])]
+    assert steps("eq13.conjugate") == [("The two sides agree identically.", [])]
+    assert steps("Q1-prime") == [("The equations that say so hold identically.", [])]
 
 
 def test_cases_eliminants_and_numbers(steps):

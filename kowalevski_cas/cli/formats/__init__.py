@@ -30,8 +30,8 @@ class Result:
     derivation: Derivation
     texts: Texts
     run: Run
-    differences: list[Difference]
-    recorded: bool
+    differences: Sequence[Difference] = ()
+    recorded: bool = True
 
     @cached_property
     def paper(self) -> tuple[Section, ...]:

@@ -21,16 +21,17 @@ def render(results: Sequence[Result]) -> str:
 
 def _claims(result: Result) -> Iterator[str]:
     phrases = phrases_of(result)
+    width = max((len(outcome.claim) for outcome in result.run.outcomes), default=0)
     for section in result.paper:
         yield from ("", *plain.wrapped(plain.text(phrases.title(section))))
         for outcome in section.outcomes:
-            yield from _claim(outcome, phrases)
+            yield from _claim(outcome, phrases, width)
 
 
-def _claim(outcome: Outcome, phrases: Phrases) -> Iterator[str]:
+def _claim(outcome: Outcome, phrases: Phrases, width: int) -> Iterator[str]:
     """A line with the time that it took, and what a reader has to know of it."""
     time = f"{1000 * sum(outcome.seconds.values()):8.1f} ms"
-    first = f"{plain.sign(outcome.verdict, f'{outcome.claim:<22}')} {time}  "
+    first = f"{plain.sign(outcome.verdict, f'{outcome.claim:<{width}}')} {time}  "
     yield from plain.wrapped("; ".join(_notes(outcome, phrases)), first, 4)
     if outcome.verdict is not Verdict.ERROR:
         yield from plain.lines(Evidence(phrases, (outcome,)).first(), 8)

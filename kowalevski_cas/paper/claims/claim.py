@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, NamedTuple, dataclass_transform
 
-from kowalevski_cas.notation import Edit, Formula, edits
+from kowalevski_cas.notation import Edit, Formula, Relation, edits
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts, check_attributes
@@ -118,6 +118,10 @@ class Claim(_Kind, ABC):
         """The scenes on which the claim stands."""
         yield from (one for one in self._stands_on if isinstance(one, Scene))
 
+    def reads(self) -> frozenset[Printed]:
+        """Every place on which a verdict can depend: those that it names, and of its scenes."""
+        return frozenset(self.places()).union(*(scene.places for scene in self.scenes()))
+
     def establishes(self) -> Iterator[Printed]:
         """The places that are right if the claim is."""
         if self.printed is not None:
@@ -138,9 +142,12 @@ class Claim(_Kind, ABC):
         Of edits, only those are needed that may lead to a formula that is ``wanted``.
         """
         names = frozenset(self.scene.names()) - {*self.scene.undefined}
+        defining = {*self.scene.definitions.values()}
         for printed in self.establishes():
-            for edit in edits(texts.statement(printed), texts.vocabulary, names, wanted):
-                yield Neighbour(edit.words, self, texts, printed, edit)
+            statement = texts.statement(printed)
+            for edit in edits(statement, texts.vocabulary, names, wanted):
+                if printed not in defining or _head(edit.formula) == _head(statement.formula):
+                    yield Neighbour(edit.words, self, texts, printed, edit)
         for attribute in fields(self):
             value = getattr(self, attribute.name)
             if type(value) is int:
@@ -148,3 +155,8 @@ class Claim(_Kind, ABC):
                     words = f"{attribute.name} {number} instead of {value}"
                     changed: dict[str, Any] = {attribute.name: number}
                     yield Neighbour(words, replace(self, **changed), texts)
+
+
+def _head(formula: Formula) -> Formula:
+    """What a definition defines: it stays, and is no slip of what is defined."""
+    return formula.members[0] if isinstance(formula, Relation) else formula

@@ -63,7 +63,10 @@ def parsed(text: str) -> Json:
     """The data of a certificate of this format."""
     need(len(text) < SIZE, "it is too long")
     hooks: Json = {"parse_int": _integer, "parse_float": _no_number, "parse_constant": _no_number}
-    data = json.loads(text, object_pairs_hook=_unique, **hooks)
+    try:
+        data = json.loads(text, object_pairs_hook=_unique, **hooks)
+    except json.JSONDecodeError as error:
+        raise Rejected(f"it is no JSON: {error.msg}, line {error.lineno}") from None
     need(type(data) is dict and data.get("format") == FORMAT, "it is no certificate")
     old = type(data.get("version")) is int and data["version"] == 1
     need(not old, "it is a certificate of format 1: make certificates renews it")
@@ -89,7 +92,8 @@ def _no_number(digits: str) -> Json:
 def record(data: Json, required: str, optional: str = "") -> Json:
     """A JSON object that has all of the required keys, and no others but the optional ones."""
     need(type(data) is dict, "an object is expected")
-    need({*required.split()} <= data.keys(), f"a key is missing, one of: {required}")
+    missing = ", ".join(key for key in required.split() if key not in data)
+    need(not missing, f"it has no {missing}")
     need(data.keys() <= {*required.split(), *optional.split()}, "a key is unknown")
     return data
 
