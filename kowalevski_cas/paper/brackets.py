@@ -70,6 +70,11 @@ class Brackets:
         return Vector(tuple(rows)) if left[0] or right[0] else rows[0]
 
     def _bracket(self, f: Formula, g: Formula) -> Formula:
+        match f, g:
+            case Name(x), Name(y) if {x, y} <= {*self.setting.scene.variables}:
+                if (y, x) in self.structure:
+                    return Negative(self.structure[y, x])
+                return self.structure.get((x, y), Number(0))
         terms = []
         for (x, y), value in self.structure.items():
             by = self.setting.partial
