@@ -8,7 +8,7 @@ from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
-from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborate import Elaboration, finder_of
 from kowalevski_cas.problem.differentials import chosen, differentials
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
@@ -25,7 +25,7 @@ from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.search.follows import alternatives
 from kowalevski_cas.verify.outcome import Counterexample, Point, Screened, Value, Verdict
-from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+from kowalevski_cas.verify.statement import Statement, Verdicts
 
 Stages = dict[Setting, Sampled]
 """Settings in programs, each made once for a run."""
