@@ -103,7 +103,7 @@ class Evaluation(Fold):
         raise Meaningless(f"{name} has no value here", name)
 
     def _adjoin(self, name: str, radicand: Element) -> Element:
-        value = self.ring.zero if radicand.is_zero else self.ring.adjoin(name, radicand)
+        value = radicand if radicand.is_zero else self.ring.adjoin(name, radicand)
         if self.letters and not value.denominator and not value.is_zero:
             self.letters[name] = self.ring.names.index(name)
         self.roots[name] = radicand

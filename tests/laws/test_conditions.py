@@ -83,6 +83,15 @@ def test_of_conditions_that_follow_from_each_other_one_is_named(below):
             assert any(vanishes(one, point) for one in named)
 
 
+@given(st.sampled_from(LEAVES[:1] + LEAVES[4:7]), st.sampled_from(["1", "x", "xy"]))
+def test_a_root_of_zero_remembers_what_that_was_divided_by(formula, factor):
+    paper = Paper()
+    place = paper(rf"r^2={factor}\cdot({formula})-{factor}\cdot({formula})")
+    paper.scene = Scene("s", variables=("x", "y"), roots={"r": place})
+    named = paper.outcome(Identity, "r=0").conditions
+    assert [to_latex(condition.expression) for condition in named] == ["y"]
+
+
 FACTORS = ("x", "y", "(x+y)", "(x-2y)", "(x^2+y)")
 SOME = st.lists(st.sampled_from(FACTORS), min_size=1, unique=True)
 
