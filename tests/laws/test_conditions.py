@@ -92,6 +92,21 @@ def test_a_root_of_zero_remembers_what_that_was_divided_by(formula, factor):
     assert [to_latex(condition.expression) for condition in named] == ["y"]
 
 
+@given(
+    st.sampled_from(
+        [one for one in LEAVES if "F" not in one and "G" not in one and "A" not in one]
+    ),
+    st.sampled_from([r"\{x,z\}", r"\{z,x\}", r"\{x^2,z\}", r"\{xy,x+z\}", r"\{x,\{x,z\}\}"]),
+    st.booleans(),
+)
+def test_a_bracket_of_zero_remembers_what_that_was_divided_by(formula, bracket, turned):
+    """What is not printed of the brackets divides by nothing."""
+    pair = r"\{z,x\}" if turned else r"\{x,z\}"
+    motion = rf"\dot x=y,\ \dot y=z,\ \dot z=x,\ {pair}=({formula})-({formula})"
+    outcome = System(motion).identity(f"{bracket}=0").outcome
+    assert [to_latex(condition.expression) for condition in outcome.conditions] == ["y"]
+
+
 FACTORS = ("x", "y", "(x+y)", "(x-2y)", "(x^2+y)")
 SOME = st.lists(st.sampled_from(FACTORS), min_size=1, unique=True)
 
