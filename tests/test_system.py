@@ -544,6 +544,11 @@ def test_what_moves_is_no_value_of_an_integral(side):
             "q_i stands beside names with numbers: print i=1,2,3 behind",
         ),
         (r"\dot x=\varepsilon_{123}x", "is a name here: write a vector product, or the terms"),
+        (r"\dot x=y', \dot y=x", "y' stands beside dots, and a prime is a derivative too"),
+        (
+            r"\dot a_n=a_n(b_{n+1}-b_n), \dot b_n=a_n",
+            r"b_\{n\+1\} has an index that runs: print n=1",
+        ),
         (r"\frac{dx}{ds}=y, \frac{dy}{dt}=x", "derivatives by s and by t: print one independent"),
         (
             r"\dot L=[L,M],\ L=\begin{pmatrix}p&q\\q&-p\end{pmatrix},\ M=\begin{pmatrix}0&1\\-1&0\end{pmatrix}",

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from functools import reduce
+from operator import or_
+
 from flint import Ordering, fmpq_mpoly_ctx
 
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of
 from kowalevski_cas.algebra.polynomials import Terms
+from kowalevski_cas.algebra.tower import Element
 
 
 def irreducible_factors(terms: Terms) -> list[tuple[Terms, int]]:
@@ -25,6 +29,16 @@ def divided(terms: Terms, divisor: Terms) -> Terms | None:
     above, below = (polynomial_of(_context(divisor), one) for one in (terms, divisor))
     quotient, rest = divmod(above, below)
     return None if rest else terms_of(quotient)
+
+
+def vanishes_with(element: Element, divisor: Element) -> bool:
+    """Whether an element vanishes wherever a polynomial does, for a power is a multiple of it.
+
+    With a root ``r`` of ``y``, ``x + r`` does not vanish wherever its norm ``x^2 - y`` does.
+    """
+    roots = reduce(or_, element.parts, 0).bit_count()
+    power, (below,) = element ** (2**roots), divisor.terms().values()
+    return all(divided(terms, below) is not None for terms in power.terms().values())
 
 
 def _context(terms: Terms) -> fmpq_mpoly_ctx:

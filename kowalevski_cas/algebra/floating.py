@@ -92,7 +92,7 @@ class Arithmetic(Points):
         values = dict(zip(ring.generators, numbers, strict=True))
         if question.given:
             values = newton(ring, question.given, values, signs)
-        return at(ring, values, signs)
+        return at(values, signs)
 
     def _small(self, question: Question, point: Valuation) -> Answer:
         programs = question.residuals or question.somewhere
@@ -133,7 +133,7 @@ class Arithmetic(Points):
         )
 
 
-def at(ring: Programs, values: Mapping[str, Array], signs: Mapping[str, Array]) -> Valuation:
+def at(values: Mapping[str, Array], signs: Mapping[str, Array]) -> Valuation:
     """The valuation at many points, with the roots of these signs."""
     generators = {name: Rounded(value, np.abs(value)) for name, value in values.items()}
     return Valuation(number, generators, lambda name, square: square.root(signs[name]))
@@ -150,14 +150,14 @@ def newton(
     slopes: list[list[Any]] = [[along(e, {name: ring.one}) for name in unknowns] for e in equations]
     found = dict(values)
     for _ in range(STEPS):
-        point = at(ring, found, signs)
+        point = at(found, signs)
         left = _stack([point(equation) for equation in equations])
         matrix = np.array([_stack([point(slope) for slope in row]) for row in slopes])
         matrix = np.nan_to_num(np.moveaxis(matrix, 2, 0), posinf=1.0, neginf=1.0)
         step = np.linalg.solve(matrix, np.moveaxis(left, 1, 0)[:, :, None])[:, :, 0]
         for k, name in enumerate(unknowns):
             found[name] = found[name] - step[:, k]
-    point = at(ring, found, signs)
+    point = at(found, signs)
     ratios = np.array([np.broadcast_to(ratio(point(e)), POINTS) for e in equations])
     reached = ratios.max(axis=0) < TOLERANCE
     if not reached.any():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import isqrt, prod
 
@@ -91,7 +91,6 @@ class Substitution:
         self._inverses: dict[int, Element] = {}
         self.values = [values[name] for name in ring.polynomials.generators]
         self._image = _gaussian(ring.polynomials, self.values, numbers)
-        self._monomials: dict[tuple[int, ...], Element] = {}
         self.roots: dict[int, Element] = {} if roots is None else roots
         """The values of the roots, by their places in the ring."""
         for bit, name in enumerate(ring.roots if roots is None else ()):
@@ -150,20 +149,20 @@ class Substitution:
             if not numbers.polynomials.occurring(value):
                 return numbers.element({0: value}, {})
             return _reduced(numbers.polynomials.terms(value), numbers)
-        total = self.numbers.zero
-        for exponents, coefficient in self.ring.polynomials.terms(polynomial).items():
-            total = total + self.numbers.number(coefficient) * self._monomial(exponents)
-        return total
+        terms = self.ring.polynomials.terms(polynomial)
+        return substituted(terms, self.values.__getitem__, self.numbers)
 
-    def _monomial(self, exponents: tuple[int, ...]) -> Element:
-        """The value of a product of powers; each is computed once."""
-        if exponents not in self._monomials:
-            product = self.numbers.one
-            for value, exponent in zip(self.values, exponents, strict=True):
-                if exponent:
-                    product = product * value**exponent
-            self._monomials[exponents] = product
-        return self._monomials[exponents]
+
+def substituted(terms: Terms, value_of: Callable[[int], Element], ring: Ring) -> Element:
+    """What a polynomial becomes in a ring, by what its generators are there, at their places."""
+    total = ring.zero
+    for exponents, coefficient in terms.items():
+        product = ring.number(coefficient)
+        for place, exponent in enumerate(exponents):
+            if exponent:
+                product = product * value_of(place) ** exponent
+        total = total + product
+    return total
 
 
 def prime_factors(number: int) -> Iterator[tuple[int, int]]:

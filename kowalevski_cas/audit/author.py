@@ -71,7 +71,7 @@ class AuthorSession(AuditSession):
         if why := self.other.get(claim.id) or self._refusal(claim):
             return self.unread(claim, self.on(claim), Verdict.UNDECIDED, why)
         known = self.known[claim.id]
-        if not self.places(claim) & self.changed or self._same(claim, known):
+        if not claim.reads() & self.changed or self._same(claim, known):
             return known
         self.causes.pop(claim.id, None)
         try:
@@ -89,7 +89,7 @@ class AuthorSession(AuditSession):
         """Why nothing is said about a claim that rests on a display which is refused."""
         ids = {
             p.display.id: self.refused[p.display]
-            for p in self.places(claim)
+            for p in claim.reads()
             if p.display in self.refused
         }
         return "; ".join(f"{id}: {ids[id]}" for id in sorted(ids))
@@ -143,7 +143,7 @@ class AuthorSession(AuditSession):
         """Whether changes elsewhere are what makes a claim come out otherwise than in the base."""
         own = set(claim.establishes())
         suspects: dict[Display, list[Printed]] = {}
-        for printed in sorted(self.places(claim) & self.changed, key=lambda p: p.place):
+        for printed in sorted(claim.reads() & self.changed, key=lambda p: p.place):
             if printed not in own:
                 suspects.setdefault(printed.display, []).append(printed)
         if not suspects:

@@ -41,12 +41,6 @@ class Expanded:
         last = self._at(max(start, end - 1))
         return first[0], last[1]
 
-    def literal(self, start: int, end: int) -> bool:
-        """Whether the interval is typed in the file as it stands in the text."""
-        index = bisect_right(self._starts, start) - 1
-        following = self._starts[index + 1] if index + 1 < len(self._starts) else len(self.text)
-        return self._pieces[index][2] and end <= following
-
     def _at(self, offset: int) -> tuple[int, int]:
         index = bisect_right(self._starts, offset) - 1
         start, end, literal = self._pieces[index]

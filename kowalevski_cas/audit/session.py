@@ -75,7 +75,7 @@ class AuditSession(Session):
             for found in true_ones(self._elsewhere(claim, on), on.apart(on.texts)):
                 assert found.printed is not None and found.edit is not None
                 texts = self.texts.edited(found.printed, found.edit)
-                about = [c for c in claims if found.printed in self.places(c)]
+                about = [c for c in claims if found.printed in c.reads()]
                 green = (c for c in about if outcomes[c.id].verdict.green)
                 if not all(self._true(c, texts) for c in green):
                     continue
@@ -90,10 +90,6 @@ class AuditSession(Session):
         self.misprints[best[0].printed] = best[0].edit
         self.causes.update((id, (best[0].printed,)) for id in best[1])
         return best[1]
-
-    def places(self, claim: Claim) -> frozenset[Printed]:
-        """Every place on which the outcome for a claim can depend."""
-        return frozenset(claim.places()).union(*(scene.places for scene in claim.scenes()))
 
     def repairs(self, display: Display) -> Iterator[tuple[Printed, Edit]]:
         """The edits that make statements of a display true."""

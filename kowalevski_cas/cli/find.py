@@ -180,7 +180,7 @@ def _scene(derivation: Derivation, name: str | None) -> Scene:
         return scenes[name]
     known = get_close_matches(name or "", scenes, 5, 0.4) or [*scenes]
     said = "name a scene" if name is None else f"there is no scene “{name}” with a motion"
-    raise CommandError(f"{said}: --scene with one of {'; '.join(known)}", NOTHING)
+    raise CommandError(f"{said}; --scene takes one of: {'; '.join(known)}", NOTHING)
 
 
 def _has_more_constants(scene: Scene, than: Scene) -> bool:

@@ -213,10 +213,10 @@ def _positive(text: str) -> int:
 
 
 def _seconds(text: str) -> float:
-    value = float(text)
-    if not 0 < value < 1e8:
-        raise argparse.ArgumentTypeError("a positive number of seconds is expected")
-    return value
+    with suppress(ValueError):
+        if 0 < (value := float(text)) < 1e8:
+            return value
+    raise argparse.ArgumentTypeError(f"a positive number of seconds is expected, not “{text}”")
 
 
 def natural(text: str) -> int:

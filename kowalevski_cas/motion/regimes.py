@@ -183,9 +183,8 @@ def signs_of(parameters: Parameters, torus: int) -> tuple[int, int]:
 def check_torus(torus: int, count: int) -> None:
     """Refuse the number of a torus that there is not."""
     if not 1 <= torus <= count:
-        raise Inadmissible(
-            f"there is no torus {torus}: the tori of these constants are 1 to {count}"
-        )
+        known = f"tori 1 to {count}" if count > 1 else "one torus"
+        raise Inadmissible(f"there is no torus {torus}: these constants have {known}")
 
 
 def coordinates(parameters: Parameters, root: str) -> tuple[Fraction, Fraction]:

@@ -60,7 +60,8 @@ class Brackets:
                         )
                 if (y, x) not in self.structure:
                     self.structure[x, y] = formula
-        self.structure = {p: f for p, f in self.structure.items() if not finder.scalar(f).is_zero}
+        nothing = {p for p, one in values.items() if one.is_zero and not one.denominator}
+        self.structure = {p: f for p, f in self.structure.items() if p not in nothing}
 
     def __call__(self, left: Parts, right: Parts) -> Formula:
         """The bracket of two functions, or of a vector and a function, component by component."""
@@ -70,6 +71,11 @@ class Brackets:
         return Vector(tuple(rows)) if left[0] or right[0] else rows[0]
 
     def _bracket(self, f: Formula, g: Formula) -> Formula:
+        match f, g:
+            case Name(x), Name(y) if {x, y} <= {*self.setting.scene.variables}:
+                if (y, x) in self.structure:
+                    return Negative(self.structure[y, x])
+                return self.structure.get((x, y), Number(0))
         terms = []
         for (x, y), value in self.structure.items():
             by = self.setting.partial

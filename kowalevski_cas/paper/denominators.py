@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Set
 from contextlib import suppress
 from fractions import Fraction
 from functools import cached_property, reduce
-from operator import mul, or_
+from operator import mul
 from typing import NamedTuple
 
 from kowalevski_cas.algebra.tower import Element
@@ -85,18 +85,15 @@ def _below(formulas: Iterable[Formula]) -> Iterator[Formula]:
 
 
 def granted_by(elements: Iterable[Element]) -> set[Shape]:
-    """The irreducible polynomials that vanish nowhere but where one of the elements does.
+    """The irreducible polynomials that vanish nowhere but where one of the elements does."""
+    from kowalevski_cas.algebra.factors import vanishes_with
 
-    Of ``x + r``, with a root ``r``, the norm is not among them: it vanishes where ``x = r``, too.
-    """
-    found = set()
-    for element in elements:
-        roots = reduce(or_, element.parts, 0).bit_count()
-        power = element ** (2**roots)
-        for shape, factor in factors_below(element.inverse()).items():
-            if not any(divmod(part, factor.parts[0])[1] for part in power.parts.values()):
-                found.add(shape)
-    return found
+    return {
+        shape
+        for element in elements
+        for shape, factor in factors_below(element.inverse()).items()
+        if vanishes_with(element, factor)
+    }
 
 
 def factors_below(element: Element) -> dict[Shape, Element]:

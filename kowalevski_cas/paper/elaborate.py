@@ -122,7 +122,7 @@ class Elaboration(Moving):
     @cached_property
     def finder(self) -> Evaluation:
         """The setting in FLINT, where what has to be solved for is solved."""
-        evaluation = Evaluation(self, load("flint"), others=self._finder_of)
+        evaluation = Evaluation(self, load("flint"), others=finder_of)
         self.__dict__["finder"] = evaluation
         try:
             evaluation.adjoin_roots()
@@ -131,11 +131,6 @@ class Elaboration(Moving):
             del self.__dict__["finder"]  # whoever asks again is refused again
             raise
         return evaluation
-
-    @staticmethod
-    def _finder_of(setting: Setting) -> Evaluation:
-        assert isinstance(setting, Elaboration)
-        return setting.finder
 
     # -- names -------------------------------------------------------------------
 
@@ -261,7 +256,7 @@ class Elaboration(Moving):
         """The setting in FLINT with more variables, bound by nothing; a root may be one."""
         ring = Ring(self.finder.polynomials((*generators(self), *names)))
         values = {one: ring.generator(one) for one in ring.polynomials.generators}
-        at = Evaluation(self, self.finder.polynomials, ring, values, self._finder_of)
+        at = Evaluation(self, self.finder.polynomials, ring, values, finder_of)
         for root in takewhile(lambda root: root not in names, self.roots):
             at.scalar(Name(root))
         return at
@@ -296,3 +291,9 @@ class Elaboration(Moving):
                 raise Meaningless(f"{tex} is no equation on “{self.scene.name}”")
             equations += pairwise(map(self.plain, relation.members))
         return tuple(equations)
+
+
+def finder_of(setting: Setting) -> Evaluation:
+    """The evaluation of a setting with FLINT."""
+    assert isinstance(setting, Elaboration)
+    return setting.finder

@@ -1,7 +1,7 @@
-r"""Functions with logarithms, of which only derivatives are known: :math:`(\ln|f|)'=f'/f`.
+r"""Functions with logarithms, of which only derivatives are known: :math:`(\ln f)'=f'/f`.
 
-A logarithm is that of the absolute value. It is a term with a constant factor, so that it stands in
-no derivative.
+A logarithm of an absolute value is half that of its square. A logarithm is a term with a constant
+factor, so that it stands in no derivative.
 """
 
 from __future__ import annotations
@@ -13,6 +13,8 @@ from kowalevski_cas.notation import (
     Formula,
     Modulus,
     Negative,
+    Number,
+    Power,
     Product,
     Quotient,
     Sum,
@@ -43,7 +45,10 @@ def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaborati
     if not has_logarithm(formula):
         return by(formula)
     match formula:
-        case Application(_, (Modulus(inner) | inner,)) if not has_logarithm(inner):
+        case Application(_, (Modulus() as inner,)) if not has_logarithm(inner):
+            square = Power(inner, Number(2))
+            return Quotient(by(square), Product((Number(2), square)))
+        case Application(_, (inner,)) if not has_logarithm(inner):
             return Quotient(by(inner), inner)
         case Sum() | Negative():
             return formula.mapped(of)

@@ -167,15 +167,17 @@ class Plain:
 
     def _square(self, formula: Formula) -> Formula | None:
         """The square of a vector, or of what stands between bars; ``None`` for anything else."""
-        inner = formula.argument if isinstance(formula, Modulus) else formula
-        if self._rank(inner) == VECTOR:
-            vector = self(inner)
-            return ScalarProduct(vector, vector)
-        if not isinstance(formula, Modulus):
+        bars = isinstance(formula, Modulus)
+        value = formula.argument if isinstance(formula, Modulus) else formula
+        is_vector = self._rank(value) == VECTOR
+        if not bars and not is_vector:
             return None
-        value = self(inner)
-        complex_ = "i" in self.setting.roots
-        return Product((value, Conjugate(value))) if complex_ else Power(value, Number(2))
+        value = other = self(value)
+        if bars and (self.setting.conjugates or "i" in self.setting.roots):
+            other = Conjugate(value)
+        if is_vector:
+            return ScalarProduct(value, other)
+        return Power(value, Number(2)) if other is value else Product((value, other))
 
     def _printed_value(self, root: Root) -> Formula | None:
         """What a place prints for a root that is no generator; its square is the radicand."""

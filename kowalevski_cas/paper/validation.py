@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections import Counter
 
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name
+from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, Sum
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.problem.space import Adjoined, Meaningless
+from kowalevski_cas.problem.evaluate import Evaluation
+from kowalevski_cas.problem.space import Adjoined, Meaningless, Space
 from kowalevski_cas.search.squares import sum_of_squares
 
 
@@ -78,26 +79,26 @@ def _time(setting: Meaning) -> None:
 
 def _roots(setting: Meaning) -> None:
     """A real root has a radicand that is not negative everywhere."""
-    for name in setting.roots:
-        step = setting.step(name)
-        if name == "i" or not isinstance(step, Adjoined) or not _is_real(setting, name):
-            continue
-        radicand = setting.finder.scalar(step.square)
-        parts = radicand.terms()
-        if radicand.denominator or parts.keys() != {0}:
-            continue
-        if sum_of_squares({m: -value for m, value in parts[0].items()}) is not None:
+    ring, paired = setting.finder.ring, {name for pair in setting.conjugates for name in pair}
+    for name, radicand in zip(ring.roots, ring.radicands, strict=True):
+        parts = {} if name == "i" or name in paired else _in_real_names(setting, -radicand).terms()
+        if parts.keys() == {0} and sum_of_squares(parts[0]) is not None:
             what = f"{name} is real, and its square is nowhere positive"
             raise _refuse(setting, what, "print it with $i$, or mend the radicand", name)
 
 
-def _is_real(setting: Meaning, name: str) -> bool:
-    """Whether a root and all names in its radicand are their own conjugates."""
-    paired = {n for pair in setting.conjugates for n in pair}
-    if name in paired:
-        return False
-    radicand = setting.finder.scalar(Name(name)) ** 2
-    return all(setting.finder.partial(radicand, n).is_zero for n in paired & {*setting.variables})
+def _in_real_names(setting: Meaning, element: Element) -> Element:
+    """An element in real and imaginary parts, which have the names of two conjugates."""
+    finder = setting.finder
+    names = (*finder.ring.polynomials.generators, *(n for n in finder.ring.roots if n != "i"))
+    space = Space(names, steps=(Adjoined("i", Negative(Number(1))),))
+    real = Evaluation(space, finder.polynomials).adjoin_roots()
+    values = {
+        name: Sum((Name(a), Product((Number(sign), Name("i"), Name(b)))))
+        for a, b in setting.conjugates
+        for name, sign in ((a, 1), (b, -1))
+    }
+    return real.image(element, lambda name: real.scalar(values.get(name, Name(name))))
 
 
 def _assumptions(setting: Meaning) -> None:

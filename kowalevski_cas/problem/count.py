@@ -38,10 +38,7 @@ def check_roots(goal: Count, found: Roots, at: Evaluation) -> tuple[list[Element
         raise Misplaced("a variable is not solved for")
     known = at.differences(goal.equations)
     inner = Evaluation(Space((), (*at.setting.constants, found.root)), at.polynomials)
-    used = [
-        *_roots_of_solutions(found, at, known),
-        *_solutions_of_roots(goal, found, inner, at, known),
-    ]
+    used = [*_roots_of_solutions(found, at, known), *_solutions_of_roots(found, inner, at, known)]
     factors = []
     for entry in found.factors:
         factor, row = _factor(entry, at, known)
@@ -140,7 +137,7 @@ def solved_rests(
 
 
 def _solutions_of_roots(
-    goal: Count, found: Roots, inner: Evaluation, at: Evaluation, known: list[Element]
+    found: Roots, inner: Evaluation, at: Evaluation, known: list[Element]
 ) -> Iterator[Element]:
     """Check that roots are solutions; one over what the evidence divides by is yielded."""
     solved, rests = solved_rests(found, inner, at, known)

@@ -9,6 +9,7 @@ from functools import cache, cached_property
 from typing import Any
 
 from kowalevski_cas.algebra.derivation import Field, along
+from kowalevski_cas.algebra.numbers import substituted
 from kowalevski_cas.algebra.polynomials import Polynomials, Terms
 from kowalevski_cas.algebra.tower import Element, Ring
 from kowalevski_cas.notation import Formula, Name, Negative, Number, to_latex
@@ -103,7 +104,7 @@ class Evaluation(Fold):
         raise Meaningless(f"{name} has no value here", name)
 
     def _adjoin(self, name: str, radicand: Element) -> Element:
-        value = self.ring.zero if radicand.is_zero else self.ring.adjoin(name, radicand)
+        value = radicand if radicand.is_zero else self.ring.adjoin(name, radicand)
         if self.letters and not value.denominator and not value.is_zero:
             self.letters[name] = self.ring.names.index(name)
         self.roots[name] = radicand
@@ -307,9 +308,13 @@ class Evaluation(Fold):
         ring = element.ring
         value_of = cache(value_of or (lambda name: self.scalar(Name(name))))
         names = ring.polynomials.generators
+
+        def polynomial(terms: Terms) -> Element:
+            return substituted(terms, lambda place: value_of(names[place]), self.ring)
+
         total = self.ring.zero
         for mask, terms in element.terms().items():
-            value = self._substituted(terms, names, value_of)
+            value = polynomial(terms)
             for bit, root in enumerate(ring.roots):
                 if mask >> bit & 1:
                     value = value * value_of(root)
@@ -317,19 +322,6 @@ class Evaluation(Fold):
                         value = value * self.image(below, value_of)
             total = total + value
         for index, exponent in element.denominator.items():
-            terms = ring.polynomials.terms(ring.divisors[index])
-            below = self._substituted(terms, names, value_of)
+            below = polynomial(ring.polynomials.terms(ring.divisors[index]))
             total = total * below**-exponent + below * self.ring.zero
-        return total
-
-    def _substituted(
-        self, terms: Terms, names: Sequence[str], value_of: Callable[[str], Element]
-    ) -> Element:
-        total = self.ring.zero
-        for exponents, coefficient in terms.items():
-            product = self.ring.number(coefficient)
-            for name, exponent in zip(names, exponents, strict=True):
-                if exponent:
-                    product = product * value_of(name) ** exponent
-            total = total + product
         return total

@@ -126,7 +126,10 @@ Evidence = Shown | At | Minors | Found | Regardless | Roots | Solutions | Furthe
 
 @dataclass(frozen=True)
 class Denial:
-    """Evidence that a goal of a problem is false. It is no tuple, as that for all goals is."""
+    """Evidence that the goal at this place of a problem is false.
+
+    A tuple is evidence for all goals; this is none, so that the two cannot be confused.
+    """
 
     goal: int
     evidence: Evidence

@@ -77,10 +77,16 @@ class Examiner:
 
     def _unconditional(self, at: Evaluation) -> None:
         """Refuse evidence that divides by what may vanish: it would show nothing there."""
-        granted = [at.scalar(formula).inverse() for formula in at.setting.nonzero]
+        from kowalevski_cas.algebra.factors import vanishes_with
+
         away = {id(element) for element in self.accepted.away[-1]}
         stated = [e for e in self.accepted.divided[-1][1] if id(e) not in away]
-        known = {index for element in (*granted, *stated) for index in element.denominator}
+        known = {index for element in stated for index in element.denominator}
+        known = set() if at.ring.roots else known  # they may be those of norms
+        for granted in map(at.scalar, at.setting.nonzero):
+            for index in granted.inverse().denominator:
+                if vanishes_with(granted, Element(at.ring, {0: at.ring.divisors[index]}, {})):
+                    known.add(index)
         if any(element.denominator.keys() - known for element in self.accepted.away[-1]):
             raise Unproved("it divides by what may be zero")
 

@@ -25,7 +25,6 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Point
-from kowalevski_cas.problem.fold import rational_number
 from kowalevski_cas.problem.space import Adjoined, Raised, Space, Step
 
 MINUS_ONE = Negative(Number(1))
@@ -48,16 +47,9 @@ class Place:
 
     def __init__(self, at: Evaluation, point: Point) -> None:
         self.at, self.point = at, point
-        rational = {name: rational_number(value) for name, value in point.values.items()}
-        others = {name: point.values[name] for name, number in rational.items() if number is None}
-        squares = {number for value in others.values() for number in _squares(value)}
+        squares = {number for value in point.values.values() for number in _squares(value)}
         self.numbers = _numbers(at.polynomials, tuple(sorted(squares)))
-        given = {
-            name: self.numbers.scalar(others[name])
-            if value is None
-            else self.numbers.ring.number(value)
-            for name, value in rational.items()
-        }
+        given = {name: self.numbers.scalar(value) for name, value in point.values.items()}
         zero = self.numbers.ring.zero
         generators = {name: given.get(name, zero) for name in at.ring.polynomials.generators}
         self._value = Substitution(at.ring, generators, self.numbers.ring, roots={})

@@ -20,6 +20,7 @@ from kowalevski_cas.notation import (
     Sum,
     equal,
     read,
+    times,
     to_latex,
     total,
 )
@@ -62,10 +63,10 @@ def search(
 
     value, zero = formula(ansatz.value), ansatz.at.ring.zero
     rate = Derivative(value, scene.time)
-    terms = [Product((formula(a), formula(b))) for a, b in ansatz.equations()]
+    terms = [times(formula(b), formula(a)) for a, b in ansatz.equations()]
     rest = Sum((rate, Negative(Product((formula(ansatz.cofactor), value)))))
     asked = tuple(tex(one, zero) for _, one in ansatz.equations())
-    said = "what multiplies the monomials vanishes if K is this polynomial"
+    said = "F' − KF by its monomials; F' = KF where all their coefficients vanish"
     yield Finding(Identity, scene, said, tex(rest, total(terms)))
     cases = [*ansatz.cases(pool)]
     sets = dict.fromkeys(

@@ -83,8 +83,8 @@ class Findings:
             said = [f"holds {how}" for n, how in found if n] + [f"is {how}" for _, how in wrong]
             return f"The only statement {said[0]}."
         for n, how in found:
-            if n == len(self.outcomes) > 2:
-                return f"All {what} hold {how}."
+            if n == len(self.outcomes):
+                return f"{f'All {what}' if n > 2 else 'Both statements'} hold {how}."
         holds = [f"{in_words(n)} hold{'s' * (n == 1)} {how}" for n, how in found if n]
         fails = _joined([f"{in_words(n)} {'is' if n == 1 else 'are'} {how}" for n, how in wrong])
         more = f" {capital(fails)}." if fails else ""

@@ -26,6 +26,9 @@ from kowalevski_cas.search.levels import System, more_solutions, solutions, syst
 from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.search.squares import sum_of_squares
 
+Split = tuple[tuple[Factor, ...], tuple[tuple[Formula, tuple[int, ...]], ...]]
+"""Factors, and minors as products of them."""
+
 
 class Builder:
     """The evidence for one system and its eliminant, in formulas."""
@@ -71,7 +74,7 @@ class Builder:
         )
         rows = self._rows(draft)
         quotients = self._quotients(draft)
-        split = self._split(draft)
+        split = self._split()
         if rows is None or quotients is None or split is None:
             return None
         factors, minors = split
@@ -142,9 +145,7 @@ class Builder:
             found.append(formula_in(inner.ring.element({0: quotient}, rest.denominator)))
         return tuple(found)
 
-    def _split(
-        self, draft: Roots
-    ) -> tuple[tuple[Factor, ...], tuple[tuple[Formula, tuple[int, ...]], ...]] | None:
+    def _split(self) -> Split | None:
         """The minors of Hermite as products of factors, each a sum of squares."""
         ring = Ring(self.at.polynomials(("s", *(f"p{k}" for k in range(len(self.parameters))))))
         minors = hermite_minors([ring.from_terms({0: row}) for row in self._coefficients()])

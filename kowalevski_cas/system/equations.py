@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Container, Mapping, Sequence
 from dataclasses import replace
 
 from kowalevski_cas.notation import (
@@ -28,7 +26,7 @@ from kowalevski_cas.notation import (
     read_display,
     to_latex,
 )
-from kowalevski_cas.notation.errors import letter_and_index, undotted
+from kowalevski_cas.notation.errors import undotted
 from kowalevski_cas.notation.open import OpenParser, independent
 from kowalevski_cas.notation.vocabulary import VECTOR
 from kowalevski_cas.paper.claims.forms import minus
@@ -38,10 +36,13 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.summation import written_out
 from kowalevski_cas.paper.texts import Display, Printed
 from kowalevski_cas.paper.vocabulary import vocabulary
+from kowalevski_cas.system.refused import (
+    check_derivatives,
+    check_indices,
+    check_marks,
+    check_motion,
+)
 from kowalevski_cas.system.vectors import Vectors, bold, names_only, vectors_of
-
-_INDEX = re.compile("[i-n]")
-_PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
 
 
 def components(tex: str, vectors: Vectors) -> dict[str, tuple[str, ...]]:
@@ -79,13 +80,14 @@ def moving_by(display: Display, name: str, vectors: Vectors) -> Scene:
     defined = {one for f, given in heads_of for one in (f, *given, *summed(given))} - {*moving}
     nodes = (node for formula in formulas.values() for node in formula.nodes())
     names = [node.name for node in nodes if isinstance(node, Name)]
-    _check(display, formulas, laws, moving, defined)
+    check_marks(formulas.values())
+    check_motion(display, formulas, laws, moving, defined)
     variables = tuple(part for one in moving for part in vectors.get(one, (one,)))
     fixed = [one for one in names if one not in defined and one not in words.matrices]
     parts = dict.fromkeys(part for one in fixed for part in vectors.get(one, (one,)))
     constants = tuple(one for one in parts if one not in variables and one not in defined)
-    _check_indices((*variables, *constants))
-    _check_derivatives(constants, defined, moving)
+    check_indices((*variables, *constants))
+    check_derivatives(constants, defined, moving)
     title, time = name or "the system", min(words.times)
     scene = Scene(title, vectors, variables, constants, laws, time)
     for place in others:
@@ -110,58 +112,6 @@ def _vocabulary(display: Display, vectors: Vectors) -> Vocabulary:
         matrices=frozenset(matrices - vectors.keys()), times=frozenset(times),
         moving=frozenset(sorted(vectors)[:1]),  # by what a gradient is, does not matter yet
     )  # fmt: skip
-
-
-def _check(
-    display: Display,
-    formulas: Mapping[Printed, Formula],
-    laws: Sequence[Printed],
-    moving: Collection[str],
-    defined: Container[str],
-) -> None:
-    """Refuse equations that do not tell what moves, and names that are derived and not defined."""
-    if not laws:
-        raise ValueError(f"“{display.tex}” has no equation of motion: print one with a derivative")
-    for place in formulas:
-        names = place.heads.names
-        if names and place not in laws and {*names} <= {*moving}:
-            raise ValueError(
-                f"{place.tex}: {names[0]} moves by an equation of its own: leave this one out, or "
-                "print the equations of motion of what stands in it"
-            )
-    if len(laws) > len(moving):
-        unknowns = f"{len(moving)} unknown{'' if len(moving) == 1 else 's'}"
-        raise ValueError(
-            f"{len(laws)} equations for {unknowns} ({', '.join(moving)}): "
-            "leave one out, or claim it as an identity"
-        )
-    for name in (one for formula in formulas.values() for one in _derived(formula)):
-        if name not in defined:
-            raise ValueError(f"{name} is differentiated, and nothing defines it: add {name}=…")
-
-
-def _check_indices(names: Sequence[str]) -> None:
-    """Refuse an index that may stand for numbers which other indices are."""
-    for name in names:
-        if _PERMUTATION.fullmatch(name):
-            raise ValueError(f"{name} is a name here: write a vector product, or the terms")
-        letter, low = letter_and_index(name)
-        if _INDEX.fullmatch(low) and any(
-            other == letter and index.isdigit() for other, index in map(letter_and_index, names)
-        ):
-            raise ValueError(f"{name} stands beside names with numbers: print {low}=1,2,3 behind")
-
-
-def _check_derivatives(
-    constants: Sequence[str], defined: Container[str], moving: Container[str]
-) -> None:
-    """Refuse an index that says by what a function is derived: it would be a constant."""
-    for name in constants:
-        letter, by = letter_and_index(name)
-        if letter in defined and by in moving:
-            raise ValueError(
-                rf"{name} is a name here: print \partial {letter}/\partial {by}, or rename it"
-            )
 
 
 def _with(scene: Scene, place: Printed, formula: Formula) -> Scene:
@@ -211,12 +161,6 @@ def _moving(formula: Formula) -> list[str]:
     found = [name for child in formula.children() for name in _moving(child)]
     by = formula.by if isinstance(formula, Partial) else ""
     return [undotted(by), *found] if undotted(by) != by else found
-
-
-def _derived(formula: Formula) -> list[str]:
-    """The names of which partial derivatives are printed."""
-    partial = (one.argument for one in formula.nodes() if isinstance(one, Partial))
-    return [argument.name for argument in partial if isinstance(argument, Name)]
 
 
 def with_parameters(scene: Scene, display: Display) -> Scene:

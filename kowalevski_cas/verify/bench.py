@@ -9,6 +9,7 @@ from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed, Texts
 from kowalevski_cas.problem.accept import Judge
@@ -18,7 +19,7 @@ from kowalevski_cas.problem.examine import Accepted, Unproved, Vacuous
 from kowalevski_cas.problem.space import Setting
 from kowalevski_cas.verify.certificate import CORRECTED, Stored
 from kowalevski_cas.verify.outcome import Outcome, Screened, Verdict
-from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+from kowalevski_cas.verify.statement import Statement, Verdicts
 
 if TYPE_CHECKING:
     from kowalevski_cas.problem.sampled import Sampled

@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING
 from kowalevski_cas.algebra.points import NoPoint
 from kowalevski_cas.notation import Formula, Negative, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
+from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Fails, Follows
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.vacuous import says_something, unlike
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Formula, Number, Product, Sum
 from kowalevski_cas.paper.claims.forms import minus, rate, vanishes
-from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborate import Elaboration, finder_of
 from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.differentials import chosen, differentials
@@ -26,7 +26,7 @@ from kowalevski_cas.search.combinations import vanish_on
 from kowalevski_cas.search.place import Candidate, PointFinder
 from kowalevski_cas.search.real import real_points
 from kowalevski_cas.verify.certificate import Stored, Supported
-from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+from kowalevski_cas.verify.statement import Statement, Verdicts
 
 TRIES = 3
 """At how many points a rank is taken."""

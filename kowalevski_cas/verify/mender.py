@@ -56,8 +56,7 @@ class Mender(Teller):
             return True
         texts = self.texts.edited(place, edit)
         for other in self.derivation.claims:
-            standing = (other.places(), *(scene.places for scene in other.scenes()))
-            if other is not claim and any(place in places for places in standing):
+            if other is not claim and place in other.reads():
                 try:
                     now = Statement(other, self.on(other))
                     evidence = self._evidence(now, other.id)

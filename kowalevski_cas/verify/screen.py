@@ -8,7 +8,7 @@ from kowalevski_cas.algebra.points import Answer, NoPoint, Points, Question
 from kowalevski_cas.algebra.programs import Program
 from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import Name
-from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborate import Elaboration, finder_of
 from kowalevski_cas.problem.differentials import chosen, differentials
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Found
@@ -17,7 +17,6 @@ from kowalevski_cas.problem.goals import (
     Exists,
     Fails,
     Follows,
-    Goal,
     Kernel,
     Rank,
     Simple,
@@ -26,7 +25,7 @@ from kowalevski_cas.problem.sampled import Sampled
 from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.search.follows import alternatives
 from kowalevski_cas.verify.outcome import Counterexample, Point, Screened, Value, Verdict
-from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+from kowalevski_cas.verify.statement import Statement, Verdicts
 
 Stages = dict[Setting, Sampled]
 """Settings in programs, each made once for a run."""
@@ -106,44 +105,32 @@ def _bound(goal: Simple, found: Found, at: Sampled) -> Evaluation:
     return bound
 
 
-def _asked(goal: Goal, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
-    if isinstance(goal, Follows) and goal.given and goal.space.powers:
-        unseen.append("what follows for symbolic exponents cannot be seen at points")
-        return
+def _asked(goal: Simple, at: Evaluation, unseen: list[str]) -> Iterator[Question]:
     match goal:
-        case Fails():
-            if goal.conclusions:
-                yield _ask(at, goal, somewhere=alternatives(goal, at))
-        case Follows():
-            if goal.conclusions:
-                yield _ask(at, goal, residuals=alternatives(goal, at))
-            else:
-                unseen.append("that there is no point cannot be seen at points")
-        case Rank():
-            yield _ask(at, goal, rows=differentials(chosen(goal, at), at), rank=goal.rank)
+        case Follows(given=(_, *_)) if goal.space.powers:
+            unseen.append("what follows for symbolic exponents cannot be seen at points")
+        case Fails(conclusions=()):
+            pass
+        case Follows(conclusions=()):
+            unseen.append("that there is no point cannot be seen at points")
         case Kernel():
             unseen.append("that there are no more polynomials cannot be seen at points")
         case Count():
             unseen.append("how many solutions are real cannot be seen at points")
+        case _:
+            yield _question(goal, at)
 
 
-def _ask(
-    at: Evaluation,
-    goal: Follows | Rank,
-    residuals: list[Element] | None = None,
-    somewhere: list[Element] | None = None,
-    rows: list[list[Element]] | None = None,
-    rank: int = 0,
-) -> Question:
+def _question(goal: Follows | Rank, at: Evaluation) -> Question:
     assert isinstance(at, Sampled)
-    return Question(
-        at.programs,
-        residuals=_programs(residuals or []),
-        given=_programs(at.differences(goal.given)),
-        rows=[_programs(row) for row in rows or []],
-        rank=rank,
-        somewhere=_programs(somewhere or []),
-    )
+    given = _programs(at.differences(goal.given))
+    match goal:
+        case Rank():
+            rows = [_programs(row) for row in differentials(chosen(goal, at), at)]
+            return Question(at.programs, given=given, rows=rows, rank=goal.rank)
+        case Fails():
+            return Question(at.programs, given=given, somewhere=_programs(alternatives(goal, at)))
+    return Question(at.programs, given=given, residuals=_programs(alternatives(goal, at)))
 
 
 def _programs(elements: list[Element]) -> list[Program]:

@@ -6,11 +6,10 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from kowalevski_cas.paper.claims import Claim
-from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.elaborate import Elaboration, finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.codec import digest
-from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Denial, Evidence
 from kowalevski_cas.problem.goals import Follows, Goal, simple
 from kowalevski_cas.problem.prune import pruned
@@ -112,9 +111,3 @@ class Statement:
 def _denies(goal: Goal, evidence: Evidence) -> bool:
     """Whether evidence of a search of its own is against a goal."""
     return type(goal) is Follows and isinstance(evidence, At)
-
-
-def finder_of(setting: Setting) -> Evaluation:
-    """The evaluation of a setting with FLINT."""
-    assert isinstance(setting, Elaboration)
-    return setting.finder

@@ -25,13 +25,14 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.claims import Claim, Dimension
 from kowalevski_cas.paper.claims.forms import ONE, ZERO
+from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Denial, Evidence, Found, Proof, Roots, Row, Shown
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Meaningless, Setting
 from kowalevski_cas.verify.outcome import Step
 from kowalevski_cas.verify.shown import flat_product, point, scaled, shown, size, written
-from kowalevski_cas.verify.statement import Statement, Verdicts, finder_of
+from kowalevski_cas.verify.statement import Statement, Verdicts
 
 LONGEST = 24
 """How many terms something that was computed has at most, for it to be shown."""

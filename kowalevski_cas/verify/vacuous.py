@@ -18,8 +18,9 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.paper.claims import Neighbour
+from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.goals import simple
-from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.statement import Statement
 
 ALIKE = 2.5
 """From what closeness on a name is easily taken for another one."""

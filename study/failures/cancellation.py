@@ -77,7 +77,7 @@ def _rounded(difference: Program, point: ExactPoint) -> float:
     ring = difference.ring
     values = {name: np.array([complex(*point[name])]) for name in ring.generators}
     with np.errstate(all="ignore"):
-        found = at(ring, values, {name: np.ones(1) for name in ring.roots})(difference)
+        found = at(values, {name: np.ones(1) for name in ring.roots})(difference)
     return float(np.abs(found.value)[0])
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from kowalevski_cas.export import Inexpressible
 from kowalevski_cas.limits import time_limit
+from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.checker import Rejected
 from kowalevski_cas.problem.codec import evidence_data
 from kowalevski_cas.problem.evidence import Shown
@@ -17,7 +18,6 @@ from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.verify.certificate import written
-from kowalevski_cas.verify.statement import finder_of
 from study.labelled import Labelled, identities
 from study.step import Measured
 

@@ -15,7 +15,7 @@ from kowalevski_cas.problem.space import Meaningless
 def equivalence(session: AuditSession, printed: Printed, old: Formula, new: Formula) -> str:
     """Why the formulas are equivalent wherever the place is used; empty if that is not shown."""
     reasons: dict[str, None] = {}
-    claims = [claim for claim in session.derivation.claims if printed in session.places(claim)]
+    claims = [claim for claim in session.derivation.claims if printed in claim.reads()]
     settings = {session.on(claim)(scene): None for claim in claims for scene in claim.scenes()}
     for setting in settings:
         try:

@@ -104,7 +104,10 @@ def mutated(audit: Audit, site: Site, change: Change) -> Mutant | None:
     kind, start, end, new = change
     typed, vocabulary = site.typed, audit.session.texts.vocabulary
     offset = typed.start + start
-    if not audit.expanded.literal(offset, offset + end - start):
+    begin, stop = audit.expanded.origin(offset, offset + end - start)
+    text = audit.source.text
+    old = text[begin:stop]
+    if old != typed.tex[start:end]:  # a macro prints it
         return None
     try:
         own = _read(typed.tex, vocabulary)
@@ -114,12 +117,9 @@ def mutated(audit: Audit, site: Site, change: Change) -> Mutant | None:
     number = _difference(own, read)
     if number is None:
         return None
-    text = audit.source.text
-    begin = audit.expanded.origin(offset, offset + 1)[0]
-    old = text[begin : begin + end - start]
     return Mutant(
         site.place.display[number], kind, audit.source.line(begin), old, new.strip(),
-        text[:begin] + new + text[begin + len(old) :],
+        text[:begin] + new + text[stop:],
         own[number - 1].formula, read[number - 1].formula,
     )  # fmt: skip
 

@@ -54,7 +54,7 @@ def test_an_empty_file_is_refused():
         decode("p.tex", b" \n")
 
 
-def test_a_large_file_is_not_read(tmp_path, monkeypatch):
+def test_a_large_file_is_not_read(tmp_path):
     path = tmp_path / "large.tex"
     with path.open("wb") as file:
         file.truncate(100_000_000)

@@ -213,7 +213,7 @@ def test_numbers_may_be_quotients_and_negative_and_times_too(cli):
         ([*FIELDS, "--m", "0", "--l", "1"], "m = 0"),
         (["--a", "1", "--b", "1", "--m", "1", "--l", "1"], "a > b ≥ 0 is needed"),
         ([*FIELDS, "--c", "0.5", "--m", "1", "--l", "1"], "|c| ≤ 0.4 would do"),
-        ([*USUAL, "--torus", "2"], "there is no torus 2: the tori of these constants are 1 to 1"),
+        ([*USUAL, "--torus", "2"], "there is no torus 2: these constants have one torus"),
         ([*USUAL, "--origins", "0", "x"], "“x” is no finite number"),
         ([*FIELDS, "--m", "x", "--l", "1"], "“x” is no finite number"),
         ([*USUAL, "--until", "inf"], "--until inf is no finite number"),

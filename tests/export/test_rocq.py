@@ -76,7 +76,7 @@ def test_a_combination_a_misprint_and_a_rank(rocq, claim):
 
 
 @slow_rocq
-def test_rocq_confirms_the_paper_save_what_needs_real_numbers(tmp_path, capsys):
+def test_rocq_confirms_the_paper_save_what_needs_real_numbers(tmp_path):
     assert main(["witness", "rocq", "kharlamov2002", "-o", str(tmp_path)]) == 0
     said = json.loads((tmp_path / "kharlamov2002" / "rocq.json").read_text(encoding="utf-8"))
     assert said["failed"] == {}

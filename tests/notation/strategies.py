@@ -53,7 +53,7 @@ def _several(items, most=3):
     return st.lists(items, min_size=2, max_size=most).map(tuple)
 
 
-def _kept(values, with_root=False):
+def _kept(values):
     """What has the kind of its argument."""
     return st.one_of(
         st.builds(Negative, values),

@@ -11,12 +11,13 @@ from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import load
 from kowalevski_cas.notation import Name, edits, to_latex
 from kowalevski_cas.paper.claims import CriticalSet
+from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial, Proof, Shown
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.run import Session
-from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.statement import Statement
 
 DERIVATION = load("kharlamov2002")
 [CLAIM] = [claim for claim in DERIVATION.claims if isinstance(claim, CriticalSet)]

@@ -13,12 +13,13 @@ from kowalevski_cas.algebra.present import fraction_formula
 from kowalevski_cas.library import load
 from kowalevski_cas.notation import Application, Formula, Negative, Number, to_latex
 from kowalevski_cas.paper.claims import Equilibria
+from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial, Roots
 from kowalevski_cas.verify.explain import counterexample
 from kowalevski_cas.verify.outcome import Counterexample, Point, Verdict
 from kowalevski_cas.verify.run import Session
-from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.statement import Statement
 
 DERIVATION = load("kharlamov2002")
 [CLAIM] = [claim for claim in DERIVATION.claims if isinstance(claim, Equilibria)]

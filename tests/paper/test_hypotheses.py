@@ -16,13 +16,14 @@ from kowalevski_cas.paper.claims import (
     Implication,
     InvariantRelations,
 )
+from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Found
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.goals import Exists
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.run import Session
-from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.statement import Statement
 from tests.paper.small import Oscillator, decide
 
 pytestmark = pytest.mark.usefixtures("uncorrected", "here")

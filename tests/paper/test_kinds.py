@@ -1,8 +1,11 @@
 """Each kind of claim on a small scene, where its truth is known."""
 
 from dataclasses import replace
+from itertools import product
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli.formats.json import counterexample as in_tex
@@ -261,6 +264,46 @@ def test_an_implication_for_one_of_two_roots(oscillator, side, verdict):
     root, given = r"\sqrt{x^2+v^2}", oscillator.all("v=0")
     found = oscillator.verdict(Implication, f"{side}={root}", given=given, root=root)
     assert found == verdict
+
+
+HYPOTHESES = {
+    "z=0": lambda x, z, r: z == 0,
+    "x=0": lambda x, z, r: x == 0,
+    "z^2=y": lambda x, z, r: z * z == r * r,
+    "z=2r": lambda x, z, r: z == 2 * r,
+}
+MEANINGS = {"u=r": lambda x, r: r, "u=x-r": lambda x, r: x - r, "u=x": lambda x, r: x}
+
+
+@given(
+    st.lists(st.sampled_from([*HYPOTHESES]), min_size=1, max_size=2, unique=True),
+    st.sampled_from([*MEANINGS]), *[st.integers(-1, 1)] * 2,
+)  # fmt: skip
+def test_what_holds_for_one_of_two_roots(hypotheses, meaning, a, b):
+    """With either value of r, and of what is made of it; a name that hides it is an error."""
+    paper = Paper()
+    paper.scene = Scene(
+        "s", variables=("x", "y", "z"), roots={"r": paper("r^2=y")},
+        definitions={"u": paper(meaning)},
+    )  # fmt: skip
+    formula, known = f"z={a}r+({b})u", tuple(map(paper, hypotheses))
+    found = paper.verdict(Implication, formula, given=known, root="r")
+    for x, z, r in product(range(-2, 3), repeat=3):
+        if all(HYPOTHESES[one](x, z, r) for one in hypotheses):
+            either = any(z == a * s + b * MEANINGS[meaning](x, s) for s in (r, -r))
+            assert either or found not in ("proved", "conditional")
+
+
+@pytest.mark.parametrize(
+    ("root", "words"),
+    [("x", "x is no root"), ("2r", "2r is no root"), ("s", "is no root"), ("r", "another root")],
+)
+def test_a_root_that_is_none_or_stands_in_another_one(root, words):
+    paper = Paper()
+    roots = {"r": paper("r^2=y"), "s": paper("s^2=x+r")}
+    paper.scene = Scene("s", variables=("x", "y", "z"), roots=roots)
+    outcome = paper.outcome(Implication, "zs=rs", given=(paper("z=y"),), root=root)
+    assert (words in outcome.message) == (root != "s")
 
 
 @pytest.mark.parametrize(("kind", "tex"), [(Implication, "z=0"), (FirstIntegral, "z^2")])

@@ -18,6 +18,7 @@ from kowalevski_cas.paper.claims import (
     Implication,
     Independence,
 )
+from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.space import Meaningless
@@ -25,7 +26,7 @@ from kowalevski_cas.verify.certificate import certificate
 from kowalevski_cas.verify.corrections import true_ones
 from kowalevski_cas.verify.explain import counterexample
 from kowalevski_cas.verify.run import Session
-from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.statement import Statement
 from tests.paper.plain import close, complex_motion, evaluate, motion, value
 from tests.paper.small import derivation
 from tests.sample import sampled

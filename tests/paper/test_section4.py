@@ -5,13 +5,14 @@ import pytest
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.library import find, load
 from kowalevski_cas.notation import Negative, Number
+from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem import checker
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import At, Denial, Point
 from kowalevski_cas.verify.certificate import certificate, load_certificates
 from kowalevski_cas.verify.record import load_record
 from kowalevski_cas.verify.run import Session
-from kowalevski_cas.verify.statement import Statement, finder_of
+from kowalevski_cas.verify.statement import Statement
 from tests.sample import sampled
 
 PAPERS = ("bobenko_reyman_semenov1989", "kharlamov2005", "kharlamov2007", "m4_tori")

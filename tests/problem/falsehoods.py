@@ -217,7 +217,7 @@ def counted(draw):
     draw.point = {"x": Fraction(abs(draw.off())), "a": Fraction(0)}
     draw.point["a"] = draw.point["x"]
     draw.at = {name: (number, Fraction(0)) for name, number in draw.point.items()}
-    draw.right = count(at(draw.point), goal)
+    draw.right = count(at(draw.point))
     space = {"variables": ["x"], "constants": ["a"], "nonzero": ["a"]}
     return space, {**goal, "equations": [[["^", "x", 2], ["^", "a", 2]]]}
 
@@ -387,7 +387,7 @@ def entries(draw, goal, sign):
         yield from ({"point": place} for place in places)
         yield {"minors": [[]] * 3}
         yield {"points": places[:2]}
-        yield from (count(place, goal) for place in places if "equations" in goal)
+        yield from (count(place) for place in places if "equations" in goal)
         return
     for divisors, place in product(conditions(draw, goal), places):
         own = {"away": divisors} if divisors else {}
@@ -399,7 +399,7 @@ def entries(draw, goal, sign):
             yield from ({**own, **proof} for proof in proofs(draw, goal) if not given)
 
 
-def count(place, goal):
+def count(place):
     """Evidence that is right for two solutions."""
     return {
         "point": place, "root": "s", "form": "x", "eliminant": [["-", ["^", "a", 2]], 0],

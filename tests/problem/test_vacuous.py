@@ -1,7 +1,7 @@
 """Evidence about nothing: whatever point it comes with, judge and checker reject it."""
 
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from kowalevski_cas.problem import checker
@@ -77,6 +77,25 @@ def test_no_point_is_one_of_nothing(case, data, n):
     entry = {**entry, "point": {"roots": roots, "values": [[a, v] for a, v in found.items()]}}
     with pytest.raises((Unproved, FormatError)):
         judged(certificate(problem, {k: tree for k, tree in entry.items() if k != "away"}))
+    with pytest.raises(checker.Rejected):
+        checker.check(seal(certificate(problem, entry)))
+
+
+SIGNS = st.sampled_from([1, -1, 2, -3])
+
+
+@given(SIGNS, SIGNS, st.booleans())
+def test_nothing_is_shown_by_a_norm(sign, other, stated):
+    """Where x + r is not zero, x - r may be."""
+    assume(sign != other)
+    one, less = (["+", "x", ["*", n, "r"]] for n in (sign, other))
+    space = {"steps": [["root", "r", "y"]], "nonzero": [one]}
+    given = ["/", less, one] if stated else less
+    problem = follows([[given, 0]], None, **space)
+    entry = {"cofactors": [[["/", 1, given]]]}
+    entry["point"] = {"roots": [], "values": [["x", 7], ["y", 1], ["r", 1]]}
+    with pytest.raises((Unproved, FormatError)):
+        judged(certificate(problem, entry))
     with pytest.raises(checker.Rejected):
         checker.check(seal(certificate(problem, entry)))
 

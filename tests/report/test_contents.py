@@ -145,7 +145,7 @@ class TestWrong:
         needed = condition("x", "for $x=0$ it fails", witness=counterexample(point({}), "1", "2"))
         pair = [claim(n, "1", "x=x", n, C, conditions=(needed,)) for n in ("one", "other")]
         blocks = document(*pair).blocks
-        assert "two hold only under a hypothesis that the paper" in said(blocks[0]).lower()
+        assert "Both statements hold only under a hypothesis that the paper" in said(blocks[0])
         several = [
             claim(n, "1", "x=x", n, C, conditions=(needed._replace(expression=Name(n)),))
             for n in ("y", "z")
@@ -163,6 +163,11 @@ class TestWrong:
         ("chosen", "sentence"),
         [
             ([claim("a", "1", "x=x", "", P)], "The only statement holds as printed."),
+            ([claim(n, "1", "x=x", "", P) for n in "ab"], "Both statements hold as printed."),
+            (
+                [claim("a", "1", "x=x", "", P), claim("b", "1", "x=y", "", C, conditions=(condition("x", ""),))],
+                "Of two formulas and statements, one holds as printed, and one holds where its denominators do not vanish.",
+            ),
             (
                 [claim("a", "1", "x=x", "", P), claim("b", "1", "x=y", "", R, correction=correction("x=x", "", P, place="b"))],
                 "Of two formulas and statements, one holds as printed. One is spoiled by one misprint.",
@@ -184,6 +189,7 @@ class TestWrong:
             for k, v in enumerate(verdicts)
         ]
         words = said(document(*chosen).blocks[0]).replace(",", "").replace(".", "").lower().split()
+        words = ["two" if word == "both" else word for word in words]
         names = "no one two three four five six seven eight nine".split()
         numbers = [names.index(word) for word in words if word in names[1:]]
         assert numbers[0] == len(verdicts) == sum(numbers[1:] or numbers)

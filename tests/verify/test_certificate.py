@@ -218,7 +218,7 @@ def test_the_correction_of_the_record_is_only_looked_at_first(decided, certifica
         assert outcome.verdict == "refuted" and outcome.correction.verdict == "proved"
 
 
-def test_cofactors_may_not_be_divided_by_what_vanishes_on_the_set(derivation, certificates):
+def test_cofactors_may_not_be_divided_by_what_vanishes_on_the_set(derivation):
     """A goal over a hypothesis, times this hypothesis, is the goal."""
     claim = next(c for c in derivation.claims if c.id == "eq20.2")
     session = Session(derivation, ["flint"])
@@ -249,7 +249,7 @@ def test_files_that_are_none_have_nothing(tmp_path, text):
     assert load_certificates(Path("nowhere")) == {}
 
 
-def test_what_is_passed_over_is_proved_anew(derivation, certificates, record):
+def test_what_is_passed_over_is_proved_anew(derivation, record):
     ids = ["eq9.i", "eq10.7", "eq12", "eq22"]
     found = Session(derivation, ["flint"]).run(ids).outcomes
     assert {o.claim: str(o.verdict) for o in found} == {id: record[id]["verdict"] for id in ids}

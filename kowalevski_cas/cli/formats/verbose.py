@@ -66,10 +66,11 @@ def audited(audit: Audit) -> str:
 def _formulas(audit: Audit) -> Iterator[str]:
     yield from ("", "Formulas")
     vocabulary = audit.session.texts.vocabulary
+    width = max((len(formula.id) for formula in audit.formulas), default=0)
     for formula in audit.formulas:
         shown = plain.formulas(() if formula.formula is None else (formula.formula,), "")
         shown = shown or plain.display(formula.tex, vocabulary)
-        line = f"{formula.line or '-':>5}  {formula.id:<20}"
+        line = f"{formula.line or '-':>5}  {formula.id:<{width}}"
         notes = f"{formula.role}{', moved' * formula.moved}: {shown}"
         yield from plain.wrapped(notes, f"{_sign(formula.verdict, line)} {formula.verdict:<11} ", 8)
 
@@ -78,8 +79,9 @@ def _statements(told: Told) -> Iterator[str]:
     audit = told.audit
     if audit.statements:
         yield from ("", "Statements in words")
+    width = max((len(one.claim) for one in audit.statements), default=0)
     for one in audit.statements:
-        line = f"{audit.lines.get(one.claim, '-'):>5}  {one.claim:<20}"
+        line = f"{audit.lines.get(one.claim, '-'):>5}  {one.claim:<{width}}"
         words = f"{one.words}: {one.message}" if one.message else one.words
         head = f"{_sign(str(one.verdict), line)} {one.verdict:<11} "
         yield from plain.wrapped(plain.text(told.phrases.words(words)), head, 8)

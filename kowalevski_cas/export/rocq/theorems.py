@@ -190,14 +190,14 @@ def fails(section: Theorems, name: str, goal: Json, evidence: Json) -> None:
     section.computed(name, place)
 
 
-def _functions(space: Space, goal: Json) -> list[Tree]:
+def _functions(goal: Json) -> list[Tree]:
     """The functions and left minus right sides of equations whose differentials are meant."""
     return [*goal["functions"], *(["+", a, ["-", b]] for a, b in goal["given"])]
 
 
 def rank(section: Theorems, name: str, goal: Json, evidence: Json, sign: str = "true") -> None:
     """There is a point of the given equations where differentials are independent, so many."""
-    space, trees = section.space, _functions(section.space, goal)
+    space, trees = section.space, _functions(goal)
     given, functions = space.sides(goal["given"]), [f for tree in trees for f in space.parts(tree)]
     elements = [e for tree in trees for e in space.value(tree)]
     place = Place(space, evidence["point"], given)
@@ -212,7 +212,7 @@ def no_rank(section: Theorems, name: str, goal: Json, evidence: Json) -> None:
         rank(section, name, goal, evidence, "false")
         return
     space = section.space
-    given, trees = space.sides(goal["given"]), _functions(space, goal)
+    given, trees = space.sides(goal["given"]), _functions(goal)
     functions = [f for tree in trees for f in space.parts(tree)]
     words = [space.partial(v) for v in space.checked.variables]
     if len(functions) > len(words):

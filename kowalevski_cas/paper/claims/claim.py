@@ -118,6 +118,10 @@ class Claim(_Kind, ABC):
         """The scenes on which the claim stands."""
         yield from (one for one in self._stands_on if isinstance(one, Scene))
 
+    def reads(self) -> frozenset[Printed]:
+        """Every place on which a verdict can depend: those that it names, and of its scenes."""
+        return frozenset(self.places()).union(*(scene.places for scene in self.scenes()))
+
     def establishes(self) -> Iterator[Printed]:
         """The places that are right if the claim is."""
         if self.printed is not None:

@@ -63,6 +63,7 @@ class Divisors:
         self.ring = ring
         self.stating = True
         self.known: dict[str, str] = {}
+        self.norms = set[str]()  # may vanish where what was divided by does not
 
     @contextmanager
     def statement(self, stating: bool = True) -> Iterator[None]:
@@ -90,6 +91,7 @@ class Divisors:
             need(number, "it divides by zero")
             return self.ring.number(1 / number)
         above, norm = element.numerator().normed()
+        exact = above.value() is not None
         words = words if above.value() == 1 else ""
         need(norm.terms, "it divides by zero")
         parts = [above, *map(self.ring.denominator, (element.under, norm.under))]
@@ -102,10 +104,10 @@ class Divisors:
                 norm = rest
                 parts.append(self.ring.generator(name))
         if norm.value() is None:
-            parts.append(self._part(norm, words))
+            parts.append(self._part(norm, words, exact))
         return self.ring.product(parts)
 
-    def _part(self, norm: Element, words: str) -> Element:
+    def _part(self, norm: Element, words: str, exact: bool) -> Element:
         """One over a polynomial that divides a known divisor, or becomes one."""
         for name in self.known:
             if (rest := quotient(self.ring.divisors[name], norm)) is not None:
@@ -118,6 +120,7 @@ class Divisors:
             self.ring.adjoin(name)
             self.ring.divisors[name] = norm
         self.known[name] = words or words_of(norm)
+        self.norms |= set() if exact else {name}
         return self.ring.generator(name)
 
     def enter(self, element: Element, words: str) -> None:

@@ -69,8 +69,14 @@ class Formulas(Divisors):
         """A copy for one goal: what the goal brings in is forgotten with it."""
         other = copy.copy(self)
         self.ring.spend(1 + (len(self.env) >> 2))
-        other.env, other.known = dict(self.env), dict(self.known)
+        other.env, other.known, other.norms = dict(self.env), dict(self.known), {*self.norms}
         other.rates = None if self.rates is None else dict(self.rates)
+        return other
+
+    def exact(self) -> Self:
+        """A copy that divides by no norm: it may hold the whole of what is looked at."""
+        other = self.local()
+        other.known = {name: words for name, words in self.known.items() if name not in self.norms}
         return other
 
     def carried(self, ring: Ring, images: dict[str, Element]) -> Map:

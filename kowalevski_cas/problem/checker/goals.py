@@ -54,12 +54,16 @@ class Follows(Goal):
         need(stated and all(self.conclusions), "nothing is stated")
 
     def holds(self, evidence: Json) -> None:
+        self.shown(evidence, self.space if self.conclusions else self.space.exact())
+
+    def shown(self, evidence: Json, space: Space) -> None:
+        """The conclusions follow, by a proof over a space."""
         # for an empty set, a condition that holds nowhere on it would be the whole proof
         record(evidence, "point", f"away {PROOF}" if self.conclusions else PROOF)
         locate(self.space, evidence["point"], self.given if self.conclusions else [])
         one = self.space.ring.number(1)
         goals = [prod(choice, start=one) for choice in product(*self.conclusions)]
-        settle(self.space, goals, self.given, part_of(evidence, PROOF))
+        settle(space, goals, self.given, part_of(evidence, PROOF))
 
     def denied(self, evidence: Json) -> None:
         record(evidence, "point", "away")
@@ -83,7 +87,7 @@ class Fails(Follows):
     def denied(self, evidence: Json) -> None:
         """It follows, and without a condition: where one fails, the goal might hold."""
         need("away" not in evidence, "it may fail where a condition does")
-        super().holds(evidence)
+        super().shown(evidence, self.space.exact())
 
 
 class Rank(Goal):
@@ -113,9 +117,9 @@ class Rank(Goal):
             return
         record(evidence, "minors")
         square = len(self.matrix) <= len(self.space.variables)
-        found = minors(self.space.ring, self.matrix) if square else []
+        found, space = minors(self.space.ring, self.matrix) if square else [], self.space.exact()
         for minor, row in zip(found, items(evidence["minors"], len(found)), strict=True):
-            need(combined(self.space, minor, row, self.given), "a minor may differ from zero")
+            need(combined(space, minor, row, self.given), "a minor may differ from zero")
 
     def _independent(self, evidence: Json) -> None:
         record(evidence, "point", "away")

@@ -1,0 +1,84 @@
+"""What is refused of equations of motion, with what to print instead."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Container, Iterable, Mapping, Sequence
+
+from kowalevski_cas.notation import Derivative, Formula, Name, Partial, to_latex
+from kowalevski_cas.notation.errors import letter_and_index
+from kowalevski_cas.paper.texts import Display, Printed
+
+_INDEX, _NEXT = re.compile("[i-n]"), re.compile(r"[a-z][-+]\d+")
+_PERMUTATION = re.compile(r"\\(?:var)?epsilon_\{\d{3}\}")
+
+
+def check_motion(
+    display: Display,
+    formulas: Mapping[Printed, Formula],
+    laws: Sequence[Printed],
+    moving: Collection[str],
+    defined: Container[str],
+) -> None:
+    """Refuse equations that do not tell what moves, and names that are derived and not defined."""
+    if not laws:
+        raise ValueError(f"“{display.tex}” has no equation of motion: print one with a derivative")
+    for place in formulas:
+        names = place.heads.names
+        if names and place not in laws and {*names} <= {*moving}:
+            raise ValueError(
+                f"{place.tex}: {names[0]} moves by an equation of its own: leave this one out, or "
+                "print the equations of motion of what stands in it"
+            )
+    if len(laws) > len(moving):
+        unknowns = f"{len(moving)} unknown{'' if len(moving) == 1 else 's'}"
+        raise ValueError(
+            f"{len(laws)} equations for {unknowns} ({', '.join(moving)}): "
+            "leave one out, or claim it as an identity"
+        )
+    for name in (one for formula in formulas.values() for one in _derived(formula)):
+        if name not in defined:
+            raise ValueError(f"{name} is differentiated, and nothing defines it: add {name}=…")
+
+
+def check_marks(formulas: Iterable[Formula]) -> None:
+    """Refuse dots beside primes, of which one may be no derivative by the time."""
+    nodes = (node for formula in formulas for node in formula.nodes())
+    marks = {node.mark: node.argument for node in nodes if isinstance(node, Derivative)}
+    if {"dot", "prime"} <= marks.keys():
+        raise ValueError(
+            f"{to_latex(marks['prime'])}' stands beside dots, and a prime is a derivative too: "
+            "print dots or primes, and names with indices"
+        )
+
+
+def check_indices(names: Sequence[str]) -> None:
+    """Refuse an index that may stand for numbers which other indices are."""
+    for name in names:
+        if _PERMUTATION.fullmatch(name):
+            raise ValueError(f"{name} is a name here: write a vector product, or the terms")
+        letter, low = letter_and_index(name)
+        if _NEXT.fullmatch(low):
+            raise ValueError(f"{name} has an index that runs: print {low[0]}=1,2,3 behind")
+        if _INDEX.fullmatch(low) and any(
+            other == letter and index.isdigit() for other, index in map(letter_and_index, names)
+        ):
+            raise ValueError(f"{name} stands beside names with numbers: print {low}=1,2,3 behind")
+
+
+def check_derivatives(
+    constants: Sequence[str], defined: Container[str], moving: Container[str]
+) -> None:
+    """Refuse an index that says by what a function is derived: it would be a constant."""
+    for name in constants:
+        letter, by = letter_and_index(name)
+        if letter in defined and by in moving:
+            raise ValueError(
+                rf"{name} is a name here: print \partial {letter}/\partial {by}, or rename it"
+            )
+
+
+def _derived(formula: Formula) -> list[str]:
+    """The names of which partial derivatives are printed."""
+    partial = (one.argument for one in formula.nodes() if isinstance(one, Partial))
+    return [argument.name for argument in partial if isinstance(argument, Name)]
