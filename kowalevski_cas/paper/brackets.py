@@ -60,7 +60,8 @@ class Brackets:
                         )
                 if (y, x) not in self.structure:
                     self.structure[x, y] = formula
-        self.structure = {p: f for p, f in self.structure.items() if not finder.scalar(f).is_zero}
+        nothing = {p for p, one in values.items() if one.is_zero and not one.denominator}
+        self.structure = {p: f for p, f in self.structure.items() if p not in nothing}
 
     def __call__(self, left: Parts, right: Parts) -> Formula:
         """The bracket of two functions, or of a vector and a function, component by component."""

@@ -10,8 +10,17 @@ from kowalevski_cas.algebra.derivation import along
 from kowalevski_cas.algebra.numbers import prime_factors, rational
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Constant, Formula, Name, Number, Power, to_latex
-from kowalevski_cas.paper.denominators import factors_below, granted_by
+from kowalevski_cas.notation import (
+    Constant,
+    Formula,
+    Name,
+    Number,
+    Power,
+    Quotient,
+    times,
+    to_latex,
+)
+from kowalevski_cas.paper.denominators import factors_below, factors_of, granted_by
 from kowalevski_cas.paper.meaning import Meaning
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.evaluate import Evaluation
@@ -75,7 +84,13 @@ def solved(setting: Meaning, name: str, printed: Printed) -> Adjoined:
             f"take that for granted on the scene “{setting.scene.name}”, as in nonzero=(…,)",
             name,
         )
-    return Adjoined(name, formula_in(-rest / factor), (sides[0], right))
+    square = formula_in(-rest / factor)
+    left = granted.union(*map(factors_of, at.ring.divided_by([at.scalar(square)])))
+    divisors = at.ring.divided_by(rest for _, rest in parts)
+    gone = [formula_in(one) for one in divisors if factors_of(one).keys() - left]
+    if gone:  # what cancels is remembered
+        square = Quotient(times(*gone, square), times(*gone))
+    return Adjoined(name, square, (sides[0], right))
 
 
 def _even(element: Element, name: str) -> tuple[Element, Element]:

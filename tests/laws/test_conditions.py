@@ -92,6 +92,52 @@ def test_a_root_of_zero_remembers_what_that_was_divided_by(formula, factor):
     assert [to_latex(condition.expression) for condition in named] == ["y"]
 
 
+@given(
+    st.sampled_from(
+        [one for one in LEAVES if "F" not in one and "G" not in one and "A" not in one]
+    ),
+    st.sampled_from([r"\{x,z\}", r"\{z,x\}", r"\{x^2,z\}", r"\{xy,x+z\}", r"\{x,\{x,z\}\}"]),
+    st.booleans(),
+)
+def test_a_bracket_of_zero_remembers_what_that_was_divided_by(formula, bracket, turned):
+    """What is not printed of the brackets divides by nothing."""
+    pair = r"\{z,x\}" if turned else r"\{x,z\}"
+    motion = rf"\dot x=y,\ \dot y=z,\ \dot z=x,\ {pair}=({formula})-({formula})"
+    outcome = System(motion).identity(f"{bracket}=0").outcome
+    assert [to_latex(condition.expression) for condition in outcome.conditions] == ["y"]
+
+
+BELOW = {
+    "x": lambda x, y: x,
+    "y": lambda x, y: y,
+    "y+1": lambda x, y: y + 1,
+    "(x-y)": lambda x, y: x - y,
+    "(x+y)^2": lambda x, y: (x + y) ** 2,
+}
+
+
+@given(
+    st.sampled_from([*BELOW]),
+    st.sampled_from(
+        [r"\frac{r^2}{%}=\frac{x}{%}", r"r^2+\frac1{%}=x+\frac1{%}", r"r^2-x=\frac{x-x}{%}",
+         r"r^2=x\frac{%}{%}=x", r"r^2\frac{%}{%}=x"]
+    ),
+    st.sets(st.sampled_from([*BELOW])),
+)  # fmt: skip
+def test_the_square_of_a_root_remembers_what_its_equation_divides_by(below, equation, granted):
+    """Where that vanishes, a condition does, or what is granted."""
+    paper = Paper()
+    place = paper(equation.replace("%", below))
+    paper.scene = Scene("s", variables=("x", "y"), roots={"r": place}, nonzero=tuple(granted))
+    outcome = paper.outcome(Identity, "r^2=x")
+    assert outcome.verdict.green
+    for x, y in product(range(-2, 3), repeat=2):
+        if BELOW[below](x, y) == 0:
+            excluded = any(BELOW[one](x, y) == 0 for one in granted)
+            conditions = [value(one.expression, {"x": x, "y": y}) for one in outcome.conditions]
+            assert excluded or 0 in conditions
+
+
 FACTORS = ("x", "y", "(x+y)", "(x-2y)", "(x^2+y)")
 SOME = st.lists(st.sampled_from(FACTORS), min_size=1, unique=True)
 
