@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from kowalevski_cas import UserError
 
 AS_RECORDED = 0
@@ -23,6 +25,13 @@ EXIT_CODES = """exit codes:
   6   nothing was selected
   130 interrupted
 """
+
+_URGENCY = (AS_RECORDED, DIFFERENT, REJECTED, UNDECIDED, USAGE, DISAGREEMENT)
+
+
+def most_urgent(codes: Iterable[int]) -> int:
+    """The code with which a command ends that has several results."""
+    return max(codes, key=_URGENCY.index)
 
 
 class CommandError(UserError):

@@ -10,7 +10,8 @@ from pathlib import Path
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.exits import AS_RECORDED
+from kowalevski_cas.cli.check import tell
+from kowalevski_cas.cli.exits import AS_RECORDED, most_urgent
 from kowalevski_cas.cli.formats import Result
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.report.pdf import write_report
@@ -28,9 +29,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run the command and return its exit code."""
     chosen = session.derivations(arguments.derivations)
-
-    write(explained(chosen, arguments.timeout), arguments.output)
-    return AS_RECORDED
+    results = explained(chosen, arguments.timeout)
+    code = write(results, arguments.output)
+    return most_urgent([code, *(result.exit_code for result in results)])
 
 
 def explained(chosen: Sequence[tuple[Path, Derivation]], timeout: float) -> list[Result]:
@@ -43,14 +44,15 @@ def explained(chosen: Sequence[tuple[Path, Derivation]], timeout: float) -> list
     ]
 
 
-def write(results: Sequence[Result], output: Path) -> list[Checked]:
-    """Write the reports of runs, those of most claims first; what the checker says of each."""
+def write(results: Sequence[Result], output: Path) -> int:
+    """Write the reports of runs, those of most claims first; the exit code for certificates."""
     done = session.watched(
         lambda found: _written(found, output), results, lambda found: len(found.run.outcomes)
     )
     for _, said in done:
         print(said, file=sys.stderr)
-    return [checked for checked, _ in done]
+    checked = [found for found, _ in done if found.total]
+    return tell(checked) if checked else AS_RECORDED
 
 
 def _written(found: Result, output: Path) -> tuple[Checked, str]:

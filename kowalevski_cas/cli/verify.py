@@ -17,23 +17,14 @@ from time import sleep
 from kowalevski_cas import UserError
 from kowalevski_cas.algebra import EXACT, POINTS
 from kowalevski_cas.cli import session
-from kowalevski_cas.cli.exits import (
-    AS_RECORDED,
-    DIFFERENT,
-    DISAGREEMENT,
-    REJECTED,
-    UNDECIDED,
-    USAGE,
-    CommandError,
-)
+from kowalevski_cas.cli.exits import AS_RECORDED, CommandError, most_urgent
 from kowalevski_cas.cli.formats import FORMATS, Result, load_format
 from kowalevski_cas.library import READ, available, find, source
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.verify.certificate import Stored
-from kowalevski_cas.verify.outcome import Run, Verdict
+from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import contradictions, differences, load_record, unexpected
-from kowalevski_cas.verify.teller import disagreement
 
 PAUSE = 0.2
 """Seconds between two looks at the files that are watched."""
@@ -102,7 +93,7 @@ def told(
     chosen = [(folder, derivation)]
     (found,) = session.runs(chosen, ["flint"], [claim], timeout=seconds, stored=[stored])
     result = compared(folder, derivation, *found, False)
-    return "" if exit_code(result) == AS_RECORDED else load_format("pretty").render([result])
+    return "" if result.exit_code == AS_RECORDED else load_format("pretty").render([result])
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -143,31 +134,9 @@ def _verified(arguments: argparse.Namespace) -> int:
     results = run_derivations(arguments)
     print(load_format(arguments.format).render(results), end="")
     sys.stdout.flush()
-    codes = [exit_code(result) for result in results]
+    codes = [result.exit_code for result in results]
     if arguments.report is not None:
-        from kowalevski_cas.cli.check import tell
         from kowalevski_cas.cli.report import write
 
-        if checked := [found for found in write(results, arguments.report) if found.total]:
-            codes.append(tell(checked))
-    return max(codes, key=_URGENCY.index)
-
-
-def exit_code(result: Result) -> int:
-    """The exit code that a result asks for."""
-    outcomes = result.run.outcomes
-    if any(disagreement(o.verdicts) for o in outcomes):
-        return DISAGREEMENT
-    verdicts = {o.verdict for o in outcomes}
-    if Verdict.ERROR in verdicts:
-        return USAGE
-    screened = result.run.arithmetics[0] in POINTS
-    # Some claims say what no point can show; a screening that saw nothing at all is no success.
-    if Verdict.UNDECIDED in verdicts and not (screened and len(verdicts) > 1):
-        return UNDECIDED
-    if Verdict.TIMEOUT in verdicts:
-        return UNDECIDED
-    return DIFFERENT if result.differences else AS_RECORDED
-
-
-_URGENCY = (AS_RECORDED, DIFFERENT, REJECTED, UNDECIDED, USAGE, DISAGREEMENT)
+        codes.append(write(results, arguments.report))
+    return most_urgent(codes)

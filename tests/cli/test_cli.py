@@ -165,6 +165,13 @@ def test_3_undecided(cli, write):
     assert "would prove it is false, which does not refute it" in " ".join(out.split())
 
 
+@pytest.mark.parametrize(("claim", "expected"), [("x=w", 2), ("x=x", 0)])
+def test_a_report_of_what_cannot_be_read_is_no_success(cli, write, tmp_path, claim, expected):
+    code, *_ = cli("report", write(f's.identity("e", "{claim}", on=osc, says="")'), "-o", tmp_path)
+    assert code == expected
+    assert [*tmp_path.glob("*.html")]
+
+
 def test_3_timed_out(cli, write, monkeypatch):
     monkeypatch.undo()
     slow = "class Slow(Identity):\n    def search(self, *_):\n        import time\n        time.sleep(3)\n"

@@ -9,11 +9,14 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from kowalevski_cas.algebra import POINTS
+from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, DISAGREEMENT, UNDECIDED, USAGE
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.report.places import Section, sections
-from kowalevski_cas.verify.outcome import Run
+from kowalevski_cas.verify.outcome import Run, Verdict
 from kowalevski_cas.verify.record import Difference
+from kowalevski_cas.verify.teller import disagreement
 
 FORMATS, OF_AUDITS = ("pretty", "json", "junit", "github"), ("pretty", "json", "sarif", "github")
 """The formats that are chosen by name; ``-v`` chooses :mod:`.verbose`."""
@@ -43,6 +46,23 @@ class Result:
         file, line = self.derivation.lines.get(claim, (str(self.folder), 1))
         here = Path.cwd()
         return str(Path(file).relative_to(here) if Path(file).is_relative_to(here) else file), line
+
+    @property
+    def exit_code(self) -> int:
+        """The exit code that the result asks for."""
+        outcomes = self.run.outcomes
+        if any(disagreement(o.verdicts) for o in outcomes):
+            return DISAGREEMENT
+        verdicts = {o.verdict for o in outcomes}
+        if Verdict.ERROR in verdicts:
+            return USAGE
+        screened = self.run.arithmetics[0] in POINTS
+        # Some claims say what no point can show; a screening that saw nothing at all is no success.
+        if Verdict.UNDECIDED in verdicts and not (screened and len(verdicts) > 1):
+            return UNDECIDED
+        if Verdict.TIMEOUT in verdicts:
+            return UNDECIDED
+        return DIFFERENT if self.differences else AS_RECORDED
 
 
 def load_format(name: str) -> Any:
