@@ -94,8 +94,11 @@ SHELF = "kowalevski_cas_derivations"
 """The package below which derivations are loaded, beside those that they rest on."""
 
 
-def load(name: str) -> Derivation:
+def load(name: str, anew: bool = True) -> Derivation:
     """The derivation with this name, in this folder, this file or this module.
+
+    If not ``anew``, it is loaded together with the one before: if they stand side by side, a module
+    that both need is executed once.
 
     It can rest on another one in the folder beside it or in the library, and imports it from
     there: ``from ..kharlamov2002.section1 import eq3``. A file that does not say what its
@@ -106,13 +109,18 @@ def load(name: str) -> Derivation:
     folder = find(name).resolve()
     file = source(folder)
     inside = file.parent == folder
-    for known in [m for m in sys.modules if m == SHELF or m.startswith(f"{SHELF}.")]:
-        del sys.modules[known]
-    shelf = ModuleType(SHELF)
-    shelf.__path__ = [str(folder.parent), str(library())]
-    sys.modules[SHELF] = shelf
-    invalidate_caches()
     module_name = f"{SHELF}.{folder.stem if not inside else folder.name.replace('.', '_')}"
+    path = [str(folder.parent), str(library())]
+    if not anew and getattr(sys.modules.get(SHELF), "__path__", None) == path:
+        known = sys.modules.get(module_name)
+        found = getattr(known, "derivation", None)
+        if isinstance(found, Derivation) and getattr(known, "__file__", None) == str(file):
+            return found
+        anew = known is not None
+    else:
+        anew = True
+    if anew:
+        _clear(path)
     below = [str(folder)] if inside else None
     spec = spec_from_file_location(module_name, file, submodule_search_locations=below)
     assert spec is not None and spec.loader is not None
@@ -131,6 +139,16 @@ def load(name: str) -> Derivation:
         said = error.msg if isinstance(error, SyntaxError) else str(error)
         said += f"\n  {MEND}" if isinstance(error, Undeclared) else ""
         raise LibraryError(f"{place}: {kind}{said}") from error
+
+
+def _clear(path: list[str]) -> None:
+    """Forget what was loaded; what is imported now is looked for in these folders."""
+    for known in [m for m in sys.modules if m == SHELF or m.startswith(f"{SHELF}.")]:
+        del sys.modules[known]
+    shelf = ModuleType(SHELF)
+    shelf.__path__ = path
+    sys.modules[SHELF] = shelf
+    invalidate_caches()
 
 
 @contextmanager

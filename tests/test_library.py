@@ -121,3 +121,18 @@ def test_what_is_loaded_is_what_was_saved_last(tmp_path, monkeypatch, folder):
         os.utime(file, (1, 1))
         titles.append(load(str(place)).sections[0].title)
     assert "$x$" in titles[0] and "$u$" in titles[1]
+
+
+def test_what_is_loaded_together_is_executed_once_and_a_namesake_is_another(tmp_path):
+    for name, source in {"below": BELOW, "above": ABOVE.format(below="below")}.items():
+        for place in (tmp_path / "here", tmp_path / "there"):
+            (place / name).mkdir(parents=True)
+            (place / name / "__init__.py").write_text(source)
+    here, there = (str(tmp_path / place / "below") for place in ("here", "there"))
+    for names in (["below", "above"], ["above", "below"]):
+        one, other = (load(str(tmp_path / "here" / n), anew=n == names[0]) for n in names)
+        below, above = (one, other) if names[0] == "below" else (other, one)
+        assert above.rests_on == (below,)
+    assert load(here, anew=False) is below
+    assert load(there, anew=False) is not below
+    assert load(there) is not load(there)

@@ -54,7 +54,7 @@ def derivations(names: Sequence[str], only: Sequence[str] = ()) -> list[tuple[Pa
     names = names or available()
     if not names:
         raise CommandError("the library has no derivations", NOTHING)
-    found = [(find(name), load(name)) for name in names]
+    found = [(find(name), load(name, anew=not k)) for k, name in enumerate(names)]
     ids = {claim.id for _, derivation in found for claim in derivation.claims}
     for id in only:
         if id not in ids:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from kowalevski_cas.notation import Application, Formula, Name, PoissonBracket, Root
+from kowalevski_cas.notation import Application, Formula, Name, PoissonBracket, Root, once
 from kowalevski_cas.notation.vocabulary import MATRIX
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.plain import Plain
@@ -42,13 +42,12 @@ class WrittenOut:
         found: set[Printed] = set()
         waiting = [formula]
         while waiting:
-            one = waiting.pop()
-            waiting += one.children()
-            for name, place in self._meant(one):
-                if place not in found:
-                    found.add(place)
-                    waiting.append(self.setting.definition(name))
-                    yield place
+            for one in _heads(waiting.pop()):
+                for name, place in self._meant(one):
+                    if place not in found:
+                        found.add(place)
+                        waiting.append(self.setting.definition(name))
+                        yield place
 
     def _meant(self, formula: Formula) -> Sequence[tuple[str, Printed]]:
         """The definitions of what stands on top of a formula."""
@@ -64,3 +63,10 @@ class WrittenOut:
             case _:
                 return ()
         return [(name, self.setting.scene.definitions[name]) for name in named]
+
+
+@once
+def _heads(formula: Formula) -> list[Formula]:
+    """What in a formula may be the head of a definition."""
+    heads = (Name, Application, PoissonBracket, Root)
+    return [one for one in formula.nodes() if isinstance(one, heads)]

@@ -144,7 +144,7 @@ class Bench:
         """The file that has evidence for a statement, to begin a message with."""
         for name in (statement.claim.id, f"{CORRECTED}/{statement.claim.id}"):
             stored = self.stored.get(name)
-            if stored is not None and stored.data.get("digest") == statement.digest:
+            if stored is not None and stored.beside.get("digest") == statement.digest:
                 return f"{stored.path}: "
         return ""
 

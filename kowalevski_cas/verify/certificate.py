@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -37,16 +37,20 @@ class Supported(NamedTuple):
     accepted: Accepted
 
 
-@dataclass(frozen=True)
 class Stored:
     """The certificate of a claim in a file, or other data in its place; not checked yet."""
 
-    path: Path
-    instead: Data | None = None
+    def __init__(self, path: Path, instead: Data | None = None) -> None:
+        self.path, self.instead = path, instead
+
+    @cached_property
+    def beside(self) -> Data:
+        """What it has beside a problem and evidence, which are large, and seldom read again."""
+        return _beside(self.data)
 
     @property
     def data(self) -> Data:
-        """What it has, read whenever it is asked for: it is large, and seldom asked for twice.
+        """All that it has, read whenever it is asked for.
 
         A file that is no JSON of this version has nothing: what it was about is proved anew.
         """
@@ -64,6 +68,7 @@ class Stored:
         Raises :class:`FormatError` if the evidence cannot be read.
         """
         data = self.data
+        self.beside = _beside(data)
         if data.get("digest") != statement.digest:
             return None
         try:
@@ -73,13 +78,16 @@ class Stored:
 
     def failures(self, statement: Statement, condition: Tree) -> list[Stored] | None:
         """What it has of a condition of a statement; ``None`` if it says nothing of conditions."""
-        data = self.data
-        entries = data.get("failures")
-        if entries is None or data.get("digest") != statement.digest:
+        entries = self.beside.get("failures")
+        if entries is None or self.beside.get("digest") != statement.digest:
             return None
         if not isinstance(entries, list) or not all(isinstance(one, dict) for one in entries):
             raise FormatError(f"{self.path}: a list of what fails is expected")
         return [Stored(self.path, one) for one in entries if one.get("condition") == condition]
+
+
+def _beside(data: Data) -> Data:
+    return {key: data.get(key) for key in ("digest", "failures")}
 
 
 def _verdicts(data: Data, statement: Statement) -> Verdicts:
@@ -102,8 +110,9 @@ def _verdicts(data: Data, statement: Statement) -> Verdicts:
 def load_certificates(folder: Path) -> dict[str, Stored]:
     """The certificates in a derivation's folder by claim; those of corrections with a slash."""
     own = folder / FOLDER
-    paths = sorted(own.glob("**/*.json"))
-    return {path.relative_to(own).with_suffix("").as_posix(): Stored(path) for path in paths}
+    places = (("", own), (f"{CORRECTED}/", own / CORRECTED))
+    found = ((before + path.stem, path) for before, at in places for path in at.glob("*.json"))
+    return {name: Stored(path) for name, path in sorted(found)}
 
 
 def certificate(

@@ -16,6 +16,7 @@ from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Fails, Follows
 from kowalevski_cas.problem.space import Meaningless
+from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.vacuous import says_something, unlike
 
@@ -34,9 +35,10 @@ def recorded_correction(
     ``None`` if no neighbour prints that, or it says nothing.
     """
     with suppress(NotationError, Meaningless):
-        wanted = on.texts.expression(recorded)
+        wanted = None if claim.printed is None else on.texts.expression(recorded)
         for neighbour in claim.neighbours(on.texts, wanted):
-            if printed_of(neighbour) == (wanted,):
+            formulas = printed_of(neighbour)
+            if formulas == (wanted,) or (wanted is None and in_latex(formulas) == recorded):
                 return neighbour, stated(neighbour, on)
     return None
 
@@ -83,8 +85,6 @@ def true_ones(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Nei
 
 def printed_of(neighbour: Neighbour) -> tuple[Formula, ...]:
     """The formulas that a corrected statement prints."""
-    if neighbour.edit is not None:
-        return (neighbour.edit.formula,)
     return neighbour.claim.formulas(neighbour.texts)
 
 

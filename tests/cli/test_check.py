@@ -214,3 +214,16 @@ def test_a_derivation_that_cannot_be_loaded(copy, capsys):
     for named in (copy, copy / "certificates" / "eq6.json"):
         assert main(["check", "-q", str(named)]) == 2
         assert "section1.py:1: ZeroDivisionError" in capsys.readouterr().err
+
+
+def test_a_correction_among_several_formulas_is_shown_with_them_and_recorded(tmp_path, capsys):
+    file = tmp_path / "saddle.py"
+    file.write_text(
+        "from kowalevski_cas import System\n"
+        's = System(r"\\dot x=x, \\dot y=-y, \\dot z=x+y")\n'
+        's.invariant("x=0", "z+2y=0", expect="refuted")\n'
+    )
+    assert main(["record", str(file)]) == main(["check", "-q", str(file)]) == 0
+    assert "CERTIFIED 2 of 2" in capsys.readouterr().out
+    assert main(["verify", str(file)]) == 0
+    assert "✓   x = 0, 2z + 2y = 0" in capsys.readouterr().out
