@@ -93,7 +93,7 @@ def solutions(system: System) -> Iterator[dict[str, Fraction]]:
     levels = [system.terms(level) for level in system.levels]
     solved = [(name, system.terms(expression)) for name, expression in system.solved]
     grid = product(numbers, repeat=len(system.unknowns))
-    for point in sorted(grid, key=lambda p: (max(map(abs, p)), sum(map(abs, p)))):
+    for point in sorted(grid, key=lambda p: (max(map(abs, p), default=0), sum(map(abs, p)))):
         constants = _constants(system, [value(level, point) for level in levels])
         if constants is not None:
             own = dict(zip(system.unknowns, point, strict=True))

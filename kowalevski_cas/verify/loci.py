@@ -175,7 +175,7 @@ def circle_of(goal: Count, places: Sequence[Place]) -> tuple[Place, Place] | Non
     at = places[0].at
     equations = at.differences(goal.equations)
     monomials = (m for e in equations for terms in e.terms().values() for m in terms)
-    angles = range(2, 2 * max(map(sum, monomials)) + 1)
+    angles = range(2, 2 * max(map(sum, monomials), default=0) + 1)
     for one, other in combinations(places, 2):
         if all(_between(one, other, t, goal).vanish(equations) for t in angles):
             return one, other

@@ -20,6 +20,7 @@ from kowalevski_cas.verify.explain import counterexample
 from kowalevski_cas.verify.outcome import Counterexample, Point, Verdict
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
+from tests.paper.small import Motion
 
 DERIVATION = load("kharlamov2002")
 [CLAIM] = [claim for claim in DERIVATION.claims if isinstance(claim, Equilibria)]
@@ -139,3 +140,18 @@ def test_the_eliminant_is_a_biquadratic(session) -> None:
     a2, b2 = a2 * a2, b2 * b2
     assert (coefficients[2] + (a2 + b2) * at.ring.number(2)).is_zero
     assert (coefficients[0] - (a2 - b2) ** 2 - c * c * at.ring.number(4)).is_zero
+
+
+@pytest.mark.parametrize(
+    ("field", "fixed", "count", "verdict", "shown"),
+    [
+        (r"\dot x=y, \dot y=-x", ("y",), 0, "refuted", Number(1)),
+        (r"\dot x=y, \dot y=-x", ("y",), 2, "undecided", None),
+        (r"\dot x=0, \dot y=0", (), 1, "refuted", "infinitely many"),
+    ],
+)
+def test_nothing_is_left_to_be_solved_for(field, fixed, count, verdict, shown):
+    """At rest all is zero, or anything at all."""
+    found = Motion(field, "x", "y").outcome(Equilibria, fixed=fixed, levels=(), count=count)
+    assert found.verdict == verdict
+    assert (found.counterexample and found.counterexample.left) == shown
