@@ -190,12 +190,10 @@ def _gaussian(polynomials: Polynomials, values: Sequence[Element], numbers: Ring
 
 def _reduced(terms: Terms, numbers: Ring) -> Element:
     """The number that a polynomial in a letter for i is, by i² = −1."""
-    parts: dict[int, Fraction] = {}
+    parts = [Fraction(0), Fraction(0)]
     for (exponent,), value in terms.items():
-        bit, own = exponent & 1, -value if exponent & 2 else value
-        parts[bit] = parts[bit] + own if bit in parts else own
-    constant = numbers.polynomials.constant
-    return numbers.element({bit: constant(value) for bit, value in parts.items()}, {})
+        parts[exponent & 1] += -value if exponent & 2 else value
+    return gaussian(numbers, *parts)
 
 
 def rank(matrix: list[list[Element]]) -> int:

@@ -11,10 +11,11 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.cli import main
-from kowalevski_cas.cli.session import pool
-from kowalevski_cas.library import find
+from kowalevski_cas.cli.session import certificates, pool
+from kowalevski_cas.library import available, find, load
 from kowalevski_cas.processes import each
-from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.certificate import FOLDER, load_certificates
+from kowalevski_cas.verify.committed import certificate_files
 
 PAPER = load_certificates(find("kharlamov2002"))
 
@@ -69,3 +70,15 @@ def test_what_was_found_of_another_state_of_a_derivation_is_not_taken(tmp_path, 
     assert (second := kept()) != first
     (folder / "record.json").write_text("{}")
     assert kept() not in (first, second)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", available())
+def test_what_is_found_anew_is_what_is_committed(name):
+    folder = find(name)
+    found, missing = certificates(folder, load(name), timeout=600, anew=True)
+    committed = {
+        file.relative_to(folder / FOLDER).with_suffix("").as_posix(): file.read_text("utf-8")
+        for file in certificate_files(folder)
+    }
+    assert found == committed and not missing

@@ -28,6 +28,7 @@ from kowalevski_cas.paper.claims import (
     LastMultiplier,
     LocalDimension,
     Reality,
+    Scaling,
     Unit,
 )
 from kowalevski_cas.paper.derivation import Change, Scene, Section
@@ -480,3 +481,30 @@ def test_a_definition_defines_the_name_that_it_prints(oscillator, tex, verdict):
     scene = replace(oscillator.scene, definitions={"D": printed})
     claim = Definition("t", scene, "", printed=printed, equation=equation)
     assert verdicts(oscillator.section, claim) == [verdict]
+
+
+# -- scalings ------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("unit", "granted", "verdict"),
+    [
+        ("k", (), "conditional"),
+        ("k", ("k",), "proved"),
+        ("2k", ("k",), "refuted"),
+        ("k-k", (), "error"),
+    ],
+)
+def test_a_unit_of_time_is_not_zero(unit, granted, verdict):
+    """x' = x becomes x' = kx in the unit k; where k = 0 there is no time in this unit."""
+    paper = Paper()
+    scene = Scene(
+        "s", variables=("x",), constants=("k",), field=(paper(r"\dot x=x"),), nonzero=granted
+    )
+    simple = Scene("simple", variables=("x",), constants=("k",), field=(paper(r"\dot x=kx"),))
+    measures = ((("x",), 0, "1"),)
+    outcome = paper.outcome(Scaling, unit, scene, simple=simple, measures=measures)
+    assert outcome.verdict == verdict
+    assert in_latex([one.expression for one in outcome.conditions]) == "k" * (
+        verdict == "conditional"
+    )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import Formula, Name, Quotient, times
+from kowalevski_cas.notation import Formula, Name, Number, Quotient, times
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import expression, rate
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -40,7 +40,8 @@ class Scaling(Claim):
             for name, factor, force in simple.components(row):
                 force = _measured(force, measured, simple)
                 factor = _measured(factor, measured, simple)
-                equations.append((times(factor, time, rate(measured[name])), force))
+                speed = Quotient(rate(measured[name]), Quotient(Number(1), time))
+                equations.append((times(factor, speed), force))
         yield identity(space, *equations)
 
     @staticmethod
