@@ -91,7 +91,7 @@ def test_the_tori_are_different_and_are_all(region):
     count = tori(Motion.of(1, "0.4", m, ell=ell).parameters)
     numbered = [Motion.of(1, "0.4", m, ell=ell, torus=n) for n in range(1, count + 1)]
     assert len({motion.signs for motion in numbered}) == count
-    with pytest.raises(Inadmissible, match=f"no torus {count + 1}: .* 1 to {count}"):
+    with pytest.raises(Inadmissible, match=f"no torus {count + 1}: .*(1 to {count}|one torus)"):
         Motion.of(1, "0.4", m, ell=ell, torus=count + 1)
 
 
