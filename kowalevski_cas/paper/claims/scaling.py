@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from kowalevski_cas.notation import Formula, Name, Number, Quotient, times
+from kowalevski_cas.notation import Formula, Name, Quotient, times
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.forms import expression, rate
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -31,7 +31,7 @@ class Scaling(Claim):
         space, simple = on(self.scene), on(self.simple)
         time = expression(on, space, self.own)
         measured: dict[str, Formula] = {
-            name: Quotient(Name(name), self._unit(time, power, space.formula(rest)))
+            name: self._over_unit(Name(name), time, power, space.formula(rest))
             for names, power, rest in self.measures
             for name in names
         }
@@ -40,15 +40,14 @@ class Scaling(Claim):
             for name, factor, force in simple.components(row):
                 force = _measured(force, measured, simple)
                 factor = _measured(factor, measured, simple)
-                speed = Quotient(rate(measured[name]), Quotient(Number(1), time))
-                equations.append((times(factor, speed), force))
+                per_time = Quotient(force, time)
+                equations.append((times(factor, rate(measured[name])), per_time))
         yield identity(space, *equations)
 
     @staticmethod
-    def _unit(time: Formula, power: int, rest: Formula) -> Formula:
-        if power < 0:
-            return Quotient(rest, times(*[time] * -power))
-        return times(rest, *[time] * power)
+    def _over_unit(variable: Formula, time: Formula, power: int, rest: Formula) -> Formula:
+        """A variable divided by its unit."""
+        return Quotient(times(variable, *[time] * -power), times(rest, *[time] * power))
 
 
 def _measured(formula: Formula, values: dict[str, Formula], simple: Elaboration) -> Formula:
