@@ -116,5 +116,5 @@ def test_the_tori_are_told_apart_by_signs_that_a_motion_keeps(known):
             assert first.regime.invariant(again.signs) == first.regime.invariant(first.signs)
         found.add(first.regime.invariant(first.signs))
     assert len(found) == count
-    with pytest.raises(Inadmissible, match=f"no torus {count + 1}: .* 1 to {count}"):
+    with pytest.raises(Inadmissible, match=f"no torus {count + 1}: .*(1 to {count}|one torus)"):
         MotionO4.of(*known, torus=count + 1)
