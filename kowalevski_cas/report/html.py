@@ -34,6 +34,8 @@ from kowalevski_cas.verify.outcome import Verdict
 _NARROW: Final = 19.0
 """The width of a telephone, in em of a formula."""
 
+_FIRST: Final = re.compile('^<mo( form="prefix")?>')
+
 _STOP: Final = re.compile(r"(<math>(?:(?!</math>).)*</math>[.,;:)]+)")
 
 
@@ -78,7 +80,7 @@ class HtmlSetter(Setter):
 
 def _infix(text: str) -> str:
     """A part of a formula that begins with a sign, which stands between it and what is before."""
-    return text.replace("<mo>", '<mo form="infix">', 1)
+    return _FIRST.sub('<mo form="infix">', text)
 
 
 class HtmlWriter(Writer):
