@@ -190,7 +190,8 @@ class HtmlWriter(Writer):
         return f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table>"
 
     def graph(self, block: Graph) -> str:
-        return f'<div class="graph" tabindex="0">{svg(block.picture)}</div>'
+        wide = f"--wide: {block.picture.width:.1f}"
+        return f'<div class="graph" tabindex="0" style="{wide}">{svg(block.picture)}</div>'
 
     def shown(self, block: Shown) -> str:
         image = b64encode(block.plate.file(self.beside).read_bytes()).decode()

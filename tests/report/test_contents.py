@@ -222,6 +222,13 @@ class TestEvidence:
         text = said(document(claim("a", "1", "x=x", "", P, steps=told)).blocks)
         assert "This does:" in text and "says nothing" not in text
 
+    @pytest.mark.parametrize("letter", ["ℓ", "𝛂", "𝐋", "x̄", "𝒜"])
+    def test_a_box_has_no_letter_that_a_typewriter_has_not(self, letter: str) -> None:
+        one = claim("a", "1", "", letter, P)
+        two = claim("b", "1", "", letter, P, rests_on=("a",))
+        (drawn,) = (p.picture for p in parts(document(one, two)) if isinstance(p, Graph))
+        assert [box.label for box in drawn.boxes] == ["1.1", "1.2"]
+
     def test_a_box_of_the_graph_shows_what_is_stated_if_that_is_short(self) -> None:
         long = "x=1+2+3+4+5+6+7+8+9+10+11+12"
         one = claim("one", "1", "x=x", "", P)
