@@ -163,7 +163,9 @@ def paged(document: Document) -> Document:
             first, *others = (Display((one,)) for one in display.formulas)
             moved.append(first._replace(label=(name,), anchor=f"long.{name}"))
             moved.extend(others)
-        return Paragraph((*lead.text, " ", Link(f"long.{name}", (f"formula {name}",)), "."))
+        return Paragraph(
+            (*lead.text, " ", Link(f"long.{name}", (f"formula\N{NO-BREAK SPACE}{name}",)), ".")
+        )
 
     def stays(blocks: Sequence[Block]) -> Iterator[Block]:
         before: Block | None = None

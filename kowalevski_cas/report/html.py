@@ -27,7 +27,7 @@ from kowalevski_cas.report.document import (
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
-from kowalevski_cas.report.setting import Setter
+from kowalevski_cas.report.setting import SHORT, Setter
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Verdict
 
@@ -72,7 +72,7 @@ class HtmlSetter(Setter):
             if piece.kind in ("sign", "relation") and measured(parts[-1]) > _NARROW / 4:
                 parts.append([])
             parts[-1].append(piece)
-        if measured(row) < 0.8 * _NARROW:
+        if measured(row) <= SHORT:
             parts = [[*row]]
         texts = [joined(part, self.printer) for part in parts if part]
         return " ".join(f"<math>{text}</math>" for text in (*texts[:1], *map(_infix, texts[1:])))

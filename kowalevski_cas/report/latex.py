@@ -65,6 +65,7 @@ class LatexWriter(Writer):
     page = "page.tex"
     setter = LatexSetter()
     origin, emphases = r"{}\par", (r"\emph{{{}}}", r"\textbf{{{}}}")
+    whole = r"\mbox{{{}}}", r"\mbox{{{}}}"
 
     def parts(self, document: Document) -> dict[str, str]:
         properties = {"property": ascii_only(document.title)}

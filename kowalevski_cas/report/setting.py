@@ -14,6 +14,9 @@ from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
 
 _GAP: Final = 1.5
 
+SHORT: Final = 15.0
+"""How wide a formula is at most, in em, within which a line is not broken."""
+
 
 class Setter(ABC):
     """Sets displays in a format, with the printer of that format."""

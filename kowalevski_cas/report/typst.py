@@ -65,6 +65,7 @@ class TypstWriter(Writer):
     page = "page.typ"
     setter = TypstSetter()
     origin, emphases = "#origin[{}]", ("#emph[{}];", "#strong[{}];")
+    whole = "#box[{}];", "#tall[{}];"
 
     def escaped(self, text: str) -> str:
         return _SPECIAL.sub(r"\\\1", text)
