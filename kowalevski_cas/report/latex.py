@@ -117,7 +117,8 @@ class LatexWriter(Writer):
         label = self._place(block.anchor) + self.text(block.label)
         if block.lead:
             return f"\\Led{{{self.text(block.lead)}}}{{{shown}}}{{{label}}}"
-        return f"\\Shown{{{sign}}}{{{shown}}}{{{label}}}"
+        after = r"\nopagebreak" if block.leads else ""
+        return f"\\Shown{{{sign}}}{{{shown}}}{{{label}}}{after}"
 
     def claim(self, block: Claim) -> str:
         sign = rf"\Sign{{{block.verdict}}}" if block.verdict else ""

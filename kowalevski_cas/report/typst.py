@@ -103,7 +103,8 @@ class TypstWriter(Writer):
         label = self.text(block.label)
         if block.lead:
             return f"#led([{self.text(block.lead)}], [{label}])[{shown}]{place}"
-        return f"#shown({name}, [{label}]{wrong})[{shown}]{place}"
+        sticky = ", sticky: true" if block.leads else ""
+        return f"#shown({name}, [{label}]{wrong}{sticky})[{shown}]{place}"
 
     def claim(self, block: Claim) -> str:
         name = f'"{block.verdict}"' if block.verdict else "none"

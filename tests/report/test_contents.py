@@ -315,6 +315,24 @@ class TestOnPaper:
         for written in (render_latex(one), render_typst(one)):
             assert written.count("The derivative:") == 1
 
+    @pytest.mark.parametrize("many", range(4))
+    def test_what_leads_on_to_several_displays_stands_above_them(self, many: int) -> None:
+        lead, shown = Paragraph(("We put:",), leads=True), (Display((Name("x"),)),) * many
+        for behind in ((), (Paragraph(("Behind.",)),), (Heading(("2",), "two"),)):
+            found = paged(WHOLE._replace(blocks=(lead, *shown, *behind))).blocks
+            alone = (shown[0]._replace(lead=lead.text),) if many == 1 else (lead, *shown)
+            assert found == (*alone, *behind)
+
+    def test_the_last_formula_of_a_claim_stays_with_what_is_said_of_it(self) -> None:
+        kept = 0
+        for one in (p for p in parts(paged(WHOLE)) if isinstance(p, Claim)):
+            row = *one.blocks, *one.folded
+            kinds = "".join(type(block).__name__[0] for block in row)
+            leading = [k for k, b in enumerate(row) if isinstance(b, Display) and b.leads]
+            assert leading == [kinds.find("DP")] * ("DP" in kinds)
+            kept += len(leading)
+        assert kept > 5
+
     def test_without_long_formulas_there_is_no_appendix(self) -> None:
         short = document(claim("a", "1", "x=x", "", P))
         assert "Appendix" not in said(paged(short).blocks)
