@@ -100,6 +100,37 @@ def test_a_function_that_is_an_integral_on_special_parameters_only(lorenz):
 
 
 @pytest.mark.parametrize(
+    ("special", "said"),
+    [([r"b=2\sigma"], "for b = 2σ, "), ([r"\rho=1", r"\sigma\ne0"], "for ρ = 1, σ ≠ 0, ")],
+)
+def test_what_is_claimed_for_special_constants_says_for_which(lorenz, special, said):
+    F = lorenz.define(r"F=x^2-2\sigma z")
+    for system, words in ((lorenz, ""), (lorenz.where(*special), said)):
+        claims = [
+            (system.darboux(F, cofactor="-2b"), "it is a Darboux polynomial with the cofactor −2b"),
+            (system.invariant("F=0"), "no motion leaves the set where F = 0"),
+            (system.integral("F"), "this is constant along every motion"),
+            (system.implication("x=0", given="y=0"), "this holds wherever what is given does"),
+            (system.find_integrals(1)[-1], "each polynomial first integral"),
+        ]
+        for stated, rest in claims:
+            assert repr(stated).startswith(f"{stated.verdict}: {words}{rest}")
+
+
+def test_only_what_is_claimed_later_is_said_to_be_shown(cli, tmp_path):
+    content = r"""
+from kowalevski_cas import System
+lorenz = System(r"\dot x=\sigma(y-x), \dot y=\rho x-y-xz, \dot z=xy-bz")
+lorenz.invariant("x=0", "y=0")
+lorenz.where(r"b=1").darboux("x^2+y^2+z^2-2\rho z", cofactor="-2")
+"""
+    cli("report", content, "--output", str(tmp_path))
+    page = (tmp_path / "lorenz.html").read_text(encoding="utf-8")
+    assert "We consider:" in page and "It will be shown" not in page
+    assert page.index("Supposed:") < page.index("The cofactor:")
+
+
+@pytest.mark.parametrize(
     "cofactor", [r"2\sigma", r"-\sigma", r"-2\rho", r"-2b", r"-2\sigma x", "0"]
 )
 def test_another_cofactor_is_refuted(lorenz, cofactor):

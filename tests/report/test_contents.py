@@ -39,6 +39,7 @@ from tests.report.fixtures import (
     in_order,
     outcomes,
     point,
+    read,
     run,
     step,
 )
@@ -126,6 +127,12 @@ class TestWrong:
     def test_what_is_false_and_no_misprint_comes_with_the_nearest_truth(self) -> None:
         (false,) = under(WHOLE, "false")
         assert "only four equilibria" in said(false) and "Correct:" in said(false)
+
+    @pytest.mark.parametrize("formula", ["x", "x=0", "x^2+m"])
+    def test_a_false_statement_shows_what_it_is_about_once(self, formula: str) -> None:
+        for words in ("this is constant", f"${formula}$ is constant"):
+            (false,) = under(document(claim("a", "1", formula, words, R)), "false")
+            assert [f for f in parts(false) if isinstance(f, Formula)] == [*read(formula)]
 
     def test_a_hypothesis_is_missing_where_a_point_denies_it_and_not_where_one_divides(
         self,
