@@ -1004,7 +1004,7 @@ def test_the_constants_for_which_a_polynomial_divides_its_derivative(lorenz):
 
 def test_balances_and_their_exponents_are_claims(lorenz):
     top = System(r"A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A-B)pq")
-    for system, exponents in ((lorenz, "-1, 2, 4"), (top, "-1, 2, 2")):
+    for system, exponents in ((lorenz, "−1, 2, 4"), (top, "−1, 2, 2")):
         weights, balance, *_ = system.find_exponents()
         assert {weights.verdict, balance.verdict} <= {Verdict.PROVED, Verdict.CONDITIONAL}
         assert f"exponents {exponents}" in repr(balance)
