@@ -844,6 +844,16 @@ circle.invariant("{function}", expect="{expected}")
     assert (said in out) == contradicted and ("as recorded" in out) != contradicted
 
 
+@pytest.mark.parametrize("form", ["pretty", "github", "junit"])
+def test_what_is_false_is_no_misprint_and_what_is_expected_not_recorded(cli, form):
+    content = FILE.replace(', expect="refuted"', "")
+    code, out = cli("verify", content, "--format", form)
+    assert code == 1 and "expected" in out and "recorded" not in out and "misprint" not in out
+    assert cli("record", FILE)[0] == 0
+    code, out = cli("verify", content.replace('"F=0"', '"F=x"'), "--format", form)
+    assert code == 1 and "recorded" in out and "expected" not in out and "misprint" not in out
+
+
 def test_a_claim_that_cannot_be_read_hides_no_other(cli):
     code, out = cli("verify", FILE + 'lorenz.integral("w")\n')
     assert code == 2 and "2 proved" in out
