@@ -29,6 +29,9 @@ MUTANTS = 3
 MOST, QUICK = 300, 6
 """How many statements a method is put to at most, and in a quick study."""
 
+GROUNDS = "#e9f0f5", "white"
+"""What the classes stand on, in turn."""
+
 CAPTION = (
     "How long a method takes for a statement, and how sure its answer is. Each was put to "
     f"identities of the derivations, to misprints, {MUTANTS} one-token mutants and near misses of "
@@ -151,12 +154,13 @@ def draw(rows: Sequence[Row]) -> Figure:
     figure = new_figure(height=0.9 + 0.27 * len(found))
     axes = figure.subplots()
     _times(axes, found)
-    for line, one in enumerate(found):
-        _line(axes, line, one)
-    top = -0.5
+    top = end = -0.5
     for number, (words, group) in enumerate(groupby(found, key=lambda one: one.grade[2])):
-        end = top + len(list(group))
-        axes.axhspan(top, end, color="#e9f0f5" if number % 2 == 0 else "white", zorder=0, lw=0)
+        ground = GROUNDS[number % 2]
+        for one in group:
+            _line(axes, end + 0.5, one, ground)
+            end += 1
+        axes.axhspan(top, end, color=ground, zorder=0, lw=0)
         middle, places = (top + end) / 2, axes.get_yaxis_transform()
         axes.text(1.02, middle, words, va="center", transform=places)
         top = end
@@ -188,8 +192,10 @@ def _times(axes: Axes, found: Sequence[Summary]) -> None:
     axes.xaxis.set_major_formatter(FuncFormatter(seconds))
 
 
-def _line(axes: Axes, line: int, one: Summary) -> None:
-    """The mark and the bar of a method, and what went wrong beside them."""
+def _line(axes: Axes, line: float, one: Summary, ground: str) -> None:
+    """The mark and the bar of a method, and what went wrong beside them, on its ground."""
+    from matplotlib.patheffects import withStroke
+
     time, low, high = one.times
     look, full = _mark(one)
     axes.plot([low, high], [line, line], color=look.colour, lw=1.0, zorder=2)
@@ -200,7 +206,8 @@ def _line(axes: Axes, line: int, one: Summary) -> None:
         text: dict[str, Any] = {"ha": "left" if after else "right", "va": "center", "size": 6.5}
         axes.annotate(
             one.words.replace("; ", "\n"), (high if after else low, line), (5 if after else -5, 0),
-            textcoords="offset points", **text,
+            textcoords="offset points", path_effects=[withStroke(linewidth=2.5, foreground=ground)],
+            **text,
         )  # fmt: skip
 
 

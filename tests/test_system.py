@@ -100,6 +100,49 @@ def test_a_function_that_is_an_integral_on_special_parameters_only(lorenz):
 
 
 @pytest.mark.parametrize(
+    ("special", "said"),
+    [([r"b=2\sigma"], "for b = 2σ, "), ([r"\rho=1", r"\sigma\ne0"], "for ρ = 1, σ ≠ 0, ")],
+)
+def test_what_is_claimed_for_special_constants_says_for_which(lorenz, special, said):
+    F = lorenz.define(r"F=x^2-2\sigma z")
+    for system, words in ((lorenz, ""), (lorenz.where(*special), said)):
+        claims = [
+            (system.darboux(F, cofactor="-2b"), "it is a Darboux polynomial with the cofactor −2b"),
+            (system.invariant("F=0"), "no motion leaves the set where F = 0"),
+            (system.integral("F"), "this is constant along every motion"),
+            (system.implication("x=0", given="y=0"), "this holds wherever what is given does"),
+            (system.find_integrals(1)[-1], "each polynomial first integral"),
+        ]
+        for stated, rest in claims:
+            assert repr(stated).startswith(f"{stated.verdict}: {words}{rest}")
+
+
+def test_a_constant_is_no_integral_and_the_reason_is_told():
+    rotation = System(r"\dot x=y, \dot y=-x")
+    whole, itself = "everywhere, not on this set only", "by itself"
+    for stated, words in (
+        (rotation.integral("x^2+y^2", given=("x=0", "y=0")), whole),
+        (rotation.integral("x-x"), itself),
+        (rotation.integral(r"\ln(x^2)-2\ln x"), itself),
+    ):
+        assert stated.verdict is Verdict.REFUTED
+        assert stated.outcome.message == f"the function is constant {words}"
+
+
+def test_only_what_is_claimed_later_is_said_to_be_shown(cli, tmp_path):
+    content = r"""
+from kowalevski_cas import System
+lorenz = System(r"\dot x=\sigma(y-x), \dot y=\rho x-y-xz, \dot z=xy-bz")
+lorenz.invariant("x=0", "y=0")
+lorenz.where(r"b=1").darboux("x^2+y^2+z^2-2\rho z", cofactor="-2")
+"""
+    cli("report", content, "--output", str(tmp_path))
+    page = (tmp_path / "lorenz.html").read_text(encoding="utf-8")
+    assert "We consider:" in page and "It will be shown" not in page
+    assert page.index("Supposed:") < page.index("The cofactor:")
+
+
+@pytest.mark.parametrize(
     "cofactor", [r"2\sigma", r"-\sigma", r"-2\rho", r"-2b", r"-2\sigma x", "0"]
 )
 def test_another_cofactor_is_refuted(lorenz, cofactor):
@@ -801,6 +844,16 @@ circle.invariant("{function}", expect="{expected}")
     assert (said in out) == contradicted and ("as recorded" in out) != contradicted
 
 
+@pytest.mark.parametrize("form", ["pretty", "github", "junit"])
+def test_what_is_false_is_no_misprint_and_what_is_expected_not_recorded(cli, form):
+    content = FILE.replace(', expect="refuted"', "")
+    code, out = cli("verify", content, "--format", form)
+    assert code == 1 and "expected" in out and "recorded" not in out and "misprint" not in out
+    assert cli("record", FILE)[0] == 0
+    code, out = cli("verify", content.replace('"F=0"', '"F=x"'), "--format", form)
+    assert code == 1 and "recorded" in out and "expected" not in out and "misprint" not in out
+
+
 def test_a_claim_that_cannot_be_read_hides_no_other(cli):
     code, out = cli("verify", FILE + 'lorenz.integral("w")\n')
     assert code == 2 and "2 proved" in out
@@ -973,7 +1026,7 @@ def test_the_constants_for_which_a_polynomial_divides_its_derivative(lorenz):
 
 def test_balances_and_their_exponents_are_claims(lorenz):
     top = System(r"A\dot p=(B-C)qr,\quad B\dot q=(C-A)rp,\quad C\dot r=(A-B)pq")
-    for system, exponents in ((lorenz, "-1, 2, 4"), (top, "-1, 2, 2")):
+    for system, exponents in ((lorenz, "−1, 2, 4"), (top, "−1, 2, 2")):
         weights, balance, *_ = system.find_exponents()
         assert {weights.verdict, balance.verdict} <= {Verdict.PROVED, Verdict.CONDITIONAL}
         assert f"exponents {exponents}" in repr(balance)

@@ -6,7 +6,7 @@ from kowalevski_cas.paper.derivation import Section
 from ..kharlamov2002.section2 import eq13
 from .separation import on_N4
 
-section = Section("8", "Across N⁴", copied=False)
+section = Section("8", "Across $N^4$", copied=False)
 
 with_U = on_N4.called("N⁴ with U").defining(eq13[1], eq13[2])
 

@@ -25,8 +25,12 @@ class Role:
 
     @property
     def elsewhere(self) -> str:
-        """The role of a place about which nothing is claimed where it stands."""
-        return next((role for role in ORDER if role in self.roles - {"claim"}), self.name)
+        """The role of a place about which nothing is claimed where it stands.
+
+        What is claimed of it with others only is considered there.
+        """
+        other = next((role for role in ORDER if role in self.roles - {"claim"}), "")
+        return other or ("condition" if self.claims and not self.own else self.name)
 
     @property
     def name(self) -> str:

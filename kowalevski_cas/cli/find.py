@@ -107,6 +107,8 @@ def run(arguments: argparse.Namespace) -> int:
             said = plain.words(outcome.words, answer.run.vocabulary)
             formulas = () if finding.steps and not verbose else outcome.formulas
             shown = _cut(", ".join(map(to_plain, formulas)), verbose)
+            where = ", ".join(f"{to_plain(one.expression)} ≠ 0" for one in outcome.conditions)
+            said += f", where {where}" if where else ""
             print(f"{outcome.verdict}  {said}{':  ' if shown else ''}{shown}")
             for one in finding.computed:
                 print(f"computed  {_cut(plain.words(one, answer.run.vocabulary), verbose)}")
@@ -195,6 +197,7 @@ def _data(finding: Finding, outcome: Outcome) -> dict[str, object]:
         "says": outcome.words,
         "computed": finding.computed,
         "formulas": [to_latex(formula) for formula in outcome.formulas],
+        "conditions": [to_latex(one.expression) for one in outcome.conditions],
         "verdict": str(outcome.verdict),
         "digest": outcome.digest,
     }

@@ -57,6 +57,10 @@ class MathML(Printer):
     def sign(self, sign: str) -> str:
         return f"<mo>{escape(SIGNS[sign])}</mo>"
 
+    def prefix(self, sign: str) -> str:
+        # By itself a browser takes only the first sign of a row for one.
+        return sign.replace("<mo>", '<mo form="prefix">')
+
     def joined(self, parts: Iterable[str]) -> str:
         return "".join(parts)
 

@@ -84,6 +84,10 @@ class Printer(ABC):
         """The sign of a relation."""
         return SIGNS[sign]
 
+    def prefix(self, sign: str) -> str:
+        """A plus or a minus with nothing before it, which stands close to what is behind it."""
+        return sign
+
     @abstractmethod
     def joined(self, parts: Iterable[str]) -> str:
         """Factors side by side."""
@@ -169,7 +173,7 @@ class Printer(ABC):
         return text
 
     def negative(self, formula: Negative) -> str:
-        return self.minus + self.term(formula.argument)
+        return self.prefix(self.minus) + self.term(formula.argument)
 
     def product(self, formula: Product) -> str:
         parts: list[str] = []

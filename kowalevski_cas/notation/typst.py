@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from kowalevski_cas.notation.formula import Formula, Name
+from kowalevski_cas.notation.formula import Application, Formula, Name
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.notation.unicode import symbol
 
@@ -46,6 +46,10 @@ class Typst(Printer):
 
     def joined(self, parts: Iterable[str]) -> str:
         return " ".join(parts)
+
+    def application(self, formula: Application) -> str:
+        # Between a word and its argument Typst would print the space.
+        return self(Name(formula.function)) + self.listed(formula.arguments)
 
     def raised(self, base: str, exponent: str) -> str:
         return f"{base}^⟮{exponent}⟯"

@@ -125,7 +125,7 @@ class _Told:
 
     def balance(self, balance: Balance) -> str:
         """The equations for c, the roots of the determinant, and whether it is principal."""
-        numbers = [str(one) for one in balance.exponents]
+        numbers = [f"${to_latex(fraction_formula(one))}$" for one in balance.exponents]
         numbers += [f"the roots of ${to_latex(self._formula(one))}$" for one in balance.factors]
         numbers[-1] += self.general
         said = "principal" if balance.is_principal() else "not principal"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import unicodedata
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from textwrap import shorten
 from types import MappingProxyType
@@ -190,8 +190,7 @@ class Contents:
         said = [to_plain(f) for f in outcome.formulas if isinstance(f, Relation)]
         words = print_prose(read_prose(outcome.words, self.run.vocabulary), str, to_plain)
         for text in (", ".join(said), *(f"{one}, …" for one in said[:1]), words):
-            plain = not any(map(unicodedata.combining, text))
-            if text and plain and len(text) <= _SHORT:
+            if _TYPED.fullmatch(text) and len(text) <= _SHORT:
                 return f"{name.number} {text}"
         return name.number
 
@@ -216,6 +215,9 @@ class Contents:
 
 _SHORT: Final = 30
 """How many letters stand in a box behind the number at most."""
+
+_TYPED: Final = re.compile("[ -ʯΆ-Ͽᵢ-ᵥḀ-₟∀-⊋]+")
+"""What a font of a typewriter has, which boxes are written in: another one has other widths."""
 
 _FRAMES: Final = {
     Verdict.PROVED: "thin where a statement holds",

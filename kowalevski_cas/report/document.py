@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
 from kowalevski_cas.notation import Formula
@@ -73,7 +74,8 @@ class Display(NamedTuple):
     """Formulas on lines of their own, or their ``source`` where they cannot be read.
 
     ``verdict`` puts a sign beside them and ``label`` a text behind; ``wrong`` ones are false.
-    On paper ``lead`` is what leads on to them, on the same line if there is room.
+    On paper ``lead`` is what leads on to them, on the same line if there is room, and one that
+    ``leads`` on to what is said of it stays with that.
     What is ``long`` stands in an appendix, where the format has no other way to fold it away.
     """
 
@@ -85,6 +87,7 @@ class Display(NamedTuple):
     wrong: bool = False
     long: bool = False
     lead: Text = ()
+    leads: bool = False
 
 
 class Claim(NamedTuple):
@@ -163,7 +166,9 @@ def paged(document: Document) -> Document:
             first, *others = (Display((one,)) for one in display.formulas)
             moved.append(first._replace(label=(name,), anchor=f"long.{name}"))
             moved.extend(others)
-        return Paragraph((*lead.text, " ", Link(f"long.{name}", (f"formula {name}",)), "."))
+        return Paragraph(
+            (*lead.text, " ", Link(f"long.{name}", (f"formula\N{NO-BREAK SPACE}{name}",)), ".")
+        )
 
     def stays(blocks: Sequence[Block]) -> Iterator[Block]:
         before: Block | None = None
@@ -176,7 +181,7 @@ def paged(document: Document) -> Document:
             before = block
             if isinstance(block, Claim):
                 inner = tuple(_led(stays(block.blocks))), tuple(_led(stays(block.folded)))
-                before = block._replace(blocks=inner[0], folded=inner[1])
+                before = _together(block._replace(blocks=inner[0], folded=inner[1]))
             elif isinstance(block, Paragraph) and block.kind == "record":
                 before = None
         if before is not None:
@@ -188,14 +193,24 @@ def paged(document: Document) -> Document:
 
 
 def _led(blocks: Iterable[Block]) -> Iterator[Block]:
-    """The blocks, where what leads on to a display is a part of it."""
-    lead: list[Paragraph] = []
-    for block in blocks:
-        if lead and isinstance(block, Display) and not block.verdict:
-            yield block._replace(lead=lead.pop().text)
-            continue
-        yield from lead
-        lead = [block] if isinstance(block, Paragraph) and block.leads else []
-        if not lead:
-            yield block
-    yield from lead
+    """The blocks, where what leads on to a display, and to no other, is a part of it."""
+    row = [*blocks]
+    while row:
+        match row:
+            case [Paragraph(leads=True), Display(verdict=None), Display(), *_]:
+                yield row.pop(0)
+            case [Paragraph(leads=True) as lead, Display(verdict=None) as display, *row]:
+                yield display._replace(lead=lead.text)
+            case [block, *row]:
+                yield block
+
+
+def _together(claim: Claim) -> Claim:
+    """A claim of which the last formula stays with what is said of it."""
+    row = *claim.blocks, *claim.folded
+    for k, (one, behind) in enumerate(pairwise(row)):
+        if isinstance(one, Display) and isinstance(behind, Paragraph):
+            row = *row[:k], one._replace(leads=True), *row[k + 1 :]
+            break
+    many = len(claim.blocks)
+    return claim._replace(blocks=row[:many], folded=row[many:])

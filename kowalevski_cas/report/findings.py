@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 
-from kowalevski_cas.notation import Formula, Relation
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.compare import compared
 from kowalevski_cas.report.document import Block, Claim, Display, Emphasis, Heading, Paragraph, Text
 from kowalevski_cas.report.sentences import (
@@ -149,7 +149,7 @@ class Findings:
         where = capitalised(self.phrases.found([outcome.claim]))
         head: Text = (*where, ": ", *self.phrases.sentence(outcome.words))
         shown: list[Block] = []
-        if outcome.source and any(isinstance(f, Relation) for f in outcome.formulas):
+        if outcome.source and not {*outcome.formulas} <= {*head}:
             shown.append(Display(outcome.formulas, outcome.source))
         if outcome.counterexample:
             shown.append(Paragraph(self.phrases.values(outcome.counterexample)))

@@ -27,12 +27,14 @@ from kowalevski_cas.report.document import (
 from kowalevski_cas.report.graph.svg import svg
 from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
-from kowalevski_cas.report.setting import Setter
+from kowalevski_cas.report.setting import SHORT, Setter
 from kowalevski_cas.report.writer import Writer
 from kowalevski_cas.verify.outcome import Verdict
 
 _NARROW: Final = 19.0
 """The width of a telephone, in em of a formula."""
+
+_FIRST: Final = re.compile('^<mo( form="prefix")?>')
 
 _STOP: Final = re.compile(r"(<math>(?:(?!</math>).)*</math>[.,;:)]+)")
 
@@ -70,7 +72,7 @@ class HtmlSetter(Setter):
             if piece.kind in ("sign", "relation") and measured(parts[-1]) > _NARROW / 4:
                 parts.append([])
             parts[-1].append(piece)
-        if measured(row) < 0.8 * _NARROW:
+        if measured(row) <= SHORT:
             parts = [[*row]]
         texts = [joined(part, self.printer) for part in parts if part]
         return " ".join(f"<math>{text}</math>" for text in (*texts[:1], *map(_infix, texts[1:])))
@@ -78,7 +80,7 @@ class HtmlSetter(Setter):
 
 def _infix(text: str) -> str:
     """A part of a formula that begins with a sign, which stands between it and what is before."""
-    return text.replace("<mo>", '<mo form="infix">', 1)
+    return _FIRST.sub('<mo form="infix">', text)
 
 
 class HtmlWriter(Writer):
@@ -188,7 +190,8 @@ class HtmlWriter(Writer):
         return f"<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table>"
 
     def graph(self, block: Graph) -> str:
-        return f'<div class="graph" tabindex="0">{svg(block.picture)}</div>'
+        wide = f"--wide: {block.picture.width:.1f}"
+        return f'<div class="graph" tabindex="0" style="{wide}">{svg(block.picture)}</div>'
 
     def shown(self, block: Shown) -> str:
         image = b64encode(block.plate.file(self.beside).read_bytes()).decode()

@@ -65,6 +65,7 @@ class LatexWriter(Writer):
     page = "page.tex"
     setter = LatexSetter()
     origin, emphases = r"{}\par", (r"\emph{{{}}}", r"\textbf{{{}}}")
+    whole = r"\mbox{{{}}}", r"\mbox{{{}}}"
 
     def parts(self, document: Document) -> dict[str, str]:
         properties = {"property": ascii_only(document.title)}
@@ -116,7 +117,8 @@ class LatexWriter(Writer):
         label = self._place(block.anchor) + self.text(block.label)
         if block.lead:
             return f"\\Led{{{self.text(block.lead)}}}{{{shown}}}{{{label}}}"
-        return f"\\Shown{{{sign}}}{{{shown}}}{{{label}}}"
+        after = r"\nopagebreak" if block.leads else ""
+        return f"\\Shown{{{sign}}}{{{shown}}}{{{label}}}{after}"
 
     def claim(self, block: Claim) -> str:
         sign = rf"\Sign{{{block.verdict}}}" if block.verdict else ""

@@ -152,12 +152,10 @@ def joined(side_by_side: Iterable[Piece], printer: Printer) -> str:
     for piece in side_by_side:
         if piece.kind == "relation" or (piece.kind == "sign" and before in ("ord", "close")):
             text += f" {piece.text} "
+        elif before in ("ord", "close"):
+            text = printer.joined([text, piece.text])
         else:
-            text = (
-                printer.joined([text, piece.text])
-                if before in ("ord", "close")
-                else text + piece.text
-            )
+            text += printer.prefix(piece.text) if piece.kind == "sign" else piece.text
         before = piece.kind
     return text.strip()
 

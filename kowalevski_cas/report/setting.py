@@ -7,12 +7,15 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
-from kowalevski_cas.notation import Formula
+from kowalevski_cas.notation import Formula, Number
 from kowalevski_cas.notation.printer import Printer
 from kowalevski_cas.report.breaking import Line, broken
 from kowalevski_cas.report.pieces import Piece, joined, measured, pieces
 
 _GAP: Final = 1.5
+
+SHORT: Final = 15.0
+"""How wide a formula is at most, in em, within which a line is not broken."""
 
 
 class Setter(ABC):
@@ -89,7 +92,8 @@ class Setter(ABC):
             opened = self.opened(first.text, piece.tall)
             closed = self.closed(last.text, piece.tall)
             return first._replace(text=opened), last._replace(text=closed)
-        inverse = self.printer.fraction("1", self._joined(piece.below))
-        before = self.printer.joined([inverse, self.opened("(", tall=True)])
+        inverse = self.printer.fraction(self.printer(Number(1)), self._joined(piece.below))
+        opened, closed = self.printer.round
+        before = self.printer.joined([inverse, self.opened(opened, tall=True)])
         width = measured(piece.below) + 0.9
-        return Piece(before, width, "open"), Piece(self.closed(")", tall=True), 0.6, "close")
+        return Piece(before, width, "open"), Piece(self.closed(closed, tall=True), 0.6, "close")

@@ -65,6 +65,7 @@ class TypstWriter(Writer):
     page = "page.typ"
     setter = TypstSetter()
     origin, emphases = "#origin[{}]", ("#emph[{}];", "#strong[{}];")
+    whole = "#box[{}];", "#tall[{}];"
 
     def escaped(self, text: str) -> str:
         return _SPECIAL.sub(r"\\\1", text)
@@ -102,7 +103,8 @@ class TypstWriter(Writer):
         label = self.text(block.label)
         if block.lead:
             return f"#led([{self.text(block.lead)}], [{label}])[{shown}]{place}"
-        return f"#shown({name}, [{label}]{wrong})[{shown}]{place}"
+        sticky = ", sticky: true" if block.leads else ""
+        return f"#shown({name}, [{label}]{wrong}{sticky})[{shown}]{place}"
 
     def claim(self, block: Claim) -> str:
         name = f'"{block.verdict}"' if block.verdict else "none"

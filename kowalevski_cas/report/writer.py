@@ -9,7 +9,8 @@ from importlib.resources import files
 
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Code, Document, Emphasis, Inline, Link, Sign, Text
-from kowalevski_cas.report.setting import Setter
+from kowalevski_cas.report.pieces import measured, pieces
+from kowalevski_cas.report.setting import SHORT, Setter
 from kowalevski_cas.verify.outcome import Verdict
 
 
@@ -25,6 +26,8 @@ class Writer(ABC):
     """A line under the title."""
     emphases: tuple[str, str]
     """Italics, and bold type."""
+    whole: tuple[str, str]
+    """A formula within a line that is not broken, and one of fractions, higher than the line."""
 
     def write(self, document: Document) -> str:
         """The document as a file."""
@@ -88,8 +91,11 @@ class Writer(ABC):
         """The signs of verdicts, for the skeleton."""
 
     def formula(self, formula: Formula) -> str:
-        """A formula within a line."""
-        return f"${self.setter.inline(formula)}$"
+        """A formula within a line, which is not broken within a short one."""
+        text, row = f"${self.setter.inline(formula)}$", pieces(formula, self.setter.printer)
+        if measured(row) > SHORT:
+            return text
+        return self.whole[any(piece.tall for piece in row)].format(text)
 
     @abstractmethod
     def code(self, text: str) -> str:

@@ -135,7 +135,7 @@ class Field:
         for relation in relations:
             tex = self._tex(relation)
             tex = tex if any(one.names for one in heads(tex)) else solved(tex, scene) or tex
-            place = self._place("where", tex, supposed=True)
+            place = self._place("where", tex, "supposed")
             scene = restricted(scene, place)
             scene = rooted(scene, place.display)
             special.special += (place.display,)
@@ -176,9 +176,15 @@ class Field:
         if expect and expect not in {*Verdict}:
             raise ValueError(f"expect “{expect}”: a verdict is one of {', '.join(Verdict)}")
 
-        def placed(formula: Tex) -> Printed:
-            return self._place(id, formula, supposed=finding.tex not in ("", formula))
+        cofactor = finding.attributes.get("cofactor")
 
+        def placed(formula: Tex) -> Printed:
+            beside = "the cofactor" if formula == cofactor else "supposed"
+            return self._place(id, formula, beside if finding.tex not in ("", formula) else "")
+
+        if self.special:
+            special = ", ".join(f"${display.tex}$" for display in self.special)
+            finding = replace(finding, says=f"for {special}, {finding.says}")
         claim = finding.claim(id, placed)
         if isinstance(claim, FirstIntegral):
             with suppress(ValueError):
@@ -209,17 +215,17 @@ class Field:
             raise ValueError(f"{formula!r} is defined elsewhere: define it on this system")
         return formula.name
 
-    def _place(self, id: str, formula: Tex, supposed: bool) -> Printed:
+    def _place(self, id: str, formula: Tex, source: str) -> Printed:
         """Where a formula stands: where it was defined, or in a display of its own.
 
-        What is only ``supposed`` need not stand in a paper of which this is the derivation.
+        With a ``source`` it need not stand in a paper of which this is the derivation.
         """
         tex = self._tex(formula)
         if isinstance(formula, Function):
             return formula.place
         known = {one.id for one in self.section.displays}
-        if supposed:
-            display = self.section.lemma(_new(id, known), tex, "supposed")
+        if source:
+            display = self.section.lemma(_new(id, known), tex, source)
         else:
             display = self.section.display(_new(id, known), tex)
         if len([*display]) != 1:

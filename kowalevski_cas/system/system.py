@@ -86,7 +86,8 @@ class System(Field):
 
     def darboux(self, formula: Tex, cofactor: Tex, expect: str = "") -> Stated:
         """A polynomial F with F' = KF, where K is the cofactor."""
-        says, K = "its derivative is this multiple of it", self._tex(cofactor)
+        K = self._tex(cofactor)
+        says = f"it is a Darboux polynomial with the cofactor ${K}$"
         return self.states(DarbouxPolynomial, "darboux", says, expect, formula, cofactor=K)
 
     def lax(self, first: Function, second: Function, expect: str = "") -> Stated:

@@ -21,8 +21,10 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.paper.claims import (
     Casimir,
+    Claim,
     CriticalSet,
     Dimension,
+    FirstIntegral,
     Involution,
     Jacobi,
     LiouvilleIntegrable,
@@ -243,9 +245,13 @@ def _failing(goal: Follows, place: Place) -> tuple[Formula, Formula]:
     )
 
 
-def why(goal: Goal, evidence: Evidence) -> str:
-    """Why a goal is denied, where no two values say so."""
+def why(claim: Claim, goal: Goal, evidence: Evidence) -> str:
+    """Why a goal of a claim is denied, where no two values say so."""
     match goal, evidence:
+        case Fails(), Shown() if isinstance(claim, FirstIntegral):
+            if claim.given:
+                return "the function is constant everywhere, not on this set only"
+            return "the function is constant by itself"
         case Fails(), Shown():
             return "what is said to fail somewhere holds everywhere"
         case Follows(conclusions=()), At():

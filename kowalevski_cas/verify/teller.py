@@ -68,7 +68,8 @@ class Teller(Bench):
                 return outcome._replace(verdict=Verdict.ERROR, message=str(error))
             if against is None:
                 denied = statement.goals[decided.verdicts.goal]
-                outcome = outcome._replace(message=why(denied, decided.verdicts.evidence))
+                message = why(statement.claim, denied, decided.verdicts.evidence)
+                outcome = outcome._replace(message=message)
         told: tuple[Step, ...] = ()
         if self.explain and decided.verdicts is not None:
             from kowalevski_cas.verify.steps import steps  # a verdict needs none

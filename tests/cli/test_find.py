@@ -96,6 +96,15 @@ def test_what_cannot_be_done_says_why(capsys, words, code, said):
     assert said in capsys.readouterr().err
 
 
+def test_what_holds_under_conditions_is_told_with_them(asked):
+    euler = r"A\dot p=(B-C)qr, B\dot q=(C-A)rp, C\dot r=(A-B)pq"
+    *lines, _ = asked("integrals", euler)
+    assert {line.split()[0] for line in lines} == {"conditional"}
+    assert all(", where A ≠ 0, B ≠ 0, C ≠ 0:  " in line for line in lines)
+    *lines, _ = asked("integrals", r"\dot x=y, \dot y=-x")
+    assert not any("where" in line for line in lines)
+
+
 def test_a_function_and_its_derivative_define_an_invariant_set(capsys):
     assert main([*CLOSURE, "Kowalevski case", "J_1", "--order", "2"]) == 0
     lines = capsys.readouterr().out.splitlines()
@@ -171,7 +180,8 @@ def test_kowalevski_exponents_of_two_fields(capsys):
     assert r"$\omega_3$ counts 1, $\alpha_1$ counts 2" in weights["says"]
     assert {one["verdict"] for one in (weights, *found)} == {"proved"}
     (principal,) = [one for one in found if ", principal" in one["says"]]
-    assert principal["says"].endswith(": exponents -1, 0, 0, 1, 2, 2, 3, 4, 4, principal")
+    numbers = ", ".join(f"${one}$" for one in (-1, 0, 0, 1, 2, 2, 3, 4, 4))
+    assert principal["says"].endswith(f": exponents {numbers}, principal")
     assert any("is passed" in one for one in principal["computed"])
     assert [len(one["computed"]) for one in found] == [2] * len(found)
 

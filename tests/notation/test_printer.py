@@ -22,6 +22,7 @@ from kowalevski_cas.notation import (
     to_latex,
     to_plain,
 )
+from kowalevski_cas.notation.formula import Application
 from kowalevski_cas.notation.mathml import to_mathml
 from kowalevski_cas.notation.typst import to_typst
 from tests.notation.strategies import WORDS, formulas
@@ -136,6 +137,16 @@ def test_formulas_are_printed_tidily(formula, tex):
 )
 def test_plain_text_is_what_one_would_type(formula, text):
     assert to_plain(formula) == text
+
+
+@pytest.mark.parametrize("function", ["f", r"\varphi", r"\ln", r"\mathrm{sn}", r"\mathbf{F}"])
+def test_an_argument_stands_close_to_its_function(function):
+    import typst
+
+    one = to_typst(Application(function, (x,)))
+    wide = f"measure($ {one} $).width - measure($ {to_typst(Name(function))} $).width"
+    source = f"#context [#metadata(({wide} - measure($ ({to_typst(x)}) $).width) / 1pt) <w>]"
+    assert abs(float(typst.query(source.encode(), "<w>", field="value", one=True))) < 0.5
 
 
 def test_typst_sets_every_kind_of_node():

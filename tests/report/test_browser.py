@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
+from kowalevski_cas.report.document import Graph
+from kowalevski_cas.report.graph import Picture
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.marks import MARKS
 from tests.report.browser import PROGRAM, Browser
@@ -24,6 +27,8 @@ FLAT = """[...document.querySelectorAll("math")].filter(one =>
 BESIDE = """[...document.querySelectorAll(".display > .label:has(math)")].filter(one =>
   one.getBoundingClientRect().top < one.previousSibling.getBoundingClientRect().bottom)"""
 NARROWED = "one.previousSibling.scrollWidth > one.previousSibling.clientWidth + 1"
+LETTERS = """(svg => 2.45 * svg.getBoundingClientRect().width / svg.viewBox.baseVal.width)(
+  document.querySelector(".graph svg"))"""
 DEAD = """[...document.querySelectorAll("a[href^='#'], a[*|href^='#']")].map(one =>
   one.getAttribute("href") || one.getAttribute("xlink:href"))
   .filter(href => !document.getElementById(href.slice(1)))"""
@@ -56,6 +61,18 @@ def test_what_stands_beside_a_formula_leaves_it_its_room(browser: Browser) -> No
     assert browser.value(f"{BESIDE}.length") > 0
     browser.width(380)
     assert browser.value(f"{BESIDE}.filter(one => {NARROWED}).length") == 0
+
+
+@pytest.mark.parametrize("pixels", [380, 768, 1280])
+def test_what_stands_in_boxes_is_neither_small_nor_huge(tmp_path: Path, pixels: int) -> None:
+    page = tmp_path / "page.html"
+    with Browser(tmp_path / "user") as browser:
+        for width in (45, 80, 150, 260):
+            graph = Graph(Picture((), (), width, 19.0))
+            page.write_text(render_html(document()._replace(blocks=(graph,))), encoding="utf-8")
+            browser.show(page)
+            browser.width(pixels)
+            assert 9 <= browser.value(LETTERS) <= 14
 
 
 def test_every_link_ends_somewhere(browser: Browser) -> None:

@@ -39,6 +39,7 @@ from tests.report.fixtures import (
     in_order,
     outcomes,
     point,
+    read,
     run,
     step,
 )
@@ -126,6 +127,12 @@ class TestWrong:
     def test_what_is_false_and_no_misprint_comes_with_the_nearest_truth(self) -> None:
         (false,) = under(WHOLE, "false")
         assert "only four equilibria" in said(false) and "Correct:" in said(false)
+
+    @pytest.mark.parametrize("formula", ["x", "x=0", "x^2+m"])
+    def test_a_false_statement_shows_what_it_is_about_once(self, formula: str) -> None:
+        for words in ("this is constant", f"${formula}$ is constant"):
+            (false,) = under(document(claim("a", "1", formula, words, R)), "false")
+            assert [f for f in parts(false) if isinstance(f, Formula)] == [*read(formula)]
 
     def test_a_hypothesis_is_missing_where_a_point_denies_it_and_not_where_one_divides(
         self,
@@ -222,6 +229,13 @@ class TestEvidence:
         text = said(document(claim("a", "1", "x=x", "", P, steps=told)).blocks)
         assert "This does:" in text and "says nothing" not in text
 
+    @pytest.mark.parametrize("letter", ["ℓ", "𝛂", "𝐋", "x̄", "𝒜"])
+    def test_a_box_has_no_letter_that_a_typewriter_has_not(self, letter: str) -> None:
+        one = claim("a", "1", "", letter, P)
+        two = claim("b", "1", "", letter, P, rests_on=("a",))
+        (drawn,) = (p.picture for p in parts(document(one, two)) if isinstance(p, Graph))
+        assert [box.label for box in drawn.boxes] == ["1.1", "1.2"]
+
     def test_a_box_of_the_graph_shows_what_is_stated_if_that_is_short(self) -> None:
         long = "x=1+2+3+4+5+6+7+8+9+10+11+12"
         one = claim("one", "1", "x=x", "", P)
@@ -307,6 +321,24 @@ class TestOnPaper:
         assert not any(isinstance(p, Display) and p.lead for p in parts(one))
         for written in (render_latex(one), render_typst(one)):
             assert written.count("The derivative:") == 1
+
+    @pytest.mark.parametrize("many", range(4))
+    def test_what_leads_on_to_several_displays_stands_above_them(self, many: int) -> None:
+        lead, shown = Paragraph(("We put:",), leads=True), (Display((Name("x"),)),) * many
+        for behind in ((), (Paragraph(("Behind.",)),), (Heading(("2",), "two"),)):
+            found = paged(WHOLE._replace(blocks=(lead, *shown, *behind))).blocks
+            alone = (shown[0]._replace(lead=lead.text),) if many == 1 else (lead, *shown)
+            assert found == (*alone, *behind)
+
+    def test_the_last_formula_of_a_claim_stays_with_what_is_said_of_it(self) -> None:
+        kept = 0
+        for one in (p for p in parts(paged(WHOLE)) if isinstance(p, Claim)):
+            row = *one.blocks, *one.folded
+            kinds = "".join(type(block).__name__[0] for block in row)
+            leading = [k for k, b in enumerate(row) if isinstance(b, Display) and b.leads]
+            assert leading == [kinds.find("DP")] * ("DP" in kinds)
+            kept += len(leading)
+        assert kept > 5
 
     def test_without_long_formulas_there_is_no_appendix(self) -> None:
         short = document(claim("a", "1", "x=x", "", P))

@@ -2,6 +2,7 @@
 
 import json
 import re
+from xml.etree import ElementTree
 
 import pytest
 
@@ -25,6 +26,9 @@ FORMULAS = [
 SN, CN, U = Name(r"\mathrm{sn}"), Name(r"\mathrm{cn}"), Name("u")
 WORDS = Product((Name("k"), Power(SN, Number(2)), CN, U))
 FORMULAS += [WORDS, Product((U, Sum((Name("x"), Name("y")))))]
+APART = read(r"w_1=-\frac{(x_1w_2+z_1w_1)(x_2w_1+z_2w_2)(x_1+x_2)}{4m(z_1-z_2)}")
+SIGNS = read("x_1=-x_2-(-x_1)+[-x_1+(-1)](-2)")
+FORMULAS += [*APART, *SIGNS]
 LATEX_SETTER, TYPST_SETTER = LatexSetter(), TypstSetter()
 
 
@@ -46,6 +50,27 @@ def test_lines_hold_everything(room):
         )
         # A fraction that is taken apart stands behind its denominator, in brackets.
         assert said == whole or sorted(said) == sorted(whole + "1()" * said.count(r"\frac{1}"))
+
+
+@pytest.mark.parametrize("room", [12, 18.5, 28, 41])
+def test_a_browser_shows_every_letter_of_the_lines(room):
+    assert APART and SIGNS
+    for formula in FORMULAS:
+        setter = HtmlSetter()
+        for text in (setter.display([formula], room), setter.inline(formula)):
+            for element in ElementTree.fromstring(f"<p>{text}</p>").iter():
+                letters = element.tag in ("mi", "mn", "mo")
+                assert bool((element.text or "").strip()) == letters
+                assert not (element.tail or "").strip()
+                assert element.tag != "mfrac" or len(element) == 2
+
+
+@pytest.mark.parametrize("room", [12, 41])
+def test_a_minus_with_nothing_before_it_stands_close_to_what_it_belongs_to(room):
+    before = re.compile(r"<mo[^>]*>[=≠(\[]</mo>\s*(<mrow>|<mi></mi>)*<mo( form=\"\w+\")?>[−+]</mo>")
+    for formula in FORMULAS:
+        for text in (HtmlSetter().display([formula], room), HtmlSetter().inline(formula)):
+            assert {one[2] for one in before.finditer(text)} <= {' form="prefix"'}
 
 
 def test_words_stand_apart_from_other_factors():

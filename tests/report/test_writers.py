@@ -1,10 +1,12 @@
 """One document in three formats: the same words, the same formulas, always the same bytes."""
 
+import json
 import re
 import subprocess
 import sys
 from collections.abc import Callable
 from html.parser import HTMLParser
+from importlib.resources import files
 from itertools import product
 from pathlib import Path
 
@@ -13,6 +15,7 @@ import pytest
 from kowalevski_cas.notation import Negative, Number, Relation
 from kowalevski_cas.notation.formula import Changed
 from kowalevski_cas.notation.mathml import to_mathml
+from kowalevski_cas.notation.typst import to_typst
 from kowalevski_cas.report.contents import Contents
 from kowalevski_cas.report.document import Code, Document, Emphasis, Sign, Text
 from kowalevski_cas.report.html import HtmlWriter, render_html
@@ -123,6 +126,32 @@ def test_words_are_escaped_for_the_others() -> None:
 def test_the_apostrophe_of_a_sentence_is_none_of_a_source() -> None:
     text: Text = ("Kowalevski's ", Code("x'"))
     assert Page(HtmlWriter(Path()).text(text)).words == "Kowalevski’s x'"
+
+
+def test_a_line_is_broken_within_long_formulas_only() -> None:
+    short, tall, long = read(r"x_1 = -1 - 2i \quad m = -\frac{3}{2} \quad x_1=" + "x_1+" * 9 + "m")
+    latex, typst = LatexWriter().text, TypstWriter().text
+    assert latex((short,)) == r"\mbox{$x_1 = -1 - 2i$}"
+    assert latex((tall,)) == r"\mbox{$m = -\frac{3}{2}$}"
+    assert typst((short,)).startswith("#box[$") and typst((tall,)).startswith("#tall[$")
+    assert latex((long,)).startswith("$") and typst((long,)).startswith("$")
+    shown = [HtmlWriter(Path()).text((one,)).count("<math>") for one in (short, tall, long)]
+    assert shown[:2] == [1, 1] and shown[2] > 1
+
+
+def test_fractions_on_two_lines_do_not_touch() -> None:
+    import typst
+
+    (formula,) = read(r"m = -\frac{7519}{800}")
+    one = TypstWriter().text((formula,))
+    asked = f"""#context [#metadata((
+      measure(block(width: 8em, [{one} {one}])).height - measure([{one}]).height
+      - measure($ inline({to_typst(formula)}) $).height) / 1pt) <w>]"""
+    page = (files("kowalevski_cas.report") / "pages/page.typ").read_text(encoding="utf-8")
+    looks = "#let tall", "#set par", "#set text", "#show math.equation: set text"
+    defined = [line for line in page.split("\n") if line.startswith(looks)]
+    source = "\n".join((*defined, asked))
+    assert json.loads(typst.query(source.encode(), "<w>", field="value", one=True)) > 1
 
 
 def test_a_display_that_cannot_be_read_is_shown_as_it_is_typed() -> None:

@@ -89,6 +89,15 @@ def test_every_method_has_a_line_and_no_words_cover_others():
         assert figure.bbox.x0 <= one.x0 and one.x1 <= figure.bbox.x1
 
 
+def test_no_line_crosses_words():
+    (axes,) = draw(ROWS).axes
+    beside = [text for text in axes.texts if text.get_text().startswith(("no answer:", "wrong:"))]
+    fastest = axes.lines[-1]
+    assert fastest.get_linestyle() == "--" and len(beside) > 1
+    for text in beside:  # what is behind the letters is cleared, lines too
+        assert text.get_path_effects() and text.get_zorder() > fastest.get_zorder()
+
+
 @pytest.mark.slow
 def test_the_same_rows_give_the_same_files(tmp_path):
     one, other = (save(draw(ROWS), tmp_path, name).read_bytes() for name in "ab")

@@ -48,6 +48,11 @@ class Result:
         return str(Path(file).relative_to(here) if Path(file).is_relative_to(here) else file), line
 
     @property
+    def standard(self) -> str:
+        """What the verdicts before those that are found are."""
+        return "recorded" if self.recorded else "expected"
+
+    @property
     def exit_code(self) -> int:
         """The exit code that the result asks for."""
         outcomes = self.run.outcomes

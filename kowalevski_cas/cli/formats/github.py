@@ -6,29 +6,36 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli.formats import Result
-from kowalevski_cas.verify.outcome import Verdict, in_latex
+from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
 
 if TYPE_CHECKING:
     from kowalevski_cas.audit.audit import Audit
 
 
 def render(results: Sequence[Result]) -> str:
-    """An error for each difference from the record, a notice for each misprint."""
+    """An error for each difference, a notice for each misprint and each false statement."""
     lines = []
     for result in results:
         for change in result.differences:
             place = result.line(change.claim)
-            message = f"recorded: {change.recorded}; found: {change.found}"
+            message = f"{result.standard}: {change.recorded}; found: {change.found}"
             lines.append(annotation("error", place, change.claim, message))
         for outcome in result.run.outcomes:
             place = result.line(outcome.claim)
             if outcome.verdict in (Verdict.ERROR, Verdict.UNDECIDED, Verdict.TIMEOUT):
                 lines.append(annotation("error", place, outcome.claim, outcome.message))
             if outcome.verdict is Verdict.REFUTED:
-                right = in_latex(outcome.correction.formulas) if outcome.correction else "unknown"
-                message = f"misprint: {outcome.source}\ncorrect: {right}"
-                lines.append(annotation("notice", place, outcome.claim, message))
+                lines.append(annotation("notice", place, outcome.claim, _refuted(outcome)))
     return "".join(f"{line}\n" for line in lines)
+
+
+def _refuted(outcome: Outcome) -> str:
+    """A misprint and what it should be; of what is false besides, what it says."""
+    correction = outcome.correction
+    if correction is not None and correction.edit is not None:
+        return f"misprint: {outcome.source}\ncorrect: {in_latex(correction.formulas)}"
+    said = ": ".join(filter(None, (outcome.words, outcome.source)))
+    return f"false: {said}\ncorrect: {correction.words if correction else 'unknown'}"
 
 
 def audited(audit: Audit) -> str:

@@ -36,20 +36,20 @@ def _suite(result: Result) -> ElementTree.Element:
             error = ElementTree.SubElement(case, "error", message=str(outcome.verdict))
             error.text = _clean(outcome.message)
         elif difference is not None:
-            _fail(case, difference)
+            _fail(case, result.standard, difference)
         output = ElementTree.SubElement(case, "system-out")
         output.text = _clean(f"{outcome.verdict}: {outcome.source or outcome.words}")
     for claim, difference in changed.items():
         gone = {"classname": result.run.derivation, "name": claim}
-        _fail(ElementTree.SubElement(suite, "testcase", gone), difference)
+        _fail(ElementTree.SubElement(suite, "testcase", gone), result.standard, difference)
     suite.set("tests", str(len(suite)))
     suite.set("failures", str(len(suite.findall("*/failure"))))
     suite.set("errors", str(len(suite.findall("*/error"))))
     return suite
 
 
-def _fail(case: ElementTree.Element, difference: Difference) -> None:
-    message = f"recorded: {difference.recorded}; found: {difference.found}"
+def _fail(case: ElementTree.Element, standard: str, difference: Difference) -> None:
+    message = f"{standard}: {difference.recorded}; found: {difference.found}"
     ElementTree.SubElement(case, "failure", message=_clean(message))
 
 

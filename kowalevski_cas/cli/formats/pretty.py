@@ -73,13 +73,12 @@ def _summary(result: Result) -> Iterator[str]:
     seconds = sum(sum(o.seconds.values()) for o in run.outcomes)
     claims, by = plain.many(len(run.outcomes), "claim"), ", ".join(run.arithmetics)
     head = f"{claims}: {shown}; {by}; {seconds:.2f} s"
-    noun, other = (
-        ("recorded", "THE RECORD") if result.recorded else ("expected", "WHAT IS EXPECTED")
-    )
+    noun = result.standard
     if not result.differences:
         none = "; there is no record to compare with (`kowalevski-cas record`)"
         yield f"{head}; as {noun}{'' if result.recorded else none}"
     else:
+        other = "THE RECORD" if result.recorded else "WHAT IS EXPECTED"
         yield f"{head}; DIFFERENT FROM {other}:"
         for one in result.differences:
             yield f"  {one.claim}: {noun} {one.recorded}, found {one.found}"
