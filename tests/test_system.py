@@ -694,7 +694,7 @@ def test_expressions_of_sympy_are_as_good_as_latex():
     assert lorenz.scene.constants == (r"\sigma", r"\mathrm{rate}")
     claim = lorenz.darboux(x**2 - 2 * s * z, cofactor=-2 * s)
     assert claim.verdict is Verdict.PROVED
-    assert claim.sympy() == x**2 - 2 * s * z
+    assert claim.sympy() == [x**2 - 2 * s * z, -2 * s]
     F = lorenz.define(r"F=\frac{x_1^2}{2\sigma}-z")
     assert F.sympy().rhs == x**2 / (2 * s) - z
     assert (

@@ -38,7 +38,7 @@ def recorded_correction(
         wanted = None if claim.printed is None else on.texts.expression(recorded)
         for neighbour in claim.neighbours(on.texts, wanted):
             formulas = printed_of(neighbour)
-            if formulas == (wanted,) or (wanted is None and in_latex(formulas) == recorded):
+            if wanted in formulas[:1] or (wanted is None and in_latex(formulas) == recorded):
                 return neighbour, stated(neighbour, on)
     return None
 

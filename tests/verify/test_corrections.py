@@ -4,6 +4,7 @@ from time import sleep
 
 import pytest
 
+from kowalevski_cas import System
 from kowalevski_cas.paper.claims import Definition, Identity, Implication, InvariantRelations
 from kowalevski_cas.paper.derivation import Derivation, Scene, Section
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -212,3 +213,20 @@ def test_a_correction_leaves_true_what_was_true():
     own, keeping = decide(section, own, keeping)
     assert (own.verdict, own.correction) == ("refuted", None)
     assert keeping.verdict == "proved"
+
+
+@pytest.mark.parametrize(
+    ("F", "cofactor", "right"),
+    [
+        ("x", "2x+y", "x,\\ 3x + y"),
+        ("x", "3x-y", "x,\\ 3x + y"),
+        ("y", "x-2y", "y,\\ x - y"),
+        ("xy", "3x", "xy,\\ 4x"),
+        ("xy", "4y", "xy,\\ 4x"),
+        (r"x^2y", "7x+2y", "x^2y,\\ 7x + y"),
+    ],
+)
+def test_a_misprint_in_a_cofactor_is_corrected_like_one_in_the_polynomial(F, cofactor, right):
+    outcome = System(r"\dot x=x(3x+y),\quad \dot y=y(x-y)").darboux(F, cofactor).outcome
+    assert outcome.verdict == "refuted"
+    assert in_latex(outcome.correction.formulas) == right
