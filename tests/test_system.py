@@ -807,6 +807,13 @@ def test_a_claim_that_cannot_be_read_hides_no_other(cli):
     assert f"lorenz.py:{FILE.count(chr(10)) + 1}: integral-w: w is not declared here" in out
 
 
+def test_a_command_has_its_own_limit_of_time(cli, monkeypatch):
+    """What a file says is for the verdicts that are asked for in it."""
+    monkeypatch.undo()
+    code, out = cli("verify", FILE.replace("F = ", "lorenz.seconds = 1e-6\nF = ", 1))
+    assert code == 0 and "timeout" not in out
+
+
 def test_systems_of_a_file_are_told_apart_by_their_names(cli):
     two = """
 from kowalevski_cas import System
