@@ -16,7 +16,7 @@ from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.goals import Follows, Goal
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.outcome import in_latex
+from kowalevski_cas.verify.outcome import as_recorded
 from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.vacuous import says_something, unlike
 
@@ -30,15 +30,19 @@ DECIDED = 400
 def recorded_correction(
     claim: Claim, on: Elaborations, recorded: str
 ) -> tuple[Neighbour, Statement] | None:
-    """The neighbour of a claim that a record has as its correction, in LaTeX, and what it says.
+    """The neighbour of a claim that a record has as its correction, and what it says.
 
-    ``None`` if no neighbour prints that, or it says nothing.
+    ``None`` if no neighbour is recorded so, or it says nothing.
     """
     with suppress(NotationError, Meaningless):
-        wanted = None if claim.printed is None else on.texts.expression(recorded)
+        own, wanted = claim.formulas(on.texts), None
+        if claim.printed is not None:
+            with suppress(NotationError):  # it may be several formulas, or words
+                wanted = on.texts.expression(recorded)
         for neighbour in claim.neighbours(on.texts, wanted):
             formulas = printed_of(neighbour)
-            if wanted in formulas[:1] or (wanted is None and in_latex(formulas) == recorded):
+            same = formulas != own and wanted in formulas[:1]
+            if same or as_recorded(formulas, neighbour.words, own) == recorded:
                 return neighbour, stated(neighbour, on)
     return None
 

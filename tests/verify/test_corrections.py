@@ -5,12 +5,19 @@ from time import sleep
 import pytest
 
 from kowalevski_cas import System
-from kowalevski_cas.paper.claims import Definition, Identity, Implication, InvariantRelations
+from kowalevski_cas.paper.claims import (
+    Definition,
+    Equilibria,
+    Identity,
+    Implication,
+    InvariantRelations,
+)
 from kowalevski_cas.paper.derivation import Derivation, Scene, Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.verify import corrections
-from kowalevski_cas.verify.corrections import printed_of, true_ones
+from kowalevski_cas.verify.corrections import printed_of, recorded_correction, true_ones
 from kowalevski_cas.verify.outcome import in_latex
+from kowalevski_cas.verify.record import describe
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
 from tests.paper.small import Oscillator, decide, derivation
@@ -255,3 +262,26 @@ def test_what_fails_at_points_is_not_decided_in_full(monkeypatch):
     every = [in_latex(printed_of(n)) for n in true_ones(claim.claim.neighbours(texts), on)]
     assert every == screened == ["M_1p_1 + M_2p_2 + M_3p_3"]
     assert len(held) > 50
+
+
+REST = {"fixed": (), "levels": ()}
+
+FALSE = [
+    lambda: System(r"\dot x=x(3x+y),\quad \dot y=y(x-y)").darboux("x", "2x+y"),
+    lambda: System(r"\dot x=x(3x+y),\quad \dot y=y(x-y)").darboux("y", "x-2y"),
+    lambda: System(r"\dot x=y,\quad \dot y=-x").integral("x^2+2y^2"),
+    lambda: System(r"\dot x=y,\quad \dot y=-x").identity(r"\ddot x=x"),
+    lambda: System(r"\dot x=x-h").states(Equilibria, "rest", "", count=2, **REST),
+    lambda: System(r"\dot x=x-h").states(Equilibria, "rest", "", count=0, **REST),
+    lambda: System(r"\dot x=x^2-h").states(Equilibria, "rest", "", count=1, **REST),
+]
+
+
+@pytest.mark.parametrize("false", FALSE)
+def test_what_is_recorded_of_a_correction_finds_it_again(false):
+    claim = false()
+    outcome = claim.outcome
+    assert outcome.correction is not None
+    on = Elaborations(derivation(claim.section).texts())
+    found = recorded_correction(claim.claim, on, describe(outcome)["correction"])
+    assert found[1].digest == outcome.correction.digest
