@@ -737,7 +737,7 @@ def test_expressions_of_sympy_are_as_good_as_latex():
     assert lorenz.scene.constants == (r"\sigma", r"\mathrm{rate}")
     claim = lorenz.darboux(x**2 - 2 * s * z, cofactor=-2 * s)
     assert claim.verdict is Verdict.PROVED
-    assert claim.sympy() == x**2 - 2 * s * z
+    assert claim.sympy() == [x**2 - 2 * s * z, -2 * s]
     F = lorenz.define(r"F=\frac{x_1^2}{2\sigma}-z")
     assert F.sympy().rhs == x**2 / (2 * s) - z
     assert (
@@ -858,6 +858,13 @@ def test_a_claim_that_cannot_be_read_hides_no_other(cli):
     code, out = cli("verify", FILE + 'lorenz.integral("w")\n')
     assert code == 2 and "2 proved" in out
     assert f"lorenz.py:{FILE.count(chr(10)) + 1}: integral-w: w is not declared here" in out
+
+
+def test_a_command_has_its_own_limit_of_time(cli, monkeypatch):
+    """What a file says is for the verdicts that are asked for in it."""
+    monkeypatch.undo()
+    code, out = cli("verify", FILE.replace("F = ", "lorenz.seconds = 1e-6\nF = ", 1))
+    assert code == 0 and "timeout" not in out
 
 
 def test_systems_of_a_file_are_told_apart_by_their_names(cli):

@@ -6,6 +6,8 @@ import re
 from collections.abc import Iterable
 from functools import cache
 
+from kowalevski_cas.notation.advice import advice
+
 _WIDTH = 70
 _LETTER = re.compile(r"(?:[^_{]|\{[^{}]*\}|\{)*")
 
@@ -23,7 +25,8 @@ _LOOKALIKES = tuple(
 class NotationError(ValueError):
     """A formula that cannot be read, and where.
 
-    ``str()`` shows the message, the line of the source and a caret under the place.
+    ``str()`` shows the message, or what to print instead where that is known, the line of the
+    source and a caret under the place.
     """
 
     def __init__(self, message: str, tex: str, position: int) -> None:
@@ -45,7 +48,9 @@ class NotationError(ValueError):
         window, column = _window(self.tex, self.position)
         if not window.strip():
             return self.message
-        return f"{self.message}\n  {window}\n  {' ' * column}^"
+        instead = advice(self.tex, self.position)
+        said = f"{self.message}; {instead}" if instead else self.message
+        return f"{said}\n  {window}\n  {' ' * column}^"
 
 
 def _window(tex: str, position: int) -> tuple[str, int]:
@@ -76,6 +81,8 @@ class Undeclared(NotationError):
     @property
     def message(self) -> str:
         """What is wrong, and which names may have been meant: sought when somebody asks."""
+        if advice(self.tex, self.position):
+            return super().message
         *others, last = nearest(self.name, self.declared) or [""]
         near = f"{', '.join(others)} or {last}" if others else last
         return super().message + (f"; did you mean {near}?" if near else "")

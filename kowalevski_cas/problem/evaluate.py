@@ -50,6 +50,7 @@ class Evaluation(Fold):
         self._values: dict[tuple[str, bool], Value] = {}
         self._open: set[tuple[str, bool]] = set()
         self._rates: Field | None = None
+        self._directions: dict[str, Field] = {}
         self._moving = False
         self.places: dict[Hashable, Any] = {}
         """What is known of points, by their values."""
@@ -296,7 +297,8 @@ class Evaluation(Fold):
         """The partial derivative by a generator."""
         if name not in self.names and name not in self.ring.roots:
             raise Meaningless(f"{name} is no variable here", name)
-        return along(element, {name: self.ring.one})
+        # One field for each name: what is known of a motion along it is known by its identity.
+        return along(element, self._directions.setdefault(name, {name: self.ring.one}))
 
     # -- maps --------------------------------------------------------------------
 

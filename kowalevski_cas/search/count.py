@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import compress
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
@@ -10,9 +10,9 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 from kowalevski_cas.algebra.flint import polynomial_of, terms_of, to_fraction
 from kowalevski_cas.algebra.hermite import hermite_minors
 from kowalevski_cas.algebra.polynomials import Terms
-from kowalevski_cas.algebra.present import formula_in, fraction_formula, polynomial_formula
+from kowalevski_cas.algebra.present import formula_in, fraction_formula, polynomial_formula, raised
 from kowalevski_cas.algebra.tower import Element, Ring
-from kowalevski_cas.notation import Formula, Name, Negative, Number, Product, total
+from kowalevski_cas.notation import Formula, Name, Number, times, total
 from kowalevski_cas.problem.count import eliminant_value, solved_rests
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import Evidence, Factor, Point, Roots
@@ -20,9 +20,17 @@ from kowalevski_cas.problem.goals import Count
 from kowalevski_cas.problem.space import Space
 from kowalevski_cas.search.cofactors import cofactors
 from kowalevski_cas.search.combinations import expressed
+from kowalevski_cas.search.cramer import cramer
 from kowalevski_cas.search.eliminants import Eliminant, eliminant
 from kowalevski_cas.search.groebner import remainder
-from kowalevski_cas.search.levels import System, more_solutions, solutions, system_of, written_point
+from kowalevski_cas.search.levels import (
+    System,
+    more_solutions,
+    new_name,
+    solutions,
+    system_of,
+    written_point,
+)
 from kowalevski_cas.search.place import PointFinder
 from kowalevski_cas.search.squares import sum_of_squares
 
@@ -33,12 +41,13 @@ Split = tuple[tuple[Factor, ...], tuple[tuple[Formula, tuple[int, ...]], ...]]
 class Builder:
     """The evidence for one system and its eliminant, in formulas."""
 
-    def __init__(self, goal: Count, system: System, found: Eliminant, finder: PointFinder) -> None:
-        self.goal, self.system, self.found, self.finder = goal, system, found, finder
+    def __init__(
+        self, goal: Count, system: System, found: Eliminant, values: Sequence[Element]
+    ) -> None:
+        self.goal, self.system, self.found = goal, system, found
         self.at = system.at
-        taken = {*self.at.names, *self.at.setting.roots}
-        self.root = next(n for n in "srnpquvwxyz" if n not in taken)
-        self.parameters = [formula_in(value) for value in system.values]
+        self.root = new_name(self.at)
+        self.parameters = [formula_in(value) for value in values]
         names = (*self.at.setting.constants, self.root)
         self.inner = Evaluation(Space((), names), self.at.polynomials)
         self.known = self.at.differences(goal.equations)
@@ -95,24 +104,29 @@ class Builder:
         }
         if any(self.at.scalar(below).is_zero for _, below in found.values()):
             return None
-        for name, expression in self.system.solved:
-            terms = self.system.terms(expression)
-            if len(terms) > 1 or any(sum(exponents) != 1 for exponents in terms):
-                return None
-            found[name] = self._expressed(terms, found)
+        for place, expression in self.system.solved:
+            found[self.at.names[place]] = self._expressed(expression, found)
         return [(name, *found[name]) for name in self.goal.names]
 
     def _expressed(
-        self, terms: Terms, found: dict[str, tuple[Formula, Formula]]
+        self, expression: fmpq_mpoly, found: Mapping[str, tuple[Formula, Formula]]
     ) -> tuple[Formula, Formula]:
-        """A variable that is zero, or plus or minus an unknown."""
-        if not terms:
-            return Number(0), Number(1)
-        ((exponents, sign),) = terms.items()
-        above, below = found[self.system.unknowns[exponents.index(1)]]
-        factor = fraction_formula(abs(sign))
-        above = above if abs(sign) == 1 else Product((factor, above))
-        return (Negative(above) if sign < 0 else above), below
+        """A polynomial in the unknowns and the constants, over one in the constants."""
+        unknowns, constants = self.system.unknowns, self.system.constants
+        terms = self.system.terms(expression, [*unknowns, *constants])
+        size = len(unknowns)
+        above, below = ([found[name][k] for name in unknowns] for k in (0, 1))
+        degrees = [
+            0 if divisor == Number(1) else max((e[k] for e in terms), default=0)
+            for k, divisor in enumerate(below)
+        ]
+        whole = {
+            (*e, *(max(d - k, 0) for d, k in zip(degrees, e[:size], strict=True))): v
+            for e, v in terms.items()
+        }
+        names = [*above, *map(Name, constants), *below]
+        powers = (raised(b, d) for b, d in zip(below, degrees, strict=True) if d)
+        return polynomial_formula(whole, names), times(*powers)
 
     def _rows(self, draft: Roots) -> tuple[tuple[Formula, ...], ...] | None:
         """What shows from the equations that a solution is a root."""
@@ -120,7 +134,7 @@ class Builder:
         goals = [eliminant_value(draft, bound)]
         for name, above, below in draft.solved:
             goals.append(bound.scalar(below) * bound.scalar(Name(name)) - bound.scalar(above))
-        solved = tuple(name for name, _ in self.system.solved)
+        solved = tuple(self.at.names[place] for place, _ in self.system.solved)
         main = [(*self.at.setting.constants, *solved), solved]
         found = []
         for goal in goals:
@@ -182,13 +196,15 @@ class Builder:
             return Factor(
                 written, tuple((fraction_formula(r), self.formula(b)) for r, b in squares)
             )
-        parameters = self._in_variables(written)
-        if parameters is None or not (squares := sum_of_squares(parameters.terms().get(0, {}))):
+        whole = self.at.scalar(written)
+        candidates = (self._in_variables(written), whole)
+        known = ((e, sum_of_squares(e.terms().get(0, {}))) for e in candidates if e is not None)
+        element, squares = next((pair for pair in known if pair[1]), (whole, None))
+        if not squares:
             return None
         own: list[Formula] = [Name(n) for n in self.at.names]
         pairs = tuple((fraction_formula(r), polynomial_formula(b, own)) for r, b in squares)
-        rest = self.at.scalar(written) - parameters
-        row = cofactors(rest, self.known, [tuple(self.at.setting.constants)])
+        row = cofactors(whole - element, self.known, [tuple(self.at.setting.constants)])
         if row is None:
             return None
         bases = [self.at.scalar(base) for _, base in pairs]
@@ -204,7 +220,9 @@ class Builder:
             terms = element.terms().get(0, {})
             return polynomial_of(context, {tuple(e[k] for k in order): v for e, v in terms.items()})
 
-        known = [one for one in map(carried, self.known) if any(one.monomial(0)[: len(still)])]
+        known = [
+            one for one in map(carried, self.known) if one and any(one.monomial(0)[: len(still)])
+        ]
         rest = remainder(carried(self.at.scalar(factor)), known)
         if any(rest.degrees()[: len(still)]):
             return None
@@ -245,9 +263,13 @@ def others(goal: Count, finder: PointFinder) -> Evidence | None:
 
 
 def _by_roots(goal: Count, finder: PointFinder) -> Roots | None:
-    at = finder.of(goal.space)
-    system = system_of(goal, at)
-    if system is None or not system.levels:
+    system = system_of(goal, finder)
+    if system is None:
         return None
-    found = eliminant([*map(system.terms, system.levels)], len(system.unknowns))
-    return None if found is None else Builder(goal, system, found, finder).roots()
+    if (one := cramer(goal, system)) is not None:
+        return one
+    levels = system.levels()
+    if levels is None or not levels[0]:
+        return None
+    found = eliminant(levels[0], len(system.unknowns))
+    return None if found is None else Builder(goal, system, found, levels[1]).roots()

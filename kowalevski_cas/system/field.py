@@ -46,7 +46,10 @@ class Field:
     """A vector field, printed as equations of motion, and the scene of what is said of it."""
 
     seconds = 60.0
-    """For each claim, and for each question."""
+    """For each verdict that is asked for in Python, and for each question.
+
+    How long a command such as ``verify`` may take is for whoever runs it to say: ``--timeout``.
+    """
 
     def __init__(
         self,

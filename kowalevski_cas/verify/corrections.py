@@ -7,16 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeGuard
 
 from kowalevski_cas.algebra.points import NoPoint
 from kowalevski_cas.notation import Formula, Negative, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.problem.goals import Fails, Follows
+from kowalevski_cas.problem.goals import Follows, Goal
 from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.outcome import in_latex
+from kowalevski_cas.verify.outcome import as_recorded
 from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.vacuous import says_something, unlike
 
@@ -24,21 +24,25 @@ if TYPE_CHECKING:
     from kowalevski_cas.problem.sampled import Sampled
 
 DECIDED = 400
-"""How many candidates are decided in full, for claims that cannot be screened."""
+"""How many candidates are decided in full, for claims that are more than identities."""
 
 
 def recorded_correction(
     claim: Claim, on: Elaborations, recorded: str
 ) -> tuple[Neighbour, Statement] | None:
-    """The neighbour of a claim that a record has as its correction, in LaTeX, and what it says.
+    """The neighbour of a claim that a record has as its correction, and what it says.
 
-    ``None`` if no neighbour prints that, or it says nothing.
+    ``None`` if no neighbour is recorded so, or it says nothing.
     """
     with suppress(NotationError, Meaningless):
-        wanted = None if claim.printed is None else on.texts.expression(recorded)
+        own, wanted = claim.formulas(on.texts), None
+        if claim.printed is not None:
+            with suppress(NotationError):  # it may be several formulas, or words
+                wanted = on.texts.expression(recorded)
         for neighbour in claim.neighbours(on.texts, wanted):
             formulas = printed_of(neighbour)
-            if formulas == (wanted,) or (wanted is None and in_latex(formulas) == recorded):
+            same = formulas != own and wanted in formulas[:1]
+            if same or as_recorded(formulas, neighbour.words, own) == recorded:
                 return neighbour, stated(neighbour, on)
     return None
 
@@ -72,8 +76,8 @@ def _unlikeliness(neighbour: Neighbour) -> tuple[bool, bool, bool]:
 def true_ones(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Neighbour]:
     """The neighbours that are true.
 
-    They are screened at points modulo primes where their goals allow it; the others are decided
-    in full, with FLINT.
+    Their identities are screened at points modulo primes; what passes is decided in full, with
+    FLINT.
     """
     for neighbour in _screened(neighbours, on):
         try:
@@ -102,22 +106,26 @@ def _screened(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Nei
 
 
 def _passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]) -> bool | None:
-    """Whether identities hold at points; ``None`` if there are other goals, or no points."""
+    """Whether all identities hold at points; ``None`` if there are other goals, or no points."""
     from kowalevski_cas.problem.sampled import Sampled  # a recorded correction is only looked up
 
     try:
         goals = list(neighbour.claim.goals(on.under(neighbour.texts)))
-        simple = [g for g in goals if isinstance(g, Follows) and not isinstance(g, Fails)]
-        if len(simple) != len(goals) or any(g.given or len(g.conclusions) != 1 for g in simple):
-            return None
-        for goal in simple:
+        identities = [goal for goal in goals if _is_identity(goal)]
+        for goal in identities:
             if goal.space not in stages:
                 stages[goal.space] = Sampled(finder_of(goal.space))
             at = stages[goal.space]
-            if not all(d.is_zero for one in goal.conclusions for d in at.differences(one)):
+            # One by one: most candidates fail at the first.
+            equations = (equation for one in goal.conclusions for equation in one)
+            if not all(d.is_zero for one in equations for d in at.differences((one,))):
                 return False
     except (NotationError, Meaningless, ZeroDivisionError):
         return False
     except NoPoint:  # as modulo a prime where a printed root of a number has no residue
         return None
-    return True
+    return True if len(identities) == len(goals) else None
+
+
+def _is_identity(goal: Goal) -> TypeGuard[Follows]:
+    return type(goal) is Follows and not goal.given and len(goal.conclusions) == 1

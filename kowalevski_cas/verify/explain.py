@@ -181,7 +181,7 @@ def _against(
         return _solutions(goal, accepted)
     if isinstance(evidence, Roots) and isinstance(goal, Count):
         number = len(evidence.eliminant)
-        words = f"there are {number} solutions, all of them real, not {goal.number}"
+        words = f"the number of solutions, all of them real, is {number}, not {goal.number}"
         there = _at(accepted.places[-1])
         return Counterexample(there, Number(number), Number(goal.number), words)
     if isinstance(evidence, Minors) or not accepted.places:
@@ -294,7 +294,8 @@ def _solutions(goal: Count, accepted: Accepted) -> Counterexample:
         shown: Value = MANY
     else:
         points = [place.point.values for place in accepted.places]
-        words = f"these are {len(points)} solutions, not {goal.number}"
+        many = f"these are {len(points)} solutions" if len(points) > 1 else "this is a solution"
+        words = f"{many}, and there are to be {goal.number or 'none'}"
         shown = Number(len(points))
     assert isinstance(first.at.setting, Elaboration)
     for number, own in enumerate(points, 1):

@@ -119,7 +119,7 @@ class Mender(Teller):
         """Whether an outcome shows what the derivation accepts in place of what is printed."""
         if claim.printed not in self.accepted:
             return False
-        formulas = (self.accepted[claim.printed],)
+        formulas = claim.formulas(self.texts.reading({claim.printed: self.accepted[claim.printed]}))
         if outcome.correction is not None:
             return outcome.correction.formulas == formulas
         return outcome.verdict.likely and outcome.formulas == formulas

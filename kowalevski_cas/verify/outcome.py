@@ -175,3 +175,8 @@ class Run(NamedTuple):
 def in_latex(formulas: Iterable[Formula]) -> str:
     """Formulas of one display in LaTeX."""
     return r",\ ".join(map(to_latex, formulas))
+
+
+def as_recorded(formulas: tuple[Formula, ...], words: str, own: tuple[Formula, ...]) -> str:
+    """A correction in LaTeX; in words if the formulas are the claim's ``own``, as for a number."""
+    return words if formulas == own else in_latex(formulas)

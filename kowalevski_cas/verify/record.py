@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from kowalevski_cas import UserError
 from kowalevski_cas.notation import to_latex
-from kowalevski_cas.verify.outcome import Outcome, Run, Verdict, in_latex
+from kowalevski_cas.verify.outcome import Outcome, Run, Verdict, as_recorded
 
 FILE = "record.json"
 
@@ -32,7 +32,9 @@ def describe(outcome: Outcome) -> dict[str, object]:
     return {
         "verdict": str(outcome.verdict),
         "conditions": [to_latex(condition.expression) for condition in outcome.conditions],
-        "correction": None if correction is None else in_latex(correction.formulas),
+        "correction": None
+        if correction is None
+        else as_recorded(correction.formulas, correction.words, outcome.formulas),
         "statement": outcome.digest,
     }
 

@@ -88,12 +88,11 @@ class Teller(Bench):
         statement: Statement | None = None,
     ) -> Outcome:
         """An outcome that says what the claim is, and no more than the verdict."""
-        places = [claim.printed] if claim.printed else list(claim.establishes())
         formulas: tuple[Formula, ...] = ()
         branches: tuple[Formula, ...] = ()
         sources = []
         try:
-            sources = [on.texts.statement(place).source for place in places]
+            sources = [on.texts.statement(place).source for place in claim.shown()]
             formulas = claim.formulas(on.texts)
             chosen = dict.fromkeys(place for s in claim.scenes() for place in s.branches())
             branches = tuple(map(on.texts.formula, chosen))

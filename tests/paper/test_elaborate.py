@@ -14,6 +14,7 @@ from kowalevski_cas.notation import (
     Derivative,
     Negative,
     Number,
+    Partial,
     Power,
     Product,
     Quotient,
@@ -277,7 +278,10 @@ def test_programs_have_the_values_of_exact_elements(scene):
     for _ in range(10):
         a, b, c = (read(choose.choice(names), TEXTS.vocabulary) for _ in range(3))
         f = Sum((Product((a, b)), Negative(Quotient(c, Sum((a, Number(1)))))))
-        for formula in (f, Derivative(f, mark), Derivative(Derivative(f, mark), mark)):
+        by, then = choose.choice(names), choose.choice(names)
+        rate, partial = Derivative(f, mark), Partial(Partial(Partial(f, by), then), by)
+        mixed = Partial(Derivative(Partial(f, by), mark), by)
+        for formula in (f, rate, Derivative(rate, mark), Partial(rate, by), partial, mixed):
             expected = programs.carry(scalar(formula, on))
             value = programs.scalar(on.setting.plain(formula))
             assert (value - expected).is_zero

@@ -4,12 +4,22 @@ from time import sleep
 
 import pytest
 
-from kowalevski_cas.paper.claims import Definition, Identity, Implication, InvariantRelations
+from kowalevski_cas import System
+from kowalevski_cas.paper.claims import (
+    Definition,
+    Equilibria,
+    Identity,
+    Implication,
+    InvariantRelations,
+)
 from kowalevski_cas.paper.derivation import Derivation, Scene, Section
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.verify.corrections import printed_of, true_ones
+from kowalevski_cas.verify import corrections
+from kowalevski_cas.verify.corrections import printed_of, recorded_correction, true_ones
 from kowalevski_cas.verify.outcome import in_latex
+from kowalevski_cas.verify.record import describe
 from kowalevski_cas.verify.run import Session
+from kowalevski_cas.verify.statement import Statement
 from tests.paper.small import Oscillator, decide, derivation
 from tests.sample import sampled
 
@@ -212,3 +222,66 @@ def test_a_correction_leaves_true_what_was_true():
     own, keeping = decide(section, own, keeping)
     assert (own.verdict, own.correction) == ("refuted", None)
     assert keeping.verdict == "proved"
+
+
+@pytest.mark.parametrize(
+    ("F", "cofactor", "right"),
+    [
+        ("x", "2x+y", "x,\\ 3x + y"),
+        ("x", "3x-y", "x,\\ 3x + y"),
+        ("y", "x-2y", "y,\\ x - y"),
+        ("xy", "3x", "xy,\\ 4x"),
+        ("xy", "4y", "xy,\\ 4x"),
+        (r"x^2y", "7x+2y", "x^2y,\\ 7x + y"),
+    ],
+)
+def test_a_misprint_in_a_cofactor_is_corrected_like_one_in_the_polynomial(F, cofactor, right):
+    outcome = System(r"\dot x=x(3x+y),\quad \dot y=y(x-y)").darboux(F, cofactor).outcome
+    assert outcome.verdict == "refuted"
+    assert in_latex(outcome.correction.formulas) == right
+
+
+E3 = r"""\dot{\mathbf M}=\{\mathbf M,H\},\ \dot{\mathbf p}=\{\mathbf p,H\},\ H=\frac12\mathbf M^2,\
+\{M_i,M_j\}=\varepsilon_{ijk}M_k,\ \{M_i,p_j\}=\varepsilon_{ijk}p_k,\ \{p_i,p_j\}=0,\
+\mathbf M=(M_1,M_2,M_3),\ \mathbf p=(p_1,p_2,p_3)"""
+
+
+def test_what_fails_at_points_is_not_decided_in_full(monkeypatch):
+    """Not even if the claim says more than identities, as that a Casimir function is not constant.
+
+    So only what is true is decided, and it is the same as of all that is decided.
+    """
+    claim = System(E3).casimir("M_1p_1+M_2p_2+M_3p_2")
+    texts = derivation(claim.section).texts()
+    on = Elaborations(texts)
+    held, holds = [], Statement.holds
+    monkeypatch.setattr(Statement, "holds", lambda self: held.append(self) or holds(self))
+    screened = [in_latex(printed_of(n)) for n in true_ones(claim.claim.neighbours(texts), on)]
+    assert len(held) == len(screened) == 1
+    monkeypatch.setattr(corrections, "_is_identity", lambda _: False)
+    every = [in_latex(printed_of(n)) for n in true_ones(claim.claim.neighbours(texts), on)]
+    assert every == screened == ["M_1p_1 + M_2p_2 + M_3p_3"]
+    assert len(held) > 50
+
+
+REST = {"fixed": (), "levels": ()}
+
+FALSE = [
+    lambda: System(r"\dot x=x(3x+y),\quad \dot y=y(x-y)").darboux("x", "2x+y"),
+    lambda: System(r"\dot x=x(3x+y),\quad \dot y=y(x-y)").darboux("y", "x-2y"),
+    lambda: System(r"\dot x=y,\quad \dot y=-x").integral("x^2+2y^2"),
+    lambda: System(r"\dot x=y,\quad \dot y=-x").identity(r"\ddot x=x"),
+    lambda: System(r"\dot x=x-h").states(Equilibria, "rest", "", count=2, **REST),
+    lambda: System(r"\dot x=x-h").states(Equilibria, "rest", "", count=0, **REST),
+    lambda: System(r"\dot x=x^2-h").states(Equilibria, "rest", "", count=1, **REST),
+]
+
+
+@pytest.mark.parametrize("false", FALSE)
+def test_what_is_recorded_of_a_correction_finds_it_again(false):
+    claim = false()
+    outcome = claim.outcome
+    assert outcome.correction is not None
+    on = Elaborations(derivation(claim.section).texts())
+    found = recorded_correction(claim.claim, on, describe(outcome)["correction"])
+    assert found[1].digest == outcome.correction.digest

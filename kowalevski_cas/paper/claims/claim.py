@@ -131,10 +131,13 @@ class Claim(_Kind, ABC):
         """The places that the claim reads as they are printed, whatever the derivation accepts."""
         yield from self.establishes()
 
+    def shown(self) -> tuple[Printed, ...]:
+        """The places of the formulas of the claim."""
+        return tuple(self.establishes()) or tuple(filter(None, [self.printed]))
+
     def formulas(self, texts: Texts) -> tuple[Formula, ...]:
         """The formulas of the claim, as the paper prints them."""
-        places = [self.printed] if self.printed is not None else [*self.establishes()]
-        return tuple(texts.formula(place) for place in places)
+        return tuple(texts.formula(place) for place in self.shown())
 
     def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
         """Statements one edit away, the most plausible corrections first.

@@ -29,6 +29,9 @@ class DarbouxPolynomial(Claim):
         yield identity(space, (rate(value), times(cofactor, value)))
         yield Rank(space, (value,), (), 1)
 
+    def establishes(self) -> Iterator[Printed]:
+        yield from (self.own, self.cofactor)
+
 
 def polynomial(on: Elaborations, space: Elaboration, place: Printed) -> Formula:
     """The polynomial at a place; raises :class:`Meaningless` for a quotient and the like."""
