@@ -18,7 +18,7 @@ from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import CORRECTED, certificate
 from kowalevski_cas.verify.corrections import corrections, printed_of, recorded_correction
-from kowalevski_cas.verify.explain import conditions, failures
+from kowalevski_cas.verify.necessary import conditions, failures
 from kowalevski_cas.verify.outcome import Condition, Correction, Outcome, Verdict
 from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.teller import DECIDED, Teller

@@ -9,7 +9,8 @@ from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.verify.bench import Bench, Decided
-from kowalevski_cas.verify.explain import conditions, counterexample, why
+from kowalevski_cas.verify.counterexamples import counterexample, why
+from kowalevski_cas.verify.necessary import conditions
 from kowalevski_cas.verify.outcome import Counterexample, Outcome, Screened, Step, Verdict
 from kowalevski_cas.verify.statement import Statement
 

@@ -16,7 +16,7 @@ from kowalevski_cas.paper.claims import Equilibria
 from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.accept import Judge
 from kowalevski_cas.problem.evidence import Denial, Roots
-from kowalevski_cas.verify.explain import counterexample
+from kowalevski_cas.verify.counterexamples import counterexample
 from kowalevski_cas.verify.outcome import Counterexample, Point, Verdict
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement

@@ -24,7 +24,7 @@ from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.verify.certificate import certificate
 from kowalevski_cas.verify.corrections import true_ones
-from kowalevski_cas.verify.explain import counterexample
+from kowalevski_cas.verify.counterexamples import counterexample
 from kowalevski_cas.verify.run import Session
 from kowalevski_cas.verify.statement import Statement
 from tests.paper.plain import close, complex_motion, evaluate, motion, value

@@ -1,11 +1,9 @@
-"""What a reader is told of a decision: conditions and counterexamples."""
+"""Counterexamples: the point at which a statement fails, and what it shows there."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Mapping
 
-from kowalevski_cas.algebra.tower import Element
 from kowalevski_cas.notation import (
     Application,
     Derivative,
@@ -23,16 +21,13 @@ from kowalevski_cas.paper.claims import (
     Casimir,
     Claim,
     CriticalSet,
-    Dimension,
     FirstIntegral,
     Involution,
     Jacobi,
     LiouvilleIntegrable,
 )
 from kowalevski_cas.paper.claims.forms import ZERO
-from kowalevski_cas.paper.denominators import shape_of
 from kowalevski_cas.paper.elaborate import Elaboration
-from kowalevski_cas.paper.scene import Locus
 from kowalevski_cas.problem.collect import collect_sides
 from kowalevski_cas.problem.differentials import chosen
 from kowalevski_cas.problem.evidence import (
@@ -48,11 +43,8 @@ from kowalevski_cas.problem.evidence import (
 from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Count, Exists, Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.place import Place, number_formula
-from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.verify.certificate import Stored, Supported
-from kowalevski_cas.verify.conditions import Divided, conditions_of, implies
-from kowalevski_cas.verify.loci import circle_of, drop_on, failure_on, rank_on, say_nothing_on
-from kowalevski_cas.verify.outcome import Condition, Counterexample, Point, Value
+from kowalevski_cas.verify.loci import circle_of
+from kowalevski_cas.verify.outcome import Counterexample, Point, Value
 from kowalevski_cas.verify.shown import named, point, scaled, written
 from kowalevski_cas.verify.statement import Statement
 
@@ -63,120 +55,17 @@ MANY = "infinitely many"
 """How many solutions there are on a circle."""
 
 
-# -- conditions ----------------------------------------------------------------------
-
-
-def conditions(
-    statement: Statement, accepted: Accepted, stored: Stored | None
-) -> tuple[Condition, ...]:
-    """The conditions of a statement that holds, with witnesses that they are needed.
-
-    These are those of a certificate; what it says nothing of is looked for.
-    """
-    found = []
-    for setting, formula, locus in _lacking(statement, accepted):
-        condition = Condition(formula, "the formulas divide by it")
-        if locus and (failure := failure_on(statement, setting, locus, stored)):
-            condition = _where_it_fails(statement, setting, locus, formula, failure)
-        found.append(condition)
-    known = [condition.expression for condition in found]
-    singular = {condition.expression: condition for condition in _singular(statement, known)}
-    return tuple(singular.get(condition.expression, condition) for condition in found)
-
-
-def failures(
-    statement: Statement, accepted: Accepted, stored: Stored | None
-) -> dict[Formula, Supported | None]:
-    """What fails where conditions are violated that have a locus."""
-    return {
-        setting.formula(locus.condition): failure_on(statement, setting, locus, stored)
-        for setting, _, locus in _lacking(statement, accepted)
-        if locus is not None
-    }
-
-
-def _lacking(
-    statement: Statement, accepted: Accepted
-) -> Iterator[tuple[Elaboration, Formula, Locus | None]]:
-    """What may not vanish, each with the declared locus where it does, if there is one."""
-    for setting, formula in _needed(statement, conditions_of(accepted)):
-        loci = setting.scene.loci
-        own = (x for x in loci if setting.texts.expression(x.condition) == formula)
-        yield setting, formula, next(own, None)
-
-
-def _needed(statement: Statement, conditions: list[Divided]) -> list[Divided]:
-    """Conditions without those that say the same on the claim's own scene, or follow there."""
-    own = statement.on(statement.claim.scene)
-    kept: dict[object, Divided] = {}
-    values: dict[object, Element] = {}
-    for setting, formula in sorted(conditions, key=lambda c: c[0] is not own):
-        key: object = formula
-        with suppress(Meaningless):
-            value = own.finder.scalar(own.plain(formula))
-            values[key := shape_of(value)] = value
-        landmark = own.divisors.landmarks.get(key)
-        kept.setdefault(key, (setting, formula) if landmark is None else (own, landmark))
-    for key, value in reversed([*values.items()]):  # of two that vanish together one stays
-        if any(implies(value, other, own) for k, other in values.items() if k != key):
-            del kept[key], values[key]
-    return [*kept.values()]
-
-
-def _where_it_fails(
-    statement: Statement, setting: Elaboration, locus: Locus, formula: Formula, failure: Supported
-) -> Condition:
-    """A condition with a point of its locus where the statement fails."""
-    (goal,), verdicts = failure.statement.goals, failure.verdicts
-    evidence = verdicts.evidence if isinstance(verdicts, Denial) else verdicts[0]
-    witness = _against(statement, goal, evidence, failure.accepted)
-    words = f"it fails for {locus.words}"
-    if isinstance(goal, Fails) and say_nothing_on(setting, goal.given, locus):
-        words = f"for {locus.words} the equations hold identically, and motions leave the set"
-    if witness is not None and witness.left == MANY:
-        words = f"for {locus.words} there are {MANY}"
-    return Condition(formula, words, witness)
-
-
-def _singular(statement: Statement, known: Sequence[Formula]) -> Iterator[Condition]:
-    """Loci of known conditions where a set has another dimension, or is singular; with points."""
-    goal = statement.goals[0]
-    if not isinstance(statement.claim, Dimension) or not isinstance(goal, Rank):
-        return
-    assert isinstance(goal.space, Elaboration)
-    for locus in goal.space.scene.loci:
-        expression = goal.space.texts.expression(locus.condition)
-        if expression not in known:
-            continue
-        found = rank_on(statement, goal, goal.space, locus)
-        if found is not None and found[0] < goal.rank:
-            count = len(goal.space.variables)
-            own, claimed = count - found[0], count - goal.rank
-            words = f"near this point the set has dimension {own}, not {claimed}"
-            there = point(found[1].values, goal.space)
-            against = Counterexample(there, Number(own), Number(claimed), words)
-            said = f"for {locus.words} the set has dimension {own}"
-            yield Condition(expression, said, against)
-        elif dropped := drop_on(statement, goal, goal.space, locus):
-            words = f"only {dropped[0]} of the {goal.rank} differentials are independent"
-            there = point(dropped[1].values, goal.space)
-            against = Counterexample(there, Number(dropped[0]), Number(goal.rank), words)
-            yield Condition(expression, f"for {locus.words} the set is singular", against)
-
-
-# -- counterexamples -----------------------------------------------------------------
-
-
 def counterexample(
     statement: Statement, denial: Denial, accepted: Accepted
 ) -> Counterexample | None:
     """The point at which a denied goal fails, with the two values there."""
-    return _against(statement, statement.goals[denial.goal], denial.evidence, accepted)
+    return against(statement, statement.goals[denial.goal], denial.evidence, accepted)
 
 
-def _against(
+def against(
     statement: Statement, goal: Goal, evidence: Evidence, accepted: Accepted
 ) -> Counterexample | None:
+    """The last point that evidence against a goal gave, with the two values there, if any."""
     if isinstance(evidence, Solutions) and isinstance(goal, Count):
         return _solutions(goal, accepted)
     if isinstance(evidence, Roots) and isinstance(goal, Count):
