@@ -18,7 +18,7 @@ from io import BufferedReader
 from math import inf
 from select import select
 from time import monotonic
-from typing import Generic, NoReturn, TypeVar
+from typing import Generic, TypeVar
 
 from kowalevski_cas.limits import LENGTH, ProcessDied, Watched, begin, watched
 
@@ -145,10 +145,13 @@ class _Process(Generic[Item, Result]):
         asked, self.writing = os.pipe()
         self.pid = os.fork()
         if self.pid == 0:
-            for one in {self, *self.others}:  # who waits has to see that nobody asks any more
-                os.close(one.reading)
-                os.close(one.writing)
-            _serve(self.work, os.fdopen(asked, "rb"), Watched(os.fdopen(told, "wb")))
+            try:
+                for one in {self, *self.others}:  # who waits has to see that nobody asks any more
+                    os.close(one.reading)
+                    os.close(one.writing)
+                _serve(self.work, os.fdopen(asked, "rb"), Watched(os.fdopen(told, "wb")))
+            finally:
+                os._exit(1)  # whatever happens, a copy does not go on with what the original does
         os.close(told)
         os.close(asked)
         if not watched():
@@ -243,7 +246,7 @@ def _listen(running: Sequence[_Process[Item, Result]], heard: Callable[..., None
             one.give_up(min(one.limits, key=lambda n: one.limits[n]), TimeoutError())
 
 
-def _serve(work: Callable[[Item], Result], asked: BufferedReader, here: Watched) -> NoReturn:
+def _serve(work: Callable[[Item], Result], asked: BufferedReader, here: Watched) -> None:
     """Work in this process on what is asked, tell the answers, and end when nobody asks."""
     begin(here)
     signal.signal(signal.SIGTERM, signal.default_int_handler)
@@ -259,5 +262,3 @@ def _serve(work: Callable[[Item], Result], asked: BufferedReader, here: Watched)
                 here.tell("error", error)
     except BaseException as error:
         here.tell("error", error)
-    finally:
-        os._exit(1)

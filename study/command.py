@@ -18,7 +18,7 @@ from kowalevski_cas.pictures import save, style
 from kowalevski_cas.pool import Pool
 from study import STEPS, Row, load
 from study.page import write_page
-from study.step import DISAGREEMENT, LEFT_OUT
+from study.step import DISAGREEMENT, ERROR, LEFT_OUT
 from study.store import data_file, measure, stored
 
 FULL, QUICK = Path("reports/study"), Path("build/study")
@@ -44,20 +44,28 @@ def run(arguments: argparse.Namespace) -> int:
         words = f"the study has no step “{unknown[0]}”; there are {', '.join(STEPS)}"
         raise CommandError(words, NOTHING)
     folder = arguments.output or (QUICK if arguments.quick else FULL)
-    code = AS_RECORDED
+    codes = [AS_RECORDED]
     for name in arguments.steps or STEPS:
         rows = _rows(name, folder, arguments)
         _draw(name, folder, rows)
         counts = Counter(row["verdict"] for row in rows)
-        note = "".join(f", {counts[v]} {v}" for v in (LEFT_OUT, "timeout", "error") if counts[v])
+        note = "".join(f", {counts[v]} {v}" for v in (LEFT_OUT, "timeout", ERROR) if counts[v])
         print(f"{name}: {load(name).TITLE}: {len(rows)} measurements{note}", flush=True)
-        for row in rows:
-            if row["verdict"] == DISAGREEMENT:
-                print(f"the exact arithmetics disagree: {row['reason']}", file=sys.stderr)
-                code = exits.DISAGREEMENT
+        codes += map(_told, rows)
     if not arguments.quick:  # the captions are about the whole study
         write_page(folder)
-    return code
+    return exits.most_urgent(codes)
+
+
+def _told(row: Row) -> int:
+    """The exit code for a measurement, which is told if it is none."""
+    if row["verdict"] == DISAGREEMENT:
+        print(f"the exact arithmetics disagree: {row['reason']}", file=sys.stderr)
+        return exits.DISAGREEMENT
+    if row["verdict"] == ERROR:
+        print(f"{row['method']} on {row['case']} failed: {row['reason']}", file=sys.stderr)
+        return exits.UNDECIDED
+    return AS_RECORDED
 
 
 def _rows(name: str, folder: Path, arguments: argparse.Namespace) -> list[Row]:

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 DISAGREEMENT = "disagreement"
 """The verdict where exact arithmetics contradict each other: a bug, whatever else is measured."""
 
+ERROR = "error"
+"""The verdict of a measurement that failed: a bug, of the method or of the study."""
+
 LEFT_OUT = "left out"
 """The verdict of a measurement that was not made."""
 
@@ -50,7 +53,7 @@ class Task:
             found = {"seconds": None, "verdict": LEFT_OUT, "reason": str(missing)}
         except Exception as error:
             reason = f"{type(error).__name__}: {error}"
-            found = {"seconds": None, "verdict": "error", "reason": reason}
+            found = {"seconds": None, "verdict": ERROR, "reason": reason}
         usual = {"seconds": perf_counter() - start, "verdict": "measured"}
         return {"method": self.method, "case": self.case, **usual, **found}
 

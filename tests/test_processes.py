@@ -159,6 +159,24 @@ def test_a_result_that_cannot_be_sent_is_an_error():
         one(lambda: lambda: None)
 
 
+def test_a_process_that_is_ended_as_it_begins_does_not_go_on_with_what_the_other_one_does():
+    code = """
+import signal
+from contextlib import suppress
+from kowalevski_cas.processes import each
+signal.signal(signal.SIGTERM, signal.default_int_handler)
+for _ in range(100):
+    try:
+        with suppress(Exception):  # what cannot be sent is an error, at once
+            list(each(print, [lambda: 0]))
+    except KeyboardInterrupt:
+        print("went on", flush=True)
+        break
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
 @pytest.mark.parametrize("error", [KeyboardInterrupt, RuntimeError])
 def test_nothing_is_left_running_when_the_work_ends_early(error):
     pids = []

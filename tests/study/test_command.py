@@ -28,9 +28,9 @@ def step(monkeypatch):
     return step
 
 
-def test_a_study_says_what_it_measured_and_what_failed(step, tmp_path, capsys):
+def test_a_study_says_what_it_measured(step, tmp_path, capsys):
     assert main(["--quick", "-o", str(tmp_path)]) == 0
-    assert capsys.readouterr().out == "toys: toys: 3 measurements, 1 error\n"
+    assert capsys.readouterr().out == "toys: toys: 3 measurements\n"
     assert {path.name for path in tmp_path.iterdir()} == {"toys.png", "data"}
     head = json.loads((tmp_path / "data" / "toys.jsonl").read_text().splitlines()[0])
     assert head["quick"] is True and {"processor", "Python", "sympy"} <= head["machine"].keys()
@@ -84,6 +84,14 @@ def test_an_interruption_keeps_what_was_measured(step, tmp_path):
     step.ran.clear()
     assert main(["-o", str(tmp_path)]) == 0
     assert step.ran == ["slow"]
+
+
+def test_a_measurement_that_fails_is_no_success(step, tmp_path, capsys):
+    step.fails = "fair"
+    assert main(["-o", str(tmp_path)]) == 3
+    said = capsys.readouterr()
+    assert said.out == "toys: toys: 3 measurements, 1 error\n"
+    assert said.err == "fair on one failed: ValueError: it cannot\n"
 
 
 def test_a_disagreement_of_exact_arithmetics_has_its_exit_code(step, tmp_path, monkeypatch, capsys):

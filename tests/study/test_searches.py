@@ -4,7 +4,7 @@ import shutil
 
 import pytest
 
-from study.searches import LEFT, LINEAR, POLYNOMIAL, QUICK, RIGHT
+from study.searches import LEFT, LINEAR, POLYNOMIAL, QUICK, RIGHT, measure
 
 SYSTEMS = [one for one in (*LEFT, *RIGHT) if one.name in QUICK]
 
@@ -19,3 +19,9 @@ def test_methods_agree(one):
         assert POLYNOMIAL["basis"](one)() >= max(sizes.values())
         assert POLYNOMIAL["cases"](one)() > 0
     assert len({*sizes.values()}) == 1
+
+
+def test_every_method_finishes_on_small_systems():
+    for task in measure(quick=True):
+        row = task.row()
+        assert row["verdict"] in ("finished", "left out"), row

@@ -14,7 +14,7 @@ def run(step: Interrupt, folder: Path, **options: bool) -> list[dict]:
 
 
 def test_a_method_that_fails_is_a_row_with_its_reason(tmp_path):
-    rows = run(Interrupt(), tmp_path)
+    rows = run(Interrupt(fails="fair"), tmp_path)
     assert [row["verdict"] for row in rows] == ["proved", "error", "proved"]
     assert rows[1]["reason"] == "ValueError: it cannot"
 
@@ -22,11 +22,11 @@ def test_a_method_that_fails_is_a_row_with_its_reason(tmp_path):
 def test_an_interrupted_study_keeps_what_it_measured_and_goes_on(tmp_path):
     with pytest.raises(KeyboardInterrupt):
         run(Interrupt(at="slow"), tmp_path)
-    assert [row["method"] for row in stored("toys", tmp_path)] == ["good", "bad"]
+    assert [row["method"] for row in stored("toys", tmp_path)] == ["good", "fair"]
     again = Interrupt()
     rows = run(again, tmp_path)
     assert again.ran == ["slow"]
-    assert [row["method"] for row in rows] == ["good", "bad", "slow"]
+    assert [row["method"] for row in rows] == ["good", "fair", "slow"]
     assert stored("toys", tmp_path) == rows
 
 
@@ -48,21 +48,21 @@ def test_rows_of_other_versions_are_not_continued(tmp_path):
     file.write_text(header.replace('"Python":"', '"Python":"0') + "".join(rows))
     again = Interrupt()
     run(again, tmp_path)
-    assert again.ran == ["good", "bad", "slow"]
+    assert again.ran == ["good", "fair", "slow"]
 
 
 def test_quick_rows_are_no_full_ones(tmp_path):
     run(Interrupt(), tmp_path)
     again = Interrupt()
     run(again, tmp_path, quick=False)
-    assert again.ran == ["good", "bad", "slow"]
+    assert again.ran == ["good", "fair", "slow"]
 
 
 def test_afresh_forgets(tmp_path):
     run(Interrupt(), tmp_path)
     again = Interrupt()
     run(again, tmp_path, afresh=True)
-    assert again.ran == ["good", "bad", "slow"]
+    assert again.ran == ["good", "fair", "slow"]
 
 
 def test_the_same_task_twice_is_refused(tmp_path):

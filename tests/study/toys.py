@@ -16,23 +16,23 @@ CAPTION = "Some methods, and what $x$ costs."
 
 
 class Interrupt:
-    """The step of this module, with a list of what was run and a task that may interrupt."""
+    """The step of this module, with a list of what was run and tasks that may interrupt or fail."""
 
     TITLE, CAPTION = TITLE, CAPTION
 
-    def __init__(self, at: str = "") -> None:
-        self.at = at
+    def __init__(self, at: str = "", fails: str = "") -> None:
+        self.at, self.fails = at, fails
         self.ran: list[str] = []
 
     def measure(self, quick: bool) -> Iterable[Task]:
-        for method in ("good", "bad", "slow"):
+        for method in ("good", "fair", "slow"):
             yield Task(method, "one", lambda method=method: self._run(method))
 
     def _run(self, method: str) -> Measured:
         if method == self.at:
             raise KeyboardInterrupt
         self.ran.append(method)
-        if method == "bad":
+        if method == self.fails:
             raise ValueError("it cannot")
         return {"seconds": 0.5, "verdict": "proved", "reason": ""}
 
