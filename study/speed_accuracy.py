@@ -184,7 +184,7 @@ def _times(axes: Axes, found: Sequence[Summary]) -> None:
 
     axes.set_xscale("log")
     axes.set_xlim(
-        min((one.times[1] for one in found), default=1e-3) / 1.5,
+        min((one.times[1] for one in found), default=1e-3) / 2,
         max((one.times[2] for one in found), default=1.0) * 2,
     )
     axes.xaxis.set_major_locator(LogLocator())

@@ -33,7 +33,8 @@ CAPTION = (
     "(16), in real ones, are compared with those that the matrix of $F'=MF$ implies, "
     f"$M_{{k+1}}=M_k'+M_kM$, for $k$ up to {MOST}. A cross is where a limit stopped a method: "
     f"{SECONDS:g} s or {MEBIBYTES} MiB. python-flint alone, Singular and PARI/GP are given the "
-    "same operations on polynomials as a program, without this one around them. "
+    "same operations on polynomials as a program, without this one around them; in complex "
+    "variables it is so long that Python needs 150 MB to read it. "
     "Residues look at points, and prove nothing."
 )
 
