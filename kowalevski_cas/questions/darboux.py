@@ -82,9 +82,8 @@ def search(
             yield Finding(FirstIntegral, scene, INTEGRAL, to_latex(value))
         else:
             moving.append(one)
-            says = f"F' = KF with $K={to_latex(K)}$"
             attributes = {"cofactor": to_latex(K)}
-            yield Finding(DarbouxPolynomial, scene, says, to_latex(value), attributes)
+            yield Finding(DarbouxPolynomial, scene, PAIR, to_latex(value), attributes)
     field = PolynomialField(at)
     exponentials: list[Exponential] = []
     for factor in exponential_factors(field, moving, degree):
@@ -117,7 +116,7 @@ def _with_cofactor(
     found = list[str]()
     for element in first_integrals(at, degree, (), pool, cofactor, integrals):
         found.append(tex(element))
-        yield Finding(DarbouxPolynomial, scene, "F' = KF", found[-1], {"cofactor": given})
+        yield Finding(DarbouxPolynomial, scene, PAIR, found[-1], {"cofactor": given})
     known = "a combination of these" if found else "zero"
     known += " by polynomials in first integrals" if found and integrals else ""
     words = f"each polynomial F up to degree {degree} with F' = KF is {known}"
@@ -134,6 +133,7 @@ def _with_cofactor(
 
 ONE = Number(1)
 INTEGRAL = "it is constant along every motion"
+PAIR = "F' = KF for F and K"
 
 
 def _product(

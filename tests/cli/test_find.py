@@ -2,10 +2,12 @@
 
 import json
 import os
+from time import sleep
 
 import pytest
 
 from kowalevski_cas.cli import main
+from kowalevski_cas.pool import Pool
 from tests.sample import sampled
 
 pytestmark = pytest.mark.usefixtures("here")
@@ -250,7 +252,15 @@ def test_a_search_goes_on_from_what_was_found_when_its_time_was_over(
     old.parent.mkdir(parents=True)
     old.touch()
     os.utime(old, (0, 0))
-    assert main([*words, "--timeout", "1"]) == 3
+    keep = Pool._keep
+
+    def kept(*found):
+        keep(*found)
+        sleep(60)
+
+    with monkeypatch.context() as stalled:
+        stalled.setattr(Pool, "_keep", kept)
+        assert main([*words, "--timeout", "2"]) == 3
     assert not old.exists() and [*(tmp_path / "cache").rglob("*/*")]
     assert main([*words, "--timeout", "60"]) == 0
     assert capsys.readouterr().out.endswith("11 found\n")
