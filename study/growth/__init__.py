@@ -75,7 +75,8 @@ def draw(rows: Sequence[Row]) -> Figure:
     for line, (key, (label, units)) in zip(panels, words.items(), strict=True):
         line[0].set_ylabel(label)
         for axes, case in zip(line, CASES, strict=True):
-            axes.set(yscale="log")
+            # A clock of milliseconds says 0 before its first tick: that is no point of the chart.
+            axes.set_yscale("log", nonpositive="mask")
             axes.xaxis.set_major_locator(MaxNLocator(integer=True))
             axes.yaxis.set_major_formatter(FuncFormatter(units))
             for row in rows:
