@@ -77,9 +77,8 @@ class Known:
     def definition(self, name: str, item: Item) -> Item | None:
         """What defines a name where it stands in a statement: the last before it, or the next."""
         found = self.definitions.get(name, [])
-        before = [one for one in found if one.order <= item.order and one is not item]
-        here = [one for one in before if one.section.start <= item.order or True]
-        return (here or found or [None])[-1 if here else 0]
+        before = [one for one in found if one.order <= item.order]
+        return before[-1] if before else found[0] if found else None
 
     def is_defined(self, name: str) -> bool:
         """Whether a name stands for something, itself or as a component."""

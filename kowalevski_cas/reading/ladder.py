@@ -6,11 +6,10 @@ and words say “on it”. No other one is ever tried.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from kowalevski_cas.notation import Application, Constant, Derivative, Name, Number, Relation
+from kowalevski_cas.notation import Application, Derivative, Name, Number
 from kowalevski_cas.paper.claims import (
     Claim,
     FirstIntegral,
@@ -20,7 +19,7 @@ from kowalevski_cas.paper.claims import (
 )
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.known import ASSUMPTION, CLAIM, Known
+from kowalevski_cas.reading.known import ASSUMPTION, CLAIM
 from kowalevski_cas.reading.stage import Stage, Supposed
 from kowalevski_cas.reading.statements import Item
 
@@ -114,8 +113,7 @@ class _Ladder:
         """A function that does not move: everywhere, under the assumptions, or on a set."""
         says = "this is constant along every motion"
         derived = self._derived()
-        ways: list[list[Item]] = [[]] if not self.supposed else [[], self.supposed]
-        for assumptions in ways:
+        for assumptions in self._ways():
             if derived is None:
                 yield self.rung(FirstIntegral, says, assumptions)
             elif isinstance(derived, Item):
@@ -129,8 +127,12 @@ class _Ladder:
             else:
                 yield self.rung(Implication, said, self.supposed, given, given=_places(given))
 
+    def _ways(self) -> list[list[Item]]:
+        """Without assumptions, and with those in force."""
+        return [[], self.supposed] if self.supposed else [[]]
+
     def _derived(self) -> Item | bool | None:
-        """Of a rate that vanishes: where a function with logarithms is defined, or that it is one."""
+        """Of a rate that vanishes: true, or where its function is defined by logarithms."""
         if ZERO not in self.item.members or not self.item.derives:
             return None
         inner = next(m for m in self.item.members if m != ZERO)
@@ -152,11 +154,11 @@ class _Ladder:
         )
         if relations and relations[0] is self.item:
             says = "no motion leaves the set of these equations"
-            for assumptions in [[]] + [self.supposed] * bool(self.supposed):
-                rung = self.rung(
-                    InvariantRelations, says, assumptions, (), relations, relations=_places(relations)
+            places = _places(relations)
+            for assumptions in self._ways():
+                yield self.rung(
+                    InvariantRelations, says, assumptions, (), relations, relations=places
                 )
-                yield rung
 
     # -- all -------------------------------------------------------------------------
 

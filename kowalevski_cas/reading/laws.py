@@ -70,12 +70,18 @@ class _Finder:
         self.paper, self.names = paper, names
         defined: dict[str, int] = {}
         for item in paper.items:
-            if item.bare and not item.derives and not any(isinstance(m, Number) for m in item.members):
+            if (
+                item.bare
+                and not item.derives
+                and not any(isinstance(m, Number) for m in item.members)
+            ):
                 defined.setdefault(item.bare[0], item.order)
         self.rows = [
             item
             for item in paper.items
-            if is_row(item) and item not in paper.approximate and not any(defined.get(n, item.order) < item.order for n in item.rates)
+            if is_row(item)
+            and item not in paper.approximate
+            and not any(defined.get(n, item.order) < item.order for n in item.rates)
         ]
 
     def laws(self) -> Iterator[Law]:

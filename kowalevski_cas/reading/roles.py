@@ -73,8 +73,9 @@ def inequality(item: Item, known: Known) -> Role | None:
     if not {*item.formula.signs} & {"<", ">", r"\le", r"\ge", r"\leq", r"\geq", r"\ne", r"\neq"}:
         return Role(OTHER, "no equation")
     claimed = last_cue("claim", item.before) > last_cue("suppose", item.before)
-    if item.typed.inline or not claimed and not cue("claim", item.tail):
-        return Role(ASSUMPTION, "an inequality that is supposed", "inequality", tuple(item.names))
+    if item.typed.inline or not (claimed or cue("claim", item.tail)):
+        why = "an inequality that is supposed"
+        return Role(ASSUMPTION, why, "inequality", tuple(item.names))
     return Role(CLAIM, "an inequality that is claimed", "inequality")
 
 
@@ -137,8 +138,14 @@ def definition(item: Item, known: Known) -> Role | None:
         return role
     named = [m for m in others if isinstance(m, Name) and known.varies(m.name)]
     if named and item.members and item.members[0] == named[0]:
-        return Role(LEVEL, f"names the value {_plain(fresh[0])} of {_plain(named[0].name)}", "", (*fresh,))
-    if named == [] and not isinstance(item.members[0], Name) and len(others) == len(item.members) - 1:
+        return Role(
+            LEVEL, f"names the value {_plain(fresh[0])} of {_plain(named[0].name)}", "", (*fresh,)
+        )
+    if (
+        named == []
+        and not isinstance(item.members[0], Name)
+        and len(others) == len(item.members) - 1
+    ):
         if known.varying(item.names - {*fresh}) and not isinstance(item.members[0], PoissonBracket):
             return Role(LEVEL, f"names the value {_plain(fresh[0])}", "", (*fresh,))
     return Role(DEFINITION, f"first with {_plain(fresh[0])} alone on a side", "", tuple(fresh))
@@ -151,8 +158,18 @@ def square(item: Item, known: Known) -> Role | None:
         return None
     claimed = _integral_words(item) if item.members[0] != Power(Name(fresh[0]), Number(2)) else ""
     if claimed:
-        return Role(CLAIM, f"“{claimed}” stands before it; it names {_plain(fresh[0])}", "integral", (*fresh,))
-    return Role(DEFINITION, f"first with the square of {_plain(fresh[0])} alone on a side", "square", (*fresh,))
+        return Role(
+            CLAIM,
+            f"“{claimed}” stands before it; it names {_plain(fresh[0])}",
+            "integral",
+            (*fresh,),
+        )
+    return Role(
+        DEFINITION,
+        f"first with the square of {_plain(fresh[0])} alone on a side",
+        "square",
+        (*fresh,),
+    )
 
 
 def assumption(item: Item, known: Known) -> Role | None:
@@ -173,7 +190,13 @@ def assumption(item: Item, known: Known) -> Role | None:
         return None
     values = all(_is_value(m) for m in item.members)
     if supposing or (names and (item.typed.inline or values)):
-        where = "of the sentence" if re.search(r"\b(?:for|при)\b[^§]*(?:§[^§]*)*$", item.before[-60:], re.I) and item.typed.inline and not re.search(r"\b(?:let|suppose|assume|пусть)", item.before, re.I) else ""
+        where = (
+            "of the sentence"
+            if re.search(r"\b(?:for|при)\b[^§]*(?:§[^§]*)*$", item.before[-60:], re.I)
+            and item.typed.inline
+            and not re.search(r"\b(?:let|suppose|assume|пусть)", item.before, re.I)
+            else ""
+        )
         why = f"“{supposing}” supposes it" if supposing else "gives a constant that was seen before"
         return Role(ASSUMPTION, why, where, tuple(names) or tuple(sorted(item.names)))
     return None
@@ -218,7 +241,11 @@ def zero_set(item: Item, known: Known) -> Role | None:
         return None
     values = [m for m in item.members if _is_value(m) and not known.varying(m.names())]
     others = [m for m in item.members if m not in values]
-    if not values or not others or not all(isinstance(m, Name) and known.varies(m.name) for m in others):
+    if (
+        not values
+        or not others
+        or not all(isinstance(m, Name) and known.varies(m.name) for m in others)
+    ):
         return None
     words = item.words
     if said := cue("invariant", words) or cue("equilibrium", words):
@@ -283,7 +310,11 @@ def _is_fresh(name: str, item: Item, known: Known) -> bool:
         return False
     others = item.names - {function, *arguments}
     new = bool(others) and not any(map(known.is_known, others))
-    return function not in known.seen or bool(cue("where", item.lead)) or (new and not item.typed.inline)
+    return (
+        function not in known.seen
+        or bool(cue("where", item.lead))
+        or (new and not item.typed.inline)
+    )
 
 
 def _is_number(members: object) -> bool:
@@ -297,7 +328,9 @@ def _is_value(formula: Formula) -> bool:
         return _is_value(formula.argument)
     if isinstance(formula, Vector):
         return all(map(_is_value, formula.components))
-    return not any(isinstance(n, Derivative) for n in formula.nodes()) and len([*formula.nodes()]) <= 5
+    return (
+        not any(isinstance(n, Derivative) for n in formula.nodes()) and len([*formula.nodes()]) <= 5
+    )
 
 
 def _supposing(item: Item) -> str:
@@ -318,7 +351,9 @@ def _integral_words(item: Item) -> str:
         if last_cue("claim", item.lead[-30:]) < 0 or not item.typed.inline:
             return said
     return cue("integral", item.lead) or (
-        cue("integral", item.before) if not item.typed.inline and item.lead.strip(" ,;") in ("", "and") else ""
+        cue("integral", item.before)
+        if not item.typed.inline and item.lead.strip(" ,;") in ("", "and")
+        else ""
     )
 
 
@@ -332,13 +367,17 @@ def _integral_that_defines(item: Item, known: Known, fresh: list[str]) -> Role |
             rated = [m.argument for m in one.members if isinstance(m, Derivative)]
             if any(isinstance(m, Name) and m.name in fresh for m in rated):
                 return None
-    return Role(CLAIM, f"“{said}” stands beside it; it names {_plain(fresh[0])}", "integral", (*fresh,))
+    return Role(
+        CLAIM, f"“{said}” stands beside it; it names {_plain(fresh[0])}", "integral", (*fresh,)
+    )
 
 
 def _is_level(item: Item, known: Known) -> bool:
     """Whether an equation gives a function a value."""
     fixed = [m for m in item.members if not known.varying(m.names())]
-    return bool(fixed) and len(fixed) < len(item.members) or "\\equiv" in getattr(item.formula, "signs", ())
+    return (bool(fixed) and len(fixed) < len(item.members)) or "\\equiv" in getattr(
+        item.formula, "signs", ()
+    )
 
 
 def _set_beside(item: Item, known: Known) -> bool:

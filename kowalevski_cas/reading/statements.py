@@ -20,6 +20,7 @@ from kowalevski_cas.reading.text import MARK, Prose, Section, references
 from kowalevski_cas.source.displays import Typed
 from kowalevski_cas.source.formulas import typed_formulas
 from kowalevski_cas.source.listing import guessed
+from kowalevski_cas.source.macros import Expanded
 from kowalevski_cas.source.text import Source
 
 LONGEST_ID = 32
@@ -104,7 +105,7 @@ class Paper:
     items: tuple[Item, ...]
     lines: dict[str, int] = field(repr=False)
     """The lines of the displays, by their ids."""
-    notes: tuple[tuple[int, str], ...] = ()
+    expanded: Expanded = field(repr=False)
 
     @cached_property
     def approximate(self) -> frozenset[Item]:
@@ -139,9 +140,9 @@ def read_statements(source: Source) -> Paper:
         path = prose.path(formula.start)
         if any(one.title == "thebibliography" for one in path):
             continue
-        number = str(prose.sections.index(path[-1]))
+        section = str(prose.sections.index(path[-1]))
         display = Display(
-            _id(formula, ids), formula.tex, number, formula.inline, label=_label(formula)
+            _id(formula, ids), formula.tex, section, formula.inline, label=_label(formula)
         )
         displays.append((display, formula))
         start = formula.start + len(formula.tex) - len(formula.tex.lstrip())
@@ -156,8 +157,7 @@ def read_statements(source: Source) -> Paper:
                     path, prose.theorem(formula.start), around.refs, span,
                 )
             )  # fmt: skip
-    notes = tuple((source.line(offset), said) for offset, said in expanded.notes)
-    return Paper(source, prose, words, tuple(displays), tuple(items), lines, notes)
+    return Paper(source, prose, words, tuple(displays), tuple(items), lines, expanded)
 
 
 class _Around:

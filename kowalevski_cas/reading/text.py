@@ -14,6 +14,11 @@ from functools import cached_property
 
 from kowalevski_cas.source.displays import DISPLAYS, Typed
 
+_SILENT = re.compile(
+    r"(?:\\label\s*\{[^{}]*\}|\\(?:end|nonumber|notag)(?:\s*\{[^{}]*\})?|\\\\|\\[,;! ]|[}\s])$"
+)
+"""What stands at the end of a display, behind its stop."""
+
 MARK = "§"
 """What stands for a formula in the prose."""
 
@@ -153,10 +158,7 @@ def _blank(formula: str) -> str:
     """A mark, and blanks as many as a formula has signs; a stop at its end stays."""
     body = formula.rstrip()
     while body:
-        cut = re.sub(
-            r"(?:\\label\s*\{[^{}]*\}|\\(?:end|nonumber|notag)(?:\s*\{[^{}]*\})?|\\\\|\\[,;! ]|[}\s])$",
-            "", body,
-        )  # fmt: skip
+        cut = _SILENT.sub("", body)
         if cut == body:
             break
         body = cut

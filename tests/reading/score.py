@@ -5,13 +5,17 @@ import re
 from collections import Counter
 from dataclasses import dataclass, field
 
+from kowalevski_cas.audit.reading import ReadingSession
 from kowalevski_cas.notation import Name
-from kowalevski_cas.audit.reading import decide
 from kowalevski_cas.reading import read
 from kowalevski_cas.source.files import read_source
 from kowalevski_cas.verify.outcome import Verdict
 
-SAME = {"level": {"notation", "definition", "claim"}, "other": {"notation", "other"}, "notation": {"notation", "other"}}
+SAME = {
+    "level": {"notation", "definition", "claim"},
+    "other": {"notation", "other"},
+    "notation": {"notation", "other"},
+}
 """Roles of the truth that a role here may stand for."""
 _LAYOUT = re.compile(
     r"[\s&.,;$]|\\label\{[^}]*\}|\\\\(\[\w+\])?|\\[,;]|\\q?quad|\\nonumber|\\(?:begin|end)\{\w+\}|\{\}"
@@ -30,7 +34,7 @@ class Score:
 def score(path):
     """The score of a paper with the truth beside it."""
     reading = read(read_source(path))
-    outcomes = decide(reading, timeout=5).outcomes
+    outcomes = ReadingSession(reading, timeout=5).outcomes
     truth = json.loads(path.with_suffix(".json").read_text(encoding="utf-8"))
     found = Score()
     for one in truth:
@@ -38,7 +42,9 @@ def score(path):
             continue
         here = matching(reading, one)
         roles = {formula.role.name for formula in here}
-        right = bool(here) and all(r == one["role"] or one["role"] in SAME.get(r, ()) for r in roles)
+        right = bool(here) and all(
+            r == one["role"] or one["role"] in SAME.get(r, ()) for r in roles
+        )
         found.roles[right] += 1
         if not right:
             found.wrong.append((one["line"], one["tex"], one["role"], [f.role for f in here]))
@@ -48,8 +54,13 @@ def score(path):
             truth_of = f"{one['true']}/{one.get('as_printed', '')}"
             found.claims[f"{truth_of} {verdict}"] += 1
             if not (one["true"] is True and verdict == "green"):
-                messages = [f.message or outcomes[f.claim.id].message if f.claim else f.message for f in here]
-                found.wrong.append((one["line"], one["tex"], truth_of, one.get("kind"), verdict, messages))
+                messages = [
+                    f.message or outcomes[f.claim.id].message if f.claim else f.message
+                    for f in here
+                ]
+                found.wrong.append(
+                    (one["line"], one["tex"], truth_of, one.get("kind"), verdict, messages)
+                )
     return found
 
 
