@@ -25,7 +25,7 @@ from kowalevski_cas.reading.statements import Item, Paper, read_statements
 from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.statement import Statement
 
-SECONDS = 5.0
+SECONDS = 2.0
 """For each claim that a statement may make."""
 
 
