@@ -10,6 +10,9 @@ from typing import NamedTuple
 from kowalevski_cas.notation import Edit, Formula, Vocabulary, to_latex
 from kowalevski_cas.paper.texts import Printed
 
+CORRECTED = "corrected"
+"""Before the names of certificates of corrections, and their folder."""
+
 Value = Formula | str
 """A value at a point: exact, or what an arithmetic of points shows in place of that."""
 
@@ -36,6 +39,9 @@ class Verdict(StrEnum):
         """Whether the statement is established, or nothing was seen at points that denies it."""
         return self.green or self in (Verdict.PROBABLE, Verdict.ENCLOSED)
 
+
+DECIDED = (Verdict.PROVED, Verdict.CONDITIONAL, Verdict.REFUTED)
+"""The verdicts that have a certificate."""
 
 WORST = (
     Verdict.ERROR, Verdict.REFUTED, Verdict.TIMEOUT, Verdict.UNDECIDED, Verdict.PROBABLE,
@@ -100,7 +106,8 @@ class Correction(NamedTuple):
     """The nearest true statement: its formulas, what was changed, its verdict, its digest.
 
     ``printed`` and ``edit`` say where, if one printed formula was changed, and ``accepted``
-    that the derivation reads it in place of what is printed.
+    that the derivation reads it in place of what is printed. ``certificate`` is the text that the
+    checker has accepted.
     """
 
     formulas: tuple[Formula, ...]
@@ -111,6 +118,7 @@ class Correction(NamedTuple):
     printed: Printed | None = None
     edit: Edit | None = None
     accepted: bool = False
+    certificate: str = ""
 
 
 class Outcome(NamedTuple):
@@ -121,8 +129,10 @@ class Outcome(NamedTuple):
     ``enclosed``. ``formulas`` are those of the claim and ``source`` is how the paper prints them,
     which stands in for them where they cannot be read. ``granted`` lists what the scenes of the
     claim suppose not to vanish, ``branches`` the equations by which they choose one of the two
-    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. Words
-    have mathematics between dollars.
+    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on.
+    ``certificate`` is the text that the checker has accepted; without one nothing is proved,
+    conditional or refuted. A ``note`` is about a stored certificate that was rejected. Words have
+    mathematics between dollars.
     """
 
     claim: str
@@ -146,6 +156,16 @@ class Outcome(NamedTuple):
     granted: tuple[Formula, ...] = ()
     branches: tuple[Formula, ...] = ()
     corrected: tuple[str, ...] = ()
+    certificate: str = ""
+    note: str = ""
+
+    @property
+    def certificates(self) -> dict[str, str]:
+        """The texts that the checker has accepted, by the names of their files."""
+        found = {self.claim: self.certificate}
+        if self.correction is not None:
+            found[f"{CORRECTED}/{self.claim}"] = self.correction.certificate
+        return found if self.verdict in DECIDED else {}
 
 
 class Run(NamedTuple):
@@ -164,6 +184,11 @@ class Run(NamedTuple):
     arithmetics: tuple[str, ...]
     versions: dict[str, str]
     vocabulary: Vocabulary
+
+    @property
+    def certificates(self) -> dict[str, str]:
+        """The texts that the checker has accepted, by the names of their files."""
+        return {n: text for one in self.outcomes for n, text in one.certificates.items()}
 
     @property
     def digest(self) -> str:

@@ -88,8 +88,9 @@ class Space(Formulas):
             exponent = self.scalar(more)
             need(self.is_real(value) and self.is_real(exponent), "a power of what is not real")
             self.ring.powers[name] = value, exponent
-            self.enter(value, say(tree))
-            self.enter(own, name)
+            with self.granting():
+                self.enter(value, say(tree))
+                self.enter(own, name)
         self.env[name] = (own,)
 
     def _granted(self, conditions: list[tuple[set[str], Json]]) -> list[tuple[set[str], Json]]:
@@ -98,7 +99,8 @@ class Space(Formulas):
         for names, tree in conditions:
             self.ring.spend(1 + (len(names) >> 3))
             if names <= self.env.keys():
-                self.assume(tree)
+                with self.granting():
+                    self.assume(tree)
             else:
                 waiting.append((names, tree))
         return waiting
