@@ -129,8 +129,8 @@ class Outcome(NamedTuple):
     ``enclosed``. ``formulas`` are those of the claim and ``source`` is how the paper prints them,
     which stands in for them where they cannot be read. ``granted`` lists what the scenes of the
     claim suppose not to vanish, ``branches`` the equations by which they choose one of the two
-    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on.
-    ``certificate`` is the text that the checker has accepted; without one nothing is proved,
+    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. What
+    the paper does not claim is ``ours``. ``certificate`` is the text that the checker has accepted; without one nothing is proved,
     conditional or refuted. A ``note`` is about a stored certificate that was rejected. Words have
     mathematics between dollars.
     """
@@ -156,6 +156,7 @@ class Outcome(NamedTuple):
     granted: tuple[Formula, ...] = ()
     branches: tuple[Formula, ...] = ()
     corrected: tuple[str, ...] = ()
+    ours: bool = False
     certificate: str = ""
     note: str = ""
 
@@ -172,7 +173,8 @@ class Run(NamedTuple):
     """The outcomes of one derivation, in the order of the paper.
 
     ``sections`` lists number and heading; ``versions`` the programs and
-    libraries that took part; in ``vocabulary`` the words of all outcomes can be read.
+    libraries that took part; in ``vocabulary`` the words of all outcomes can be read. ``edition``
+    says which text was read, and ``main`` which claims are the main results.
     """
 
     derivation: str
@@ -184,6 +186,8 @@ class Run(NamedTuple):
     arithmetics: tuple[str, ...]
     versions: dict[str, str]
     vocabulary: Vocabulary
+    edition: str = ""
+    main: tuple[str, ...] = ()
 
     @property
     def certificates(self) -> dict[str, str]:
