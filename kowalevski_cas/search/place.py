@@ -83,7 +83,7 @@ class PointFinder:
         """
         with suppress(Meaningless):
             divided = [*divided, *at.masses]
-        avoid = [*at.granted, *at.ring.divided_by(divided)]
+        avoid = [*at.granted, *at.norms, *at.ring.divided_by(divided)]
         names = self.names(at.setting)
         norms = [self._norm(at, element) for element in (*zero, *_imaginary_parts(at, names))]
         for further in self._sections(at, most):

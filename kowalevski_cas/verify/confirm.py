@@ -18,7 +18,7 @@ from kowalevski_cas.problem.examine import Accepted
 from kowalevski_cas.problem.goals import Simple, simple
 from kowalevski_cas.problem.trees import decode
 from kowalevski_cas.verify.conditions import may_vanish
-from kowalevski_cas.verify.outcome import DECIDED, Outcome, Verdict
+from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.statement import Statement, Verdicts
 
 Divided = Iterable[tuple[Simple, Sequence[Element]]]
@@ -57,7 +57,7 @@ def receive(outcome: Outcome) -> Outcome:
     An error otherwise: nothing that another process says is believed.
     """
     due = []
-    if outcome.verdict in DECIDED:
+    if outcome.certified:
         sign = "denied" if outcome.verdict is Verdict.REFUTED else "holds"
         due.append((outcome.digest, sign, outcome.certificate))
     if outcome.correction is not None:
@@ -81,7 +81,9 @@ def _theorems(claim: str, digest: str, sign: str, text: str) -> list[checker.The
     except checker.Exhausted as error:
         raise TimeoutError(str(error)) from None
     except checker.Rejected as error:
-        raise Disagreement(f"flint and the checker disagree: flint accepts the evidence, the checker says: {error}") from None
+        raise Disagreement(
+            f"flint and the checker disagree: flint accepts the evidence, the checker says: {error}"
+        ) from None
     if (found.claim, found.digest, found.sign) != (claim, digest, sign):
         raise Disagreement("the checker reads another statement in it")
     return found.theorems

@@ -7,6 +7,7 @@ from enum import StrEnum
 from hashlib import sha256
 from typing import NamedTuple
 
+from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.notation import Edit, Formula, Vocabulary, to_latex
 from kowalevski_cas.paper.texts import Printed
 
@@ -130,9 +131,9 @@ class Outcome(NamedTuple):
     which stands in for them where they cannot be read. ``granted`` lists what the scenes of the
     claim suppose not to vanish, ``branches`` the equations by which they choose one of the two
     values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. What
-    the paper does not claim is ``ours``. ``certificate`` is the text that the checker has accepted; without one nothing is proved,
-    conditional or refuted. A ``note`` is about a stored certificate that was rejected. Words have
-    mathematics between dollars.
+    the paper does not claim is ``ours``. ``certificate`` is the text that the checker has accepted;
+    without one nothing is proved, conditional or refuted. A ``note`` is about a stored certificate
+    that was rejected. Words have mathematics between dollars.
     """
 
     claim: str
@@ -161,12 +162,17 @@ class Outcome(NamedTuple):
     note: str = ""
 
     @property
+    def certified(self) -> bool:
+        """Whether there has to be a certificate; what points say has none."""
+        return self.verdict in DECIDED and not self.verdicts.keys() & {*POINTS}
+
+    @property
     def certificates(self) -> dict[str, str]:
         """The texts that the checker has accepted, by the names of their files."""
         found = {self.claim: self.certificate}
         if self.correction is not None:
             found[f"{CORRECTED}/{self.claim}"] = self.correction.certificate
-        return found if self.verdict in DECIDED else {}
+        return found if self.certified else {}
 
 
 class Run(NamedTuple):

@@ -13,8 +13,17 @@ from kowalevski_cas.verify.certificate import Supported, certificate
 from kowalevski_cas.verify.confirm import Disagreement, confirm
 from kowalevski_cas.verify.counterexamples import counterexample, why
 from kowalevski_cas.verify.necessary import conditions
-from kowalevski_cas.verify.outcome import DECIDED, Condition, Counterexample, Outcome, Screened, Step, Verdict
+from kowalevski_cas.verify.outcome import (
+    DECIDED,
+    Condition,
+    Counterexample,
+    Outcome,
+    Screened,
+    Step,
+    Verdict,
+)
 from kowalevski_cas.verify.statement import Statement
+
 
 def disagreement(verdicts: Mapping[str, Verdict]) -> bool:
     """Whether two arithmetics decided differently; an undecided one disagrees with none."""

@@ -45,5 +45,6 @@ from .spaces import Space
 __all__ = [
     "BITS", "DEGREE", "FORMAT", "KINDS", "NAMES", "SIZE", "VERSION", "WORK",
     "Budget", "Certificate", "Element", "Exhausted", "Json", "Map", "Problem", "Rates",
-    "Rejected", "Ring", "Space", "Theorem", "Value", "check", "locate", "need", "printable", "quotient", "sentence",
+    "Rejected", "Ring", "Space", "Theorem", "Value", "check", "locate", "need",
+    "printable", "quotient", "sentence",
 ]  # fmt: skip

@@ -137,7 +137,7 @@ class Formulas(Divisors):
             return self.conj(element)
         for name, square in self.ring.roots.items():
             if (square - element).vanishes():
-                return self.ring.generator(name)
+                return self.scalar(name)
         raise Rejected("a root is taken that is not declared")
 
     def multiplied(self, op: str, values: list[Value], size: int) -> Value:

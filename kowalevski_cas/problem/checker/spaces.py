@@ -91,7 +91,7 @@ class Space(Formulas):
             with self.granting():
                 self.enter(value, say(tree))
                 self.enter(own, name)
-        self.env[name] = (own,)
+        self.env[name] = (own if value.terms or kind == "power" else value,)
 
     def _granted(self, conditions: list[tuple[set[str], Json]]) -> list[tuple[set[str], Json]]:
         """Know that formulas do not vanish; returns those with names that are not defined yet."""
