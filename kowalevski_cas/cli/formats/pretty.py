@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli import plain
-from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.cli.formats import Result, reading
 from kowalevski_cas.library import MEND
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Display, Paragraph
@@ -137,6 +137,10 @@ class Told:
         """The audit as text; details stand before the summary."""
         audit = self.audit
         findings = Findings(self.phrases, tuple(audit.outcomes.values()))
+        if audit.reading is not None:
+            return "\n".join(
+                (*reading.told(audit, self.phrases), *self.wrong(), *details, "", *self.summary(), "")
+            )
         source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
         notes = (f"line {line}: {words}" for line, words in audit.notes)
         wrong = *self.wrong(), *plain.lines(findings.hypotheses()), *details, *notes
