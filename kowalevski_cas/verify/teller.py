@@ -52,6 +52,7 @@ class Teller(Bench):
         if self.arithmetics[0] != "flint" and outcome.verdict is Verdict.PROVED:
             accepted = self._judged(statement, decided.verdicts, "flint").accepted
         if outcome.verdict is Verdict.PROVED:
+            outcome = outcome._replace(message=statement.claim.remark(statement.on))
             needed = conditions(statement, accepted, self.stored.get(statement.claim.id))
             if needed:
                 verdicts: dict[str, Verdict] = {
