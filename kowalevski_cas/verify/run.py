@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from itertools import count, permutations
 from time import perf_counter
@@ -114,6 +114,10 @@ class Session(Mender):
                     digest=found.digest, corrected=found.corrected, seconds=found.seconds
                 )
         return self.found[claim.id]
+
+    def certificates(self, claim: Claim) -> Iterator[tuple[str, str]]:
+        """The certificate of a claim, and that of its correction, by name."""
+        yield from self.outcome(claim).certificates.items()
 
     def stands(self, id: str) -> bool:
         """Whether the correction of a claim that its derivation accepts is proved."""

@@ -61,6 +61,8 @@ class Teller(Bench):
                 decided = self._judged(statement, decided.verdicts, "flint")
             needed, text = self.certified(decided, statement.claim.id)
             outcome = outcome._replace(certificate=text)
+            if outcome.verdict is Verdict.PROVED:
+                outcome = outcome._replace(message=statement.claim.remark(statement.on))
             if needed:
                 verdicts: dict[str, Verdict] = {
                     name: Verdict.CONDITIONAL if v is Verdict.PROVED else v
@@ -139,7 +141,7 @@ class Teller(Bench):
             granted=tuple(map(on.texts.expression, granted)),
             branches=branches,
             verdicts={name: verdict for name in self.arithmetics},
-            ours=claim.ours or any(place.display.source for place in claim.establishes()),
+            ours=claim.ours,
         )
 
     def corrected(self, statement: Statement) -> tuple[str, ...]:
