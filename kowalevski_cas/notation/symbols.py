@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 
 from kowalevski_cas.notation.cursor import Cursor, Piece
 from kowalevski_cas.notation.errors import NotationError
@@ -140,12 +141,28 @@ class Symbols(Cursor):
         if power is not None and isinstance(power[0], Negative):
             raise self.error(f"a negative power of the function {name} is ambiguous")
         opened = self.tokens[self.at].kind == "open"
-        below = self.listed() if opened else (self.operand(name),)
+        below = self.listed() if opened else (self.phase() or self.operand(name),)
         end = self.tokens[self.at - 1].end
         piece: Piece = (Application(name, tuple(b[0] for b in below)), start, end, below)
         if power is not None:
             return (Power(piece[0], power[0]), start, end, (piece, power))
         return self.scripts(piece) if opened else piece
+
+    def phase(self) -> Piece | None:
+        r"""A product that ends with the time, as in \cos\omega t; ``None``, and no move, without it.
+
+        What else stands side by side behind a function may be its argument, or a factor.
+        """
+        start, level, factors = self.at, self.level, list[Piece]()
+        with suppress(NotationError):
+            while self.starts() and not self.ends_argument(self.tokens[self.at]):
+                factors.append(self.factor())
+        *before, last = [factor[0] for factor in factors] or [Number(0)]
+        timed = isinstance(last, Name) and last.name in self.vocabulary.times
+        if before and timed and all(node.names().isdisjoint(self.vocabulary.moving) for node in before):
+            return (Product((*before, last)), factors[0][1], factors[-1][2], tuple(factors))
+        self.at, self.level = start, level
+        return None
 
     def read_accent(self) -> Piece:
         """Dots and bars; those on a single letter keep its index: dot{x}_1."""

@@ -8,10 +8,18 @@ from kowalevski_cas.paper.texts import Texts
 
 
 class Elaborations:
-    """Calling it gives the setting of a scene; ``under`` other texts, the same or others."""
+    """Calling it gives the setting of a scene; ``under`` other texts, the same or others.
 
-    def __init__(self, texts: Texts, known: dict[object, Elaboration] | None = None) -> None:
-        self.texts = texts
+    Settings know the functions in formulas that were ``met`` as well as those of their scenes.
+    """
+
+    def __init__(
+        self,
+        texts: Texts,
+        known: dict[object, Elaboration] | None = None,
+        met: tuple[Formula, ...] = (),
+    ) -> None:
+        self.texts, self.met = texts, met
         self._known: dict[object, Elaboration] = {} if known is None else known
         self._own: dict[Scene, Elaboration] = {}
 
@@ -19,10 +27,26 @@ class Elaborations:
         """The setting that a scene means."""
         if scene not in self._own:
             key = (scene, self.texts.changes(scene.places))
-            if key not in self._known:
-                self._known[key] = Elaboration(scene, self.texts, self)
-            self._own[scene] = self._known[key]
+            self._own[scene] = self._elaborated(scene, key)
         return self._own[scene]
+
+    def _elaborated(self, scene: Scene, key: tuple[object, ...]) -> Elaboration:
+        if key not in self._known:
+            self._known[key] = Elaboration(scene, self.texts, self.meeting(()))
+        setting = self._known[key]
+        free = free_names(setting, self.met)
+        if setting.transcendental.knows(self.met, free):
+            return setting
+        if (key := (*key, self.met)) not in self._known:
+            self._known[key] = Elaboration(scene, self.texts, self, self.met)
+        return self._known[key]
+
+    def meeting(self, formulas: tuple[Formula, ...]) -> Elaborations:
+        """The elaborations that know the functions in some formulas as well."""
+        return self if formulas == self.met else Elaborations(self.texts, self._known, formulas)
+
+    def goals(self, claim: Claim) -> tuple[Goal, ...]:
+        """What a claim states."""
 
     def under(self, texts: Texts) -> Elaborations:
         """The elaborations under other texts."""

@@ -119,7 +119,7 @@ def test_two_signs_are_two_statements():
         (r"\nabla\times\mathbf r", "print by what it derives"),
         (r"\int_0^1 x", "an integral cannot be read"),
         (r"\sin\theta(x+y)", r"how far does \sin reach?"),
-        (r"\sin\omega t", r"how far does \sin reach?"),
+        (r"\sin\omega x", r"how far does \sin reach?"),
         (r"\langle x, y\rangle", "declare the vectors of this product"),
         ("[x, y]", "a list in these brackets cannot be read"),
         ("|x|y||", "| is not expected here"),

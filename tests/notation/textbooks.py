@@ -1,7 +1,7 @@
 """Formulas as textbooks of mechanics print them, and the names in them."""
 
 from kowalevski_cas.notation import Vocabulary
-from kowalevski_cas.notation.macros import FUNCTIONS
+from kowalevski_cas.notation.functions import FUNCTIONS
 
 WORDS = Vocabulary(
     scalars=frozenset(
