@@ -40,6 +40,9 @@ class _Scripts:
 class Symbols(Cursor):
     """Reads names, accents, primes, powers and arguments."""
 
+    says_what_moves = True
+    """Whether names that the vocabulary says to move do so, and others do not."""
+
     # What the parser reads further on.
     sum: Callable[[], Piece]
     term: Callable[[], Piece]
@@ -149,9 +152,9 @@ class Symbols(Cursor):
         return self.scripts(piece) if opened else piece
 
     def phase(self) -> Piece | None:
-        r"""A product that ends with the time, as in \cos\omega t; ``None``, and no move, without it.
+        r"""A product that ends with the time, as in \cos\omega t; ``None``, and no move, else.
 
-        What else stands side by side behind a function may be its argument, or a factor.
+        Of what else stands side by side behind a function it cannot be seen how far it reaches.
         """
         start, level, factors = self.at, self.level, list[Piece]()
         with suppress(NotationError):
@@ -159,7 +162,8 @@ class Symbols(Cursor):
                 factors.append(self.factor())
         *before, last = [factor[0] for factor in factors] or [Number(0)]
         timed = isinstance(last, Name) and last.name in self.vocabulary.times
-        if before and timed and all(node.names().isdisjoint(self.vocabulary.moving) for node in before):
+        moving = self.vocabulary.moving if self.says_what_moves else frozenset[str]()
+        if before and timed and all(node.names().isdisjoint(moving) for node in before):
             return (Product((*before, last)), factors[0][1], factors[-1][2], tuple(factors))
         self.at, self.level = start, level
         return None
@@ -255,12 +259,13 @@ class Symbols(Cursor):
             return self.bracket()
         piece = self.factor()
         token = self.tokens[self.at]
-        function = self.ends_argument(token)
+        named = operator in self.vocabulary.functions  # a derivative may reach over functions
+        function = named and self.ends_argument(token)
         if isinstance(piece[0], Number) and token.kind == "letter" and not function:
             other = self.factor()  # as in \sin 2x
             piece = (Product((piece[0], other[0])), piece[1], other[2], (piece, other))
             token = self.tokens[self.at]
-            function = self.ends_argument(token)
+            function = named and self.ends_argument(token)
         if token.kind == "slash" or (self.starts() and not function):
             raise self.error(f"how far does {operator} reach? set brackets")
         return piece

@@ -1,9 +1,10 @@
-r"""Arguments of functions as sums of products with rational factors: :math:`\omega t-\frac\theta2`."""
+r"""Arguments of functions as sums of products with rational factors: :math:`\omega t-\theta/2`."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from functools import reduce
 
 from kowalevski_cas.notation import (
     Formula,
@@ -13,6 +14,7 @@ from kowalevski_cas.notation import (
     Power,
     Product,
     Quotient,
+    Root,
     Sum,
     once,
     power,
@@ -21,7 +23,7 @@ from kowalevski_cas.notation import (
 )
 
 Monomial = tuple[tuple[Formula, int], ...]
-"""Formulas that are no products, with their exponents, in the order of their LaTeX."""
+"""Formulas that are no products, with their exponents, each once and in one order."""
 
 Combination = Mapping[Monomial, Fraction]
 """A sum of products with rational factors."""
@@ -29,10 +31,10 @@ Combination = Mapping[Monomial, Fraction]
 
 @once
 def combination(formula: Formula) -> Combination:
-    """The sum of products that a formula is; what is no sum or product stands for itself.
+    r"""The sum of products that a formula is; what is no sum or product stands for itself.
 
     >>> from kowalevski_cas.notation import Vocabulary, read
-    >>> [*combination(read(r"2(x-\\frac{y}{2})", Vocabulary("xy"))).values()]
+    >>> [*combination(read(r"2(x-\frac{y}{2})", Vocabulary("xy"))).values()]
     [Fraction(2, 1), Fraction(-1, 1)]
     """
     match formula:
@@ -47,10 +49,7 @@ def combination(formula: Formula) -> Combination:
                     found[monomial] = found.get(monomial, Fraction(0)) + factor
             return {monomial: factor for monomial, factor in found.items() if factor}
         case Product(factors):
-            product: Combination = {(): Fraction(1)}
-            for factor in factors:
-                product = _product(product, combination(factor))
-            return product
+            return reduce(_product, map(combination, factors), {(): Fraction(1)})
         case Quotient(above, below):
             return _product(combination(above), _inverse(combination(below), below))
         case Power(base, Number(exponent)):
@@ -70,8 +69,10 @@ def _product(left: Combination, right: Combination) -> Combination:
     return {monomial: factor for monomial, factor in found.items() if factor}
 
 
-def _order(part: tuple[Formula, int]) -> str:
-    return to_latex(part[0])
+def _order(part: tuple[Formula, int]) -> tuple[bool, str]:
+    """As in LaTeX, but for the time, which is printed last."""
+    tex = to_latex(part[0])
+    return tex in ("t", r"\tau"), tex
 
 
 def _inverse(below: Combination, formula: Formula) -> Combination:
@@ -82,10 +83,10 @@ def _inverse(below: Combination, formula: Formula) -> Combination:
 
 
 def product_of(monomial: Monomial, over: int = 1) -> Formula:
-    """A product, over a whole number, as a formula.
+    r"""A product, over a whole number, as a formula.
 
-    >>> to_latex(product_of((((Name("x")), 1), ((Name("y")), -1)), 2))
-    '\\\\frac{x}{2y}'
+    >>> to_latex(product_of(((Name("x"), 1), (Name("y"), -1)), 2))
+    '\\frac{x}{2y}'
     """
     above = times(*(power(one, e) for one, e in monomial if e > 0))
     below = times(Number(over), *(power(one, -e) for one, e in monomial if e < 0))
@@ -104,3 +105,11 @@ def single_name(monomial: Monomial) -> str | None:
         case ((Name(name), 1),):
             return name
     return None
+
+
+def is_arithmetic(formula: Formula) -> bool:
+    """Whether a formula is made of names and numbers by arithmetic and roots."""
+    return isinstance(formula, _ARITHMETIC) and all(map(is_arithmetic, formula.children()))
+
+
+_ARITHMETIC = (Name, Number, Sum, Negative, Product, Quotient, Power, Root)

@@ -50,21 +50,22 @@ def derivative(
             return _total(
                 times(*factors[:k], rate, *factors[k + 1 :]) for k, rate in each if rate != ZERO
             )
-        case Power(base, Number(exponent)):
-            rate = of(base)
-            if exponent == 0 or rate == ZERO:
-                return ZERO
-            return times(Number(exponent), *_raised(base, exponent - 1), rate)
+        case Power(base, Number(exponent)) if exponent:
+            raised = times(Number(exponent), *_raised(base, exponent - 1))
+            return _times(raised, of(base))
         case Quotient(above, below):
-            rate = of(below)
-            if rate == ZERO:
-                over = of(above)
-                return over if over == ZERO else Quotient(over, below)
-            turned = _total([times(of(above), below), Negative(times(above, rate))])
-            return Quotient(turned, Power(below, TWO))
+            return _of_quotient(above, below, of)
         case Root(argument):
-            return _over_twice(of(argument), formula)
+            return _over(of(argument), times(TWO, formula))
     raise Meaningless(f"print the derivative of {to_latex(formula)}")
+
+
+def _of_quotient(above: Formula, below: Formula, of: Callable[[Formula], Formula]) -> Formula:
+    rate = of(below)
+    if rate == ZERO:
+        return _over(of(above), below)
+    turned = _total([_times(below, of(above)), _negative(times(above, rate))])
+    return Quotient(turned, Power(below, TWO))
 
 
 def _by_definition(name: Name, step: Step | None, of: Callable[[Formula], Formula]) -> Formula:
@@ -72,16 +73,18 @@ def _by_definition(name: Name, step: Step | None, of: Callable[[Formula], Formul
         case Let(_, body):
             return of(body)
         case Adjoined(_, square):
-            return _over_twice(of(square), name)
+            return _over(of(square), times(TWO, name))
         case Raised(_, base, exponent):
-            rate = of(base)
-            above = times(Name(exponent), name, rate)
-            return rate if rate == ZERO else Quotient(above, base)
+            return _over(_times(times(Name(exponent), name), of(base)), base)
     return ZERO
 
 
-def _over_twice(rate: Formula, root: Formula) -> Formula:
-    return rate if rate == ZERO else Quotient(rate, times(TWO, root))
+def _times(factor: Formula, rate: Formula) -> Formula:
+    return rate if rate == ZERO else times(factor, rate)
+
+
+def _over(rate: Formula, below: Formula) -> Formula:
+    return rate if rate == ZERO else Quotient(rate, below)
 
 
 def _raised(base: Formula, exponent: int) -> tuple[Formula, ...]:

@@ -75,7 +75,7 @@ class Elaboration(Moving):
             *(n for one in scene.variables for n in functions.instead(one)),
             *self.velocities.values(),
             *functions.products(moving=True),
-            *functions.instead_of_time(scene.time),
+            *(functions.instead(scene.time) if functions.timed else ()),
         ]
         still = [n for one in (*scene.constants, *scene.undefined) for n in functions.instead(one)]
         still += functions.products(moving=False)
@@ -168,13 +168,18 @@ class Elaboration(Moving):
             return self._unit()
         if name in self.roots:
             return self._root(name)
-        if name in self.transcendental.derived:
-            return self._let(name, self.transcendental.derived[name].formula)
         if name in self._powers:
             base, exponent = self._powers[name]
             return Raised(name, Name(base), exponent)
         if name in self.zero:
             return self._let(name, Number(0), *scene.zero)
+        return self._defined_by(name)
+
+    def _defined_by(self, name: str) -> Let:
+        """What a name stands for."""
+        scene = self.scene
+        if name in self.transcendental.derived:
+            return self._let(name, self.transcendental.derived[name].formula)
         if (whole := self._head(name)) is not None:
             return self._let(name, self.definition(whole), scene.definitions[whole])
         if name in scene.vectors:
@@ -229,8 +234,7 @@ class Elaboration(Moving):
     def _root(self, name: str) -> Step:
         if name in self.transcendental.roots:
             self.places[name] = ()
-            root = self.transcendental.roots[name]
-            return Adjoined(name, self.plain(root.square))
+            return Adjoined(name, self.plain(self.transcendental.roots[name].square))
         printed = self.scene.roots.get(name)
         if printed is not None:
             return solved(self, name, printed)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.elaborate import Elaboration
+from kowalevski_cas.paper.generators import free_names
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Texts
 
@@ -26,27 +28,21 @@ class Elaborations:
     def __call__(self, scene: Scene) -> Elaboration:
         """The setting that a scene means."""
         if scene not in self._own:
-            key = (scene, self.texts.changes(scene.places))
-            self._own[scene] = self._elaborated(scene, key)
+            setting = self._elaborated(scene, ())
+            if not setting.transcendental.knows(self.met, free_names(setting, self.met)):
+                setting = self._elaborated(scene, self.met)
+            self._own[scene] = setting
         return self._own[scene]
 
-    def _elaborated(self, scene: Scene, key: tuple[object, ...]) -> Elaboration:
+    def _elaborated(self, scene: Scene, met: tuple[Formula, ...]) -> Elaboration:
+        key = (scene, self.texts.changes(scene.places), met)
         if key not in self._known:
-            self._known[key] = Elaboration(scene, self.texts, self.meeting(()))
-        setting = self._known[key]
-        free = free_names(setting, self.met)
-        if setting.transcendental.knows(self.met, free):
-            return setting
-        if (key := (*key, self.met)) not in self._known:
-            self._known[key] = Elaboration(scene, self.texts, self, self.met)
+            self._known[key] = Elaboration(scene, self.texts, self.meeting(met), met)
         return self._known[key]
 
     def meeting(self, formulas: tuple[Formula, ...]) -> Elaborations:
         """The elaborations that know the functions in some formulas as well."""
         return self if formulas == self.met else Elaborations(self.texts, self._known, formulas)
-
-    def goals(self, claim: Claim) -> tuple[Goal, ...]:
-        """What a claim states."""
 
     def under(self, texts: Texts) -> Elaborations:
         """The elaborations under other texts."""

@@ -1,147 +1,55 @@
 r"""The functions at the arguments that stand on a scene, in generators that obey equations.
 
 Of :math:`\sin\theta` a sine and a cosine stand in the place of the angle: a variable, and a root of
-:math:`1-\sin^2\theta`. In the place of a variable x with :math:`e^x` stands :math:`e^{x/2}`, which is
-not zero, and of which even powers are used only. So every value that a point gives is the value at
-an angle, and at a number x; what is proved or refuted is so for the functions themselves.
+:math:`1-\sin^2\theta`. In the place of a variable x with :math:`e^x` stands :math:`e^{x/2}`, which
+is not zero, and of which even powers are used only. So every value that a point gives is the value
+at an angle, and at a number x; what is proved or refuted is so for the functions themselves.
 
-An argument may as well be :math:`\omega t`, :math:`\frac\theta2` or a constant, and a variable may
-stand by itself beside its sine. The generators are then no free variables: what is proved of them holds
-for the functions, and so does it that an equation fails, for no equation holds between :math:`\theta`
-and its sine. But of values where other equations are given nothing is known.
+An argument may be :math:`\omega t`, :math:`\theta/2` or a constant as well, and a variable may
+stand by itself beside its sine. The generators are then no free variables: what is proved of them
+holds for the functions, and so does it that an equation fails, for no equation holds between
+:math:`\theta` and its sine. But of values where other equations are given nothing is known.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
-from functools import cache, cached_property
+from functools import cached_property
 from math import lcm
-from typing import NamedTuple
 
 from kowalevski_cas.notation import (
     Application,
-    Derivative,
     Formula,
     Name,
     Negative,
     Number,
-    Product,
     Quotient,
-    Sum,
-    Vocabulary,
-    once,
-    read,
-    substitute,
     times,
     to_latex,
     total,
 )
-from kowalevski_cas.notation.functions import (
-    CIRCULAR,
-    EXPONENTIAL,
-    FAMILY_OF,
-    MEANING,
-    Family,
-    canonical,
-)
+from kowalevski_cas.notation.functions import FAMILY_OF, MEANING
 from kowalevski_cas.paper.arguments import (
     Combination,
     Monomial,
     combination,
+    is_arithmetic,
     names_in,
     product_of,
     single_name,
 )
+from kowalevski_cas.paper.families import Generators, Kind, applications, kind_of, template
 from kowalevski_cas.problem.space import Adjoined, Let, Meaningless
 
-ONE, TWO = Number(1), Number(2)
-
-
-class Kind(NamedTuple):
-    """A family, with what stands behind the argument."""
-
-    family: Family
-    parameters: tuple[Formula, ...]
-
-    def formula(self, tex: str, values: Mapping[str, Formula]) -> Formula:
-        """A formula of the family in other names."""
-        own = dict(zip(self.family.parameters, self.parameters, strict=True))
-        return substitute(_template(tex), {**own, **values})
-
-    def names(self, argument: Formula) -> dict[str, str]:
-        """The names of the generators at an argument."""
-        if self.family is EXPONENTIAL:
-            return {"e": rf"\mathrm{{e}}^{{{_over(argument, self.family.argument)}}}"}
-        tex = ",".join(map(to_latex, (argument, *self.parameters)))
-        whole = f"({tex})" if self.parameters else tex
-        words = {one: names.split()[0] for names, one in self.family.functions.items()}
-        return {g: f"{canonical(words[g])}{{{whole}}}" for g in self.family.rates}
-
-
-def _over(argument: Formula, number: int) -> str:
-    """An argument over a number, on one line if it is a name."""
-    match argument:
-        case Name(name):
-            return f"{name}/{number}"
-        case Quotient(Name(name), Number(below)):
-            return f"{name}/{below * number}"
-    return to_latex(Quotient(argument, Number(number)))
-
-
-@cache
-def _template(tex: str) -> Formula:
-    letters = (*"scdek", *(f"{letter}_1" for letter in "scde"))
-    return read(tex, Vocabulary(frozenset(letters)))
-
-
-class Generators(NamedTuple):
-    """The generators of a family at a product of names, over a whole number."""
-
-    kind: Kind
-    monomial: Monomial
-    over: int
-
-    @property
-    def argument(self) -> Formula:
-        """Where they are taken."""
-        return product_of(self.monomial, self.over)
-
-    @property
-    def names(self) -> dict[str, str]:
-        """Their names, by their letters in the family."""
-        return self.kind.names(self.argument)
-
-    @property
-    def values(self) -> dict[str, Formula]:
-        """Their names as formulas."""
-        return {letter: Name(name) for letter, name in self.names.items()}
-
-    @property
-    def moving(self) -> tuple[str, ...]:
-        """Those that are no roots."""
-        return tuple(n for letter, n in self.names.items() if letter not in self.kind.family.squares)
-
-    def roots(self) -> Iterator[Adjoined]:
-        """Those that are roots of others."""
-        for letter, tex in self.kind.family.squares.items():
-            yield Adjoined(self.names[letter], self.kind.formula(tex, self.values))
-
-    def rates(self) -> dict[str, Formula]:
-        """Their derivatives by the product of names; what is above a number is as it is there."""
-        below = Number(self.over * self.kind.family.argument)
-        found = {}
-        for letter, tex in self.kind.family.rates.items():
-            rate = self.kind.formula(tex, self.values)
-            found[self.names[letter]] = rate if below == ONE else Quotient(rate, below)
-        return found
+ONE = Number(1)
 
 
 class Transcendental:
     """The functions in some formulas, of which the names are known to be ``variables`` or not.
 
-    ``free`` are names that stand by themselves as well, outside of functions. Calling it writes a
-    function out in generators.
+    ``free`` are names that stand by themselves as well, outside of functions; the ``time`` is none
+    of the variables. Calling it writes a function out in generators.
     """
 
     def __init__(
@@ -150,14 +58,18 @@ class Transcendental:
         free: Iterable[str],
         variables: Sequence[str],
         constants: Sequence[str],
+        time: str,
+        expanded: Callable[[Formula], Formula],
     ) -> None:
-        self.free = frozenset(free)
-        self.variables, self.constants = tuple(variables), tuple(constants)
-        known = {*variables, *constants}
+        self.free, self.time, self._expanded = frozenset(free), time, expanded
+        self.variables, self.constants = (*variables, *([time] if time else [])), tuple(constants)
+        known = {*self.variables, *constants}
         found: dict[tuple[Kind, Monomial], int] = {}
         for application in dict.fromkeys(one for f in formulas for one in applications(f)):
-            kind, argument = kind_of(application), combination(application.arguments[0])
+            kind, argument = kind_of(application), self._argument(application)
             if not known.issuperset(n for monomial in argument for n in names_in(monomial)):
+                continue
+            if not all(is_arithmetic(formula) for monomial in argument for formula, _ in monomial):
                 continue
             for monomial, factor in argument.items():
                 if monomial:
@@ -166,11 +78,17 @@ class Transcendental:
         self.groups = tuple(Generators(*key, over) for key, over in found.items())
         self.derived: dict[str, Let] = {}
 
+    def _argument(self, application: Application) -> Combination:
+        """The argument of a function, in which no name is a defined one."""
+        return combination(self._expanded(application.arguments[0]))
+
     @cached_property
     def replaced(self) -> frozenset[str]:
         """The names in whose place generators stand."""
         alone = {single_name(group.monomial) for group in self.groups}
-        used = {n for g in self.groups if single_name(g.monomial) is None for n in g.argument.names()}
+        used = {
+            n for g in self.groups if single_name(g.monomial) is None for n in g.argument.names()
+        }
         return frozenset(name for name in alone - used - self.free if name)
 
     @cached_property
@@ -194,11 +112,11 @@ class Transcendental:
         groups = (g for g in self.groups if single_name(g.monomial) == name)
         return (*found, *(n for g in groups for n in g.moving))
 
-    def instead_of_time(self, time: str) -> tuple[str, ...]:
-        """The names in the place of the time, where it stands in a formula."""
-        used = any(time in group.argument.names() for group in self.groups)
-        here = time in self.variables and (used or time in self.free)
-        return self.instead(time) if here else ()
+    @property
+    def timed(self) -> bool:
+        """Whether the time stands in a formula."""
+        used = any(self.time in group.argument.names() for group in self.groups)
+        return bool(self.time) and (used or self.time in self.free)
 
     def products(self, moving: bool) -> Iterator[str]:
         """The generators at products that move, or at those that are constant."""
@@ -228,12 +146,13 @@ class Transcendental:
 
     def knows(self, formulas: Iterable[Formula], free: Iterable[str]) -> bool:
         """Whether formulas with such names outside of functions bring in nothing new."""
-        if not self.free.issuperset({*free} & {n for g in self.groups for n in g.argument.names()}):
+        beside = {self.time, *(n for group in self.groups for n in group.argument.names())}
+        if not self.free.issuperset(beside & {*free}):
             return False
         known = {(g.kind, g.monomial): g.over for g in self.groups}
         for application in dict.fromkeys(one for f in formulas for one in applications(f)):
             kind = kind_of(application)
-            for monomial, factor in combination(application.arguments[0]).items():
+            for monomial, factor in self._argument(application).items():
                 if monomial and known.get((kind, monomial), 0) % factor.denominator:
                     return False
                 if monomial and (kind, monomial) not in known:
@@ -252,7 +171,7 @@ class Transcendental:
         kind = kind_of(formula)
         multiples: list[tuple[Generators, int]] = []
         known = {(group.kind, group.monomial): group for group in self.groups}
-        for monomial, factor in combination(formula.arguments[0]).items():
+        for monomial, factor in self._argument(formula).items():
             group = known.get((kind, monomial))
             if group is None or (factor * group.over).denominator > 1:
                 raise Meaningless(
@@ -265,7 +184,7 @@ class Transcendental:
     def _at(self, kind: Kind, multiples: list[tuple[Generators, int]]) -> dict[str, Formula]:
         """The generators of a family at a sum of multiples of arguments."""
         if not multiples:
-            return {letter: _template(tex) for letter, tex in kind.family.zero.items()}
+            return {letter: template(tex) for letter, tex in kind.family.zero.items()}
         *before, (group, count) = multiples
         if not before and count == 1:
             return group.values
@@ -331,34 +250,3 @@ def _by_name(monomial: Monomial, name: str) -> Formula:
         elif name in formula.names():
             raise Meaningless(f"print the derivative of {to_latex(formula)} by {name}", name)
     return total(found)
-
-
-def kind_of(formula: Application) -> Kind:
-    """The family of a function, with its parameters; raises :class:`Meaningless` if some are missing."""
-    family, (_, *parameters) = FAMILY_OF[formula.function], formula.arguments
-    if len(parameters) != len(family.parameters):
-        what = "the modulus" if family.parameters else "one argument"
-        raise Meaningless(f"{to_latex(formula)}: print {what}", formula.function)
-    return Kind(family, tuple(parameters))
-
-
-@once
-def applications(formula: Formula) -> tuple[Application, ...]:
-    """The functions of known families in a formula."""
-    found = (one for one in formula.nodes() if isinstance(one, Application))
-    return tuple(dict.fromkeys(one for one in found if one.function in FAMILY_OF))
-
-
-@once
-def outside(formula: Formula) -> frozenset[str]:
-    """The names that stand outside of functions, and are not only derived by the time."""
-    match formula:
-        case Name(name):
-            return frozenset([name])
-        case Application(function, (_, *parameters)) if function in FAMILY_OF:
-            return frozenset[str]().union(*map(outside, parameters))
-        case Derivative(Name()):
-            return frozenset()
-        case Derivative(argument):
-            return outside(argument)
-    return frozenset[str]().union(*map(outside, formula.children()))
