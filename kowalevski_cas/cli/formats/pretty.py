@@ -36,9 +36,7 @@ def _worst(result: Result) -> int:
     """How much a reader has to do about a derivation: nothing, to read, or to act."""
     if result.differences:
         return 2
-    return int(
-        any(o.verdict is Verdict.REFUTED or not o.verdict.green for o in result.run.outcomes)
-    )
+    return int(not all(outcome.verdict.green for outcome in result.run.outcomes))
 
 
 def _table(results: Sequence[Result]) -> Iterator[str]:
