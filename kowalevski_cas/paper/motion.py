@@ -129,6 +129,8 @@ def _row(left: Formula, setting: Meaning) -> Motion | None:
         return None
     names = setting.scene.vectors.get(inner.name, (inner.name,))
     for _ in range(order):
+        if not {*names} <= setting.velocities.keys():
+            return None
         names = tuple(setting.velocities[one] for one in names)
     ones: Formula = Vector((Number(1),) * len(names)) if len(names) > 1 else Number(1)
     rest = tuple(ones if factor is rates[0] else factor for factor in factors)

@@ -107,6 +107,10 @@ class Claim(_Kind, ABC):
         """
         return {}
 
+    def remark(self, on: Elaborations) -> str:
+        """What is told of the claim where it is proved."""
+        return ""
+
     def refuted_by(self, denial: Denial) -> bool:
         """Whether what denies a goal denies the claim; a goal may be more than what is claimed."""
         return True
