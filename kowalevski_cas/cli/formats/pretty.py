@@ -137,7 +137,14 @@ class Told:
         findings = Findings(self.phrases, tuple(audit.outcomes.values()))
         if audit.reading is not None:
             return "\n".join(
-                (*reading.told(audit, self.phrases), *self.wrong(), *details, "", *self.summary(), "")
+                (
+                    *reading.told(audit, self.phrases),
+                    *self.wrong(),
+                    *details,
+                    "",
+                    *self.summary(),
+                    "",
+                )
             )
         source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
         notes = (f"line {line}: {words}" for line, words in audit.notes)
