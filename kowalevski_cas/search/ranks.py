@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.algebra.present import written
 from kowalevski_cas.problem.differentials import chosen, differentials, minors
@@ -21,11 +23,18 @@ class RankFinder(PointFinder):
         return self._independent(goal, at) if len(chosen(goal, at)) == goal.rank else None
 
     def dependent(self, goal: Rank) -> Evidence | None:
-        """A point where another number is independent, or minors that vanish on what is given."""
+        """A point where another number is independent, or minors that vanish on what is given.
+
+        Where the given equations alone have dependent differentials, this says nothing of the
+        functions; it is looked for if they are independent at a point.
+        """
         at = self.of(goal.space)
         functions = chosen(goal, at)
         if len(functions) != goal.rank:
             return self._independent(goal, at)
+        given = replace(goal, functions=(), rank=len(functions) - len(goal.functions))
+        if goal.functions and goal.given and self._independent(given, at) is None:
+            return None
         found = minors(differentials(functions, at))
         rows, power = rows_of(found, at.differences(goal.given)) or ([], 0)
         if power != 1 or any(entry.denominator for row in rows for entry in row):

@@ -59,3 +59,12 @@ def test_what_is_constant_by_itself_or_by_the_equations_of_the_set_is_none(many)
             assert stated.verdict == "refuted", stated
             itself = "constant by itself" in stated.outcome.message
             assert itself == (function not in (one.set.tex, by_the_set)), stated
+
+
+@pytest.mark.parametrize("many", MARKS)
+def test_equations_that_are_given_twice_refute_nothing(many):
+    """Their differentials depend on each other, whatever the function is."""
+    for one in kept(many):
+        twice = (f"{one.set.tex}=0", f"{(one.set * one.other).tex}=0")
+        stated = one.system.integral(one.function.tex, given=twice)
+        assert stated.verdict in ("proved", "undecided"), stated
