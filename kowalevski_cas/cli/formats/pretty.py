@@ -25,8 +25,29 @@ if TYPE_CHECKING:
 
 
 def render(results: Sequence[Result]) -> str:
-    """Each derivation with what was found in it, each slip once."""
-    return "\n".join(told(result) for result in results)
+    """Each derivation with what was found in it, each slip once; those with findings last."""
+    shown = [told(result) for result in sorted(results, key=_worst)]
+    if len(results) > 1:
+        shown.append("".join(f"{line}\n" for line in _table(results)))
+    return "\n".join(shown)
+
+
+def _worst(result: Result) -> int:
+    """How much a reader has to do about a derivation: nothing, to read, or to act."""
+    if result.differences:
+        return 2
+    return int(not all(outcome.verdict.green for outcome in result.run.outcomes))
+
+
+def _table(results: Sequence[Result]) -> Iterator[str]:
+    """A line a derivation: how many claims have which verdict, and whether that is known."""
+    width = max(len(result.run.derivation) for result in results)
+    present = [v for v in Verdict if any(o.verdict is v for r in results for o in r.run.outcomes)]
+    for result in sorted(results, key=_worst):
+        counts = Counter(outcome.verdict for outcome in result.run.outcomes)
+        cells = [f"{counts[v]:>5} {plain.sign(v)}" if counts[v] else " " * 10 for v in present]
+        status = f"as {result.standard}" if not result.differences else "DIFFERENT"
+        yield f"{result.run.derivation:<{width}}{''.join(cells)} {status}"
 
 
 def told(result: Result, claims: Iterable[str] = ()) -> str:
@@ -81,7 +102,8 @@ def _summary(result: Result) -> Iterator[str]:
     shown = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
     seconds = sum(sum(o.seconds.values()) for o in run.outcomes)
     claims, by = plain.many(len(run.outcomes), "claim"), ", ".join(run.arithmetics)
-    head = f"{claims}: {shown}; {by}; {seconds:.2f} s"
+    checked = plain.many(len(run.certificates), "certificate")
+    head = f"{claims}: {shown}; {by}; {checked} checked; {seconds:.2f} s"
     noun = result.standard
     if not result.differences:
         none = "; there is no record to compare with (`kowalevski-cas record`)"
@@ -116,7 +138,14 @@ class Told:
         findings = Findings(self.phrases, tuple(audit.outcomes.values()))
         if audit.reading is not None:
             return "\n".join(
-                (*reading.told(audit, self.phrases), *self.wrong(), *details, "", *self.summary(), "")
+                (
+                    *reading.told(audit, self.phrases),
+                    *self.wrong(),
+                    *details,
+                    "",
+                    *self.summary(),
+                    "",
+                )
             )
         source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
         notes = (f"line {line}: {words}" for line, words in audit.notes)
@@ -185,7 +214,8 @@ class Told:
         claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
         yield f"{plain.many(len(audit.formulas), 'formula')}: {_counted(audit.counts)}"
         claimed = plain.many(len(audit.outcomes), "claim")
-        yield f"{claimed}: {_counted(claims)}; {audit.seconds:.2f} s"
+        checked = plain.many(len(audit.certificates), "certificate")
+        yield f"{claimed}: {_counted(claims)}; {checked} checked; {audit.seconds:.2f} s"
 
 
 def _slip(formula: Audited) -> object:
