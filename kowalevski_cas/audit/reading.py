@@ -20,6 +20,7 @@ from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading import ASSUMPTION, CLAIM, LAW, Formula, Reading
 from kowalevski_cas.verify.outcome import Outcome, Verdict
+from kowalevski_cas.verify.run import Progress, shared
 
 FALSE_AS_READ = "false as it was read"
 NOT_JUDGED = "no goal states it yet"
@@ -38,15 +39,19 @@ class ReadingSession(AuditSession):
         arithmetics: Sequence[str] = ("flint",),
         explain: bool = False,
         timeout: float | None = None,
+        heard: Progress = lambda *_: None,
     ) -> None:
         super().__init__(reading.derivation, arithmetics, explain, timeout=timeout)
+        self.heard = heard
         self.reading = reading
         self.claiming = {f.claim.id: f for f in reading.formulas if f.claim is not None}
 
     @cached_property
     def outcomes(self) -> dict[str, Outcome]:
-        """What is said about each claim."""
-        return {id: self.as_read(outcome) for id, outcome in super().outcomes.items()}
+        """What is said about each claim; processes share the work."""
+        (run,) = shared([self], progress=self.heard)
+        found = {outcome.claim: outcome for outcome in run.outcomes}
+        return {id: self.as_read(outcome) for id, outcome in found.items()}
 
     def as_read(self, outcome: Outcome) -> Outcome:
         """An outcome, undecided if what is refuted may have been meant otherwise."""
@@ -59,9 +64,8 @@ class ReadingSession(AuditSession):
 
 
 def is_certain(formula: Formula) -> bool:
-    """Whether a claim is a printed rate or integral of a law, and nothing was taken for granted."""
-    rate = formula.role.kind == "integral" or formula.item.derives
-    return rate and not formula.constants
+    """Whether a claim is a printed rate or integral of a law, and it was read without a doubt."""
+    return formula.sure and (formula.role.kind == "integral" or formula.item.derives)
 
 
 def audit_reading(session: ReadingSession) -> Audit:

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
-from kowalevski_cas.limits import time_limit
+from kowalevski_cas.limits import ProcessDied, tell, time_limit
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.problem.evidence import Denial
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
+from kowalevski_cas.processes import each
+from kowalevski_cas.reading.cues import cue
 from kowalevski_cas.reading.known import CLAIM, Known, Role
 from kowalevski_cas.reading.ladder import Rung, rungs
-from kowalevski_cas.reading.laws import find_laws
+from kowalevski_cas.reading.laws import find_laws, find_restated
 from kowalevski_cas.reading.names import Names, vectors_of
 from kowalevski_cas.reading.roles import role_of
 from kowalevski_cas.reading.stage import Stage
@@ -38,6 +41,8 @@ class Formula:
     claim: Claim | None = None
     on: tuple[Item, ...] = ()
     constants: tuple[str, ...] = ()
+    sure: bool = False
+    """Whether the law is printed and closed, and nothing else could have been meant."""
     message: str = ""
     """Why a claim is not judged, if it is not."""
 
@@ -52,14 +57,19 @@ class Reading:
     known: Known = field(repr=False)
 
 
-def read(source: Source) -> Reading:
+Heard = Callable[[str, int, int], None]
+"""Hears what is being read, how much is done, and of how much."""
+
+
+def read(source: Source, heard: Heard = lambda *_: None) -> Reading:
     """The derivation that a source is, by the rules of reading."""
     paper = read_statements(source)
     names = Names(vectors_of(paper))
-    known = Known(paper, names, find_laws(paper, names))
+    laws = find_laws(paper, names)
+    known = Known(paper, names, laws, find_restated(paper, laws))
     for item in _in_order(paper):
         known.enter(item, role_of(item, known))
-    return _Reader(paper, known).reading()
+    return _Reader(paper, known).reading(heard)
 
 
 def _in_order(paper: Paper) -> list[Item]:
@@ -75,33 +85,58 @@ class _Reader:
         self.candidates: dict[Item, list[Rung]] = {}
         self.troubles: dict[Item, str] = {}
 
-    def reading(self) -> Reading:
+    def reading(self, heard: Heard) -> Reading:
+        """The reading, in which each statement makes the first of its claims that holds."""
         for item, role in self.known.roles.items():
             if role.name == CLAIM:
                 found: list[Rung] = []
-                try:
+                with self._noting(item):
                     found.extend(rungs(item, self._id(item), self.stage))
-                except (ValueError, Meaningless) as error:
-                    self.troubles[item] = str(error)
                 self.candidates[item] = found
-        every = self._derivation(r.claim for found in self.candidates.values() for r in found[:1])
-        texts = every.texts(None, *(r.claim.scene for f in self.candidates.values() for r in f))
-        on = Elaborations(texts)
+        chosen = self._chosen(heard)
         formulas = tuple(
-            self._formula(item, role, on)
+            self._formula(item, role, chosen.get(item))
             for item, role in sorted(self.known.roles.items(), key=lambda pair: pair[0].order)
         )
         derivation = self._derivation(f.claim for f in formulas if f.claim is not None)
         return Reading(self.paper, derivation, formulas, self.known)
 
-    def _formula(self, item: Item, role: Role, on: Elaborations) -> Formula:
-        found = self.candidates.get(item, [])
-        if not found:
-            return Formula(item, role, message=self.troubles.get(item, ""))
-        chosen, message = _chosen(found, on)
-        if chosen is None:
+    @contextmanager
+    def _noting(self, item: Item) -> Iterator[None]:
+        """Note what a statement cannot be claimed for."""
+        try:
+            yield
+        except (ValueError, Meaningless) as error:
+            self.troubles[item] = str(error)
+
+    def _chosen(self, heard: Heard) -> dict[Item, Choice]:
+        """The claim of each statement, by its place in the ladder; processes share the work."""
+        waiting = [item for item, found in self.candidates.items() if found]
+        first = self._derivation(self.candidates[item][0].claim for item in waiting)
+        scenes = (rung.claim.scene for item in waiting for rung in self.candidates[item])
+        on = Elaborations(first.texts(None, *scenes))
+
+        def choice(place: int) -> Choice:
+            tell(waiting[place].printed.place, place, len(waiting))
+            return chosen(self.candidates[waiting[place]], on)
+
+        found = each(choice, range(len(waiting)), heard=lambda *words: heard(*words[:3]))
+        return dict(zip(waiting, found, strict=True))
+
+    def _formula(self, item: Item, role: Role, choice: Choice | None) -> Formula:
+        if choice is None or choice.place is None:
+            message = self.troubles.get(item, "") if choice is None else choice.message
             return Formula(item, role, message=message)
-        return Formula(item, role, chosen.claim, chosen.on, chosen.constants, message)
+        rung = self.candidates[item][choice.place]
+        given = any(one.given for one in self.candidates[item])
+        sure = not (given or rung.constants or cue("on it", item.words)) and self._is_plain(rung)
+        return Formula(item, role, rung.claim, rung.on, rung.constants, sure, choice.message)
+
+    def _is_plain(self, rung: Rung) -> bool:
+        """Whether a claim stands on a law that rests on no other one, and is printed once."""
+        rows = {*rung.claim.scene.field} if isinstance(rung.claim.scene.field, tuple) else set()
+        law = next((one for one in self.known.laws if {r.printed for r in one.rows} == rows), None)
+        return law is not None and law.base is None
 
     def _id(self, item: Item) -> str:
         beside = [one for one in self.paper.items if one.typed is item.typed]
@@ -129,27 +164,36 @@ class _Reader:
         words = self.paper.words
         parts = {p for own in self.known.names.vectors.values() for p in own}
         scalars = sorted((words.scalars | parts) - words.times - {"i"})
-        return Scene("all names", self.known.names.vectors, (), tuple(scalars))
+        clocks = (name for item in self.known.clocks for name in item.bare)
+        scene = Scene("all names", self.known.names.vectors, (), tuple(scalars))
+        return replace(scene, time=next(clocks, "t"))
 
 
-def _chosen(found: list[Rung], on: Elaborations) -> tuple[Rung | None, str]:
-    """The first claim that holds, or the first that is read; and why none is."""
-    first: Rung | None = None
+class Choice(NamedTuple):
+    """Which rung of a ladder is taken, if one is, and why none is."""
+
+    place: int | None
+    message: str = ""
+
+
+def chosen(found: list[Rung], on: Elaborations) -> Choice:
+    """The first claim that holds, or the one with what is in force, where none does."""
+    first: int | None = None
     message = ""
-    for rung in found:
+    in_force = next((rung.given for rung in found if rung.given), ())
+    for place, rung in enumerate(found):
         try:
             with time_limit(SECONDS):
-                evidence = Statement(rung.claim, on).search()
-        except (NotationError, Meaningless, FormatError, ArithmeticError) as error:
+                if Statement(rung.claim, on).holds():
+                    return Choice(place)
+        except (NotationError, Meaningless, FormatError, ArithmeticError, RecursionError) as error:
             message = message or str(error)
             continue
-        except TimeoutError:
-            first = first or rung
-            continue
-        if evidence is not None and not isinstance(evidence, Denial):
-            return rung, ""
-        first = first or rung
-    return first, "" if first else message
+        except (TimeoutError, ProcessDied):
+            pass
+        if first is None or (rung.given and rung.given == in_force and not found[first].given):
+            first = place
+    return Choice(first, "" if first is not None else message)
 
 
 __all__ = ["Formula", "Reading", "read"]

@@ -136,6 +136,9 @@ def definition(item: Item, known: Known) -> Role | None:
     role = _integral_that_defines(item, known, fresh)
     if role is not None:
         return role
+    if len([m for m in others if not isinstance(m, Name | Constant)]) > 1:
+        why = f"a chain of equalities; it names {_plain(fresh[0])}"
+        return Role(CLAIM, why, "identity", (*fresh,))
     named = [m for m in others if isinstance(m, Name) and known.varies(m.name)]
     if named and item.members and item.members[0] == named[0]:
         return Role(
@@ -183,7 +186,7 @@ def assumption(item: Item, known: Known) -> Role | None:
         if cue("invariant", item.words) or cue("equilibrium", item.words):
             return None
         words = f"“{supposing}” supposes it of what moves"
-        return Role(ASSUMPTION, words, "set", tuple(moving))
+        return Role(ASSUMPTION, words, _reach(item), tuple(moving))
     if known.varying(item.names) or not item.names:
         return None
     if not names and not supposing:
@@ -218,6 +221,17 @@ def solution(item: Item, known: Known) -> Role | None:
     timed = item.names & {"t"} or any(isinstance(member, Constant) for member in item.members)
     if moving and timed:
         return Role(CLAIM, f"gives {_plain(moving[0])} by the time", "solution", (moving[0],))
+    return None
+
+
+def value(item: Item, known: Known) -> Role | None:
+    r"""A value that is supposed of a function, as :math:`(\alpha,\alpha)=1`."""
+    said = cue("suppose", item.lead)
+    if len(item.members) != 2 or item.derives or not said or not item.typed.inline:
+        return None
+    left, right = item.members
+    if _is_number([right]) and known.varying(left.names()) and not cue("invariant", item.words):
+        return Role(ASSUMPTION, f"“{said}” supposes it of what moves", _reach(item))
     return None
 
 
@@ -283,7 +297,7 @@ def other(item: Item, known: Known) -> Role | None:
 
 RULES: tuple[Rule, ...] = (
     unread, expression, inequality, law, unit, bracket, unjudged, definition, square, solution,
-    assumption, approximate, rate, zero_set, integral, identity, other,
+    assumption, value, approximate, rate, zero_set, integral, identity, other,
 )  # fmt: skip
 """The rules, in the order in which they are asked."""
 
@@ -331,6 +345,11 @@ def _is_value(formula: Formula) -> bool:
     return (
         not any(isinstance(n, Derivative) for n in formula.nodes()) and len([*formula.nodes()]) <= 5
     )
+
+
+def _reach(item: Item) -> str:
+    """How far it reaches what is supposed of what moves."""
+    return "set" if cue("if", item.lead) or not cue("suppose", item.lead) else "set in force"
 
 
 def _supposing(item: Item) -> str:

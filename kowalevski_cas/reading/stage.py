@@ -8,6 +8,7 @@ from functools import cached_property
 
 from kowalevski_cas.notation import (
     Application,
+    Derivative,
     Formula,
     Modulus,
     Name,
@@ -65,7 +66,10 @@ class Stage:
     def scene(self, items: Sequence[Item], assumptions: Sequence[Item] = ()) -> Supposed:
         """The smallest scene of some statements, with what is supposed of its constants."""
         closure = self._closure(items)
-        about = [one for one in assumptions if {*self.known.roles[one].names} & closure.names]
+        law = closure.law
+        special = self.known.special(law) if law is not None and law.restates else []
+        given = dict.fromkeys((*assumptions, *special))
+        about = [one for one in given if {*self.known.roles[one].names} & closure.names]
         roots = tuple(
             dict.fromkeys(
                 root
@@ -73,9 +77,11 @@ class Stage:
                 for root in self._roots(item.formula)
             )
         )
-        key = (closure.law, closure.names, (*closure.definitions.items(),), (*about,), roots)
+        clock = next((one for one in self.known.clocks if any(map(self._has_clock, items))), None)
+        defined = (*closure.definitions.items(),)
+        key = (closure.law, closure.names, defined, (*about,), roots, clock)
         if key not in self.scenes:
-            self.scenes[key] = self._made(closure, about, roots)
+            self.scenes[key] = self._made(closure, about, roots, clock)
         return self.scenes[key]
 
     # -- names -----------------------------------------------------------------------
@@ -128,11 +134,31 @@ class Stage:
         smallest = [law for law in near if law.base not in near] or near
         cited = {*known.cited(at)}
         named = [law for law in smallest if cited & {*law.rows}]
-        return next(iter((named or smallest)[::-1]), None)
+        law = next(iter((named or smallest)[::-1]), None)
+        return self._restated(law, at) if law is not None else None
+
+    def _restated(self, law: Law, at: Item) -> Law:
+        """A law as it is printed anew before, where the assumptions for that are not in force."""
+        known = self.known
+        cited, supposed = {*known.cited(at)}, {*known.supposed(at)}
+        for one in reversed(known.restated):
+            new = {*one.items} - {*law.rows}
+            if one.restates is law and max(item.order for item in new) < at.order:
+                special = {*known.special(one)}
+                if (special and not special <= supposed) or new & cited:
+                    return one
+        return law
 
     # -- scenes ------------------------------------------------------------------------
 
-    def _made(self, closure: _Closure, about: Sequence[Item], roots: Iterable[str]) -> Supposed:
+    def _has_clock(self, item: Item) -> bool:
+        """Whether derivatives by another time are printed in a statement."""
+        law = {mark for one in self.known.laws for row in one.rows for mark in _marks(row)}
+        return bool(_marks(item) - {"dot", "t"} - ({"prime"} & law))
+
+    def _made(
+        self, closure: _Closure, about: Sequence[Item], roots: Iterable[str], clock: Item | None
+    ) -> Supposed:
         places, squares = self._places(closure)
         names = self.known.names
         vectors = {
@@ -144,7 +170,7 @@ class Stage:
         title = closure.law.title if closure.law else "the constants"
         rows = tuple(row.printed for row in closure.law.rows) if closure.law else ()
         scene = Scene(title, vectors, closure.variables, constants, rows, definitions=places)
-        scene = self._with_unit(scene.adjoining(*squares), closure.names)
+        scene = self._with_unit(scene.adjoining(*squares), closure.names, clock)
         used: list[Item] = []
         for one in sorted(about, key=lambda one: one.order):
             narrower = with_assumption(scene, one, self.known)
@@ -190,17 +216,17 @@ class Stage:
             if name not in taken and not name.startswith(BRACKET):
                 yield name
 
-    def _with_unit(self, scene: Scene, names: frozenset[str]) -> Scene:
-        clocks = [item.printed for item in self.known.clocks]
-        if self.known.moves("i") or ("i" not in names and not clocks):
+    def _with_unit(self, scene: Scene, names: frozenset[str], clock: Item | None) -> Scene:
+        if self.known.moves("i") or ("i" not in names and clock is None):
             return scene
         units = [item.printed for item in self.known.units]
-        return scene.with_unit((units or [UNIT[1]])[0], clocks[0] if clocks else None)
+        return scene.with_unit((units or [UNIT[1]])[0], clock.printed if clock else None)
 
     @cached_property
     def introduced(self) -> frozenset[str]:
         """The names of constants that the laws have, or that words introduce or suppose."""
-        found = {name for law in self.known.laws for name in law.mentions}
+        names = (name for law in self.known.laws for name in law.mentions)
+        found = {*self.known.names.scalars(names)}
         for item in self.known.paper.items:
             supposed = item in self.known.roles and self.known.roles[item].name == ASSUMPTION
             if isinstance(item.formula, Name) or supposed:
@@ -217,6 +243,12 @@ class Stage:
                     yield to_latex(Root(base))
                 case Modulus(argument) if rank(argument, self.known.paper.words) == VECTOR:
                     yield to_latex(Root(Power(argument, Number(2))))
+
+
+def _marks(item: Item) -> set[str]:
+    """How the derivatives in a statement are printed."""
+    nodes = item.formula.nodes() if item.formula is not None else ()
+    return {node.mark for node in nodes if isinstance(node, Derivative)}
 
 
 def with_assumption(scene: Scene, item: Item, known: Known) -> Scene:
