@@ -18,7 +18,7 @@ from kowalevski_cas.audit.describe import Describer
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.session import AuditSession
 from kowalevski_cas.paper.texts import Printed
-from kowalevski_cas.reading import ASSUMPTION, CLAIM, LAW, Formula, Reading
+from kowalevski_cas.reading import ASSUMPTION, CLAIM, CONVENTION, LAW, Formula, Reading
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.run import Progress, shared
 
@@ -55,10 +55,13 @@ class ReadingSession(AuditSession):
 
     def as_read(self, outcome: Outcome) -> Outcome:
         """An outcome, undecided if what is refuted may have been meant otherwise."""
+        if outcome.verdict is Verdict.ERROR:
+            return outcome._replace(verdict=Verdict.UNDECIDED)
         if outcome.verdict is not Verdict.REFUTED:
             return outcome
         formula = self.claiming[outcome.claim]
-        if outcome.correction is not None or outcome.claim in self.causes or is_certain(formula):
+        repaired = outcome.correction is not None or outcome.claim in self.causes
+        if is_certain(formula) or (repaired and not formula.doubtful):
             return outcome
         return outcome._replace(verdict=Verdict.UNDECIDED, message=FALSE_AS_READ)
 
@@ -118,6 +121,11 @@ def assumed(audit: Audit) -> Iterator[Assumed]:
             claims = (f.claim.id for f in claiming if f.claim and formula.item in f.on)
             tex = formula.item.printed.tex
             yield Assumed("assumption", f"${tex}$", formula.item.printed, tuple(claims))
+    for formula in reading.formulas:
+        if formula.role.name == CONVENTION:
+            place = formula.item.printed
+            claims = (f.claim.id for f in claiming if f.claim and place in f.claim.reads())
+            yield Assumed("convention", f"${place.tex}$", place, tuple(claims))
     names = dict.fromkeys(name for formula in claiming for name in formula.constants)
     for name in names:
         claims = (f.claim.id for f in claiming if f.claim and name in f.constants)

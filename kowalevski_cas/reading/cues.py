@@ -97,7 +97,7 @@ CUES: dict[str, str] = {
 """Patterns by the cue that they give; spaces stand between them."""
 
 
-_CITED = re.compile(r"[\s~]*\(?\\(?:eq|c|C|auto)?ref(?![A-Za-z])")
+_CITED = re.compile(r"[\s~]*(?:[^\W\d]+[\s~]*)?\(?\\(?:eq|c|C|auto)?ref(?![A-Za-z])")
 """A citation behind words: they say what is cited, and nothing of what follows."""
 
 

@@ -27,11 +27,12 @@ class Role(NamedTuple):
     names: tuple[str, ...] = ()
 
 
-LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD = (
+LAW, DEFINITION, LEVEL, ASSUMPTION, CLAIM, NOTATION, OTHER, UNREAD, CONVENTION = (
     "law", "definition", "level", "assumption", "claim", "notation", "other", "unread",
+    "convention",
 )  # fmt: skip
 
-NAMING = (DEFINITION, LEVEL, CLAIM)
+NAMING = (DEFINITION, LEVEL, CLAIM, CONVENTION)
 """The roles by which a name gets a meaning."""
 
 
@@ -53,7 +54,8 @@ class Known:
     assumptions: list[Item] = field(default_factory=list)
     units: list[Item] = field(default_factory=list)
     clocks: list[Item] = field(default_factory=list)
-    seen: set[str] = field(default_factory=set)
+    seen: dict[str, Item] = field(default_factory=dict)
+    """The equations in which names have been used first."""
 
     @cached_property
     def later(self) -> dict[str, list[Item]]:
@@ -77,7 +79,8 @@ class Known:
         if role.kind == "clock":
             self.clocks.append(item)
         if item.formula is not None and (item.members or role.name == LAW):
-            self.seen |= item.names
+            for name in item.names:
+                self.seen.setdefault(name, item)
 
     # -- names ---------------------------------------------------------------------
 
@@ -119,6 +122,12 @@ class Known:
             by = self.definitions.get(one) or self.definitions.get(whole) or self.later.get(one, [])
             waiting += [other for item in by for other in item.names]
         return found
+
+    def is_explained(self, name: str) -> bool:
+        """Whether a law, a definition, or words say anything of a name."""
+        named = any(item.formula == Name(name) for item in self.paper.items)
+        mentioned = any(name in law.mentions for law in self.laws)
+        return named or mentioned or self.moves(name) or self.is_defined(name) or name in self.later
 
     def varies(self, name: str) -> bool:
         """Whether a name moves, or stands for something that does."""

@@ -17,8 +17,9 @@ from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
+from kowalevski_cas.reading.conventions import conventions
 from kowalevski_cas.reading.cues import cue
-from kowalevski_cas.reading.known import CLAIM, Known, Role
+from kowalevski_cas.reading.known import CLAIM, CONVENTION, Known, Role
 from kowalevski_cas.reading.ladder import Rung, rungs
 from kowalevski_cas.reading.laws import find_laws, find_restated
 from kowalevski_cas.reading.names import Names, vectors_of
@@ -43,6 +44,8 @@ class Formula:
     constants: tuple[str, ...] = ()
     sure: bool = False
     """Whether the law is printed and closed, and nothing else could have been meant."""
+    doubtful: bool = False
+    """Whether it may say where something happens, and nothing that always holds."""
     message: str = ""
     """Why a claim is not judged, if it is not."""
 
@@ -69,6 +72,8 @@ def read(source: Source, heard: Heard = lambda *_: None) -> Reading:
     known = Known(paper, names, laws, find_restated(paper, laws))
     for item in _in_order(paper):
         known.enter(item, role_of(item, known))
+    for item, role in conventions(known):
+        known.enter(item, role)
     return _Reader(paper, known).reading(heard)
 
 
@@ -130,7 +135,11 @@ class _Reader:
         rung = self.candidates[item][choice.place]
         given = any(one.given for one in self.candidates[item])
         sure = not (given or rung.constants or cue("on it", item.words)) and self._is_plain(rung)
-        return Formula(item, role, rung.claim, rung.on, rung.constants, sure, choice.message)
+        fixed = (member for member in item.members if not self.known.varying(member.names()))
+        doubtful = role.kind == "identity" and not item.derives and any(fixed)
+        return Formula(
+            item, role, rung.claim, rung.on, rung.constants, sure, doubtful, choice.message
+        )
 
     def _is_plain(self, rung: Rung) -> bool:
         """Whether a claim stands on a law that rests on no other one, and is printed once."""
@@ -148,7 +157,8 @@ class _Reader:
         path = self.paper.source.path
         parts = self.paper.prose.sections
         sections = {str(k): Section(str(k), part.title) for k, part in enumerate(parts)}
-        for display, _ in self.paper.displays:
+        unprinted = (i.printed.display for i, r in self.known.roles.items() if r.name == CONVENTION)
+        for display in (*unprinted, *(display for display, _ in self.paper.displays)):
             sections[display.section].displays.append(display)
         own = [one for one in sections.values() if one.displays] or [*sections.values()][:1]
         own[0].scenes["names"] = self._names()
@@ -163,10 +173,10 @@ class _Reader:
         """All names of the paper, so that each statement can be read."""
         words = self.paper.words
         parts = {p for own in self.known.names.vectors.values() for p in own}
-        scalars = sorted((words.scalars | parts) - words.times - {"i"})
-        clocks = (name for item in self.known.clocks for name in item.bare)
+        clocks = [name for item in self.known.clocks for name in item.bare]
+        scalars = sorted((words.scalars | parts) - {"t", "d", *clocks})
         scene = Scene("all names", self.known.names.vectors, (), tuple(scalars))
-        return replace(scene, time=next(clocks, "t"))
+        return replace(scene, time=(*clocks, "t")[0])
 
 
 class Choice(NamedTuple):

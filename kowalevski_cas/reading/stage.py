@@ -25,13 +25,10 @@ from kowalevski_cas.paper.claims.forms import minus
 from kowalevski_cas.paper.names import BRACKET, head
 from kowalevski_cas.paper.plain import half_power
 from kowalevski_cas.paper.scene import Scene
-from kowalevski_cas.paper.texts import Display, Printed
-from kowalevski_cas.reading.known import ASSUMPTION, Known
+from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.reading.known import ASSUMPTION, DEFINITION, Known
 from kowalevski_cas.reading.laws import Law
 from kowalevski_cas.reading.statements import Item
-
-UNIT = Display("unit", "i^2=-1", "", source="the usual convention")
-"""The imaginary unit of papers that print none."""
 
 
 @dataclass(frozen=True)
@@ -127,7 +124,8 @@ class Stage:
         below = {n for item in items for name in self._mentioned(item) for n in known.below(name)}
         moved = {*known.names.scalars(below)}
         moved = {name for name in moved if any(name in law.variables for law in known.laws)}
-        before = [law for law in known.laws if law.first.order <= at.order] or known.laws
+        before = [law for law in known.laws if law.first.typed.start <= at.typed.start]
+        before = before or known.laws
         fitting = [law for law in before if moved & {*law.variables}]
         least = min((len(moved - {*law.variables}) for law in fitting), default=0)
         near = [law for law in fitting if len(moved - {*law.variables}) == least]
@@ -135,6 +133,9 @@ class Stage:
         cited = {*known.cited(at)}
         named = [law for law in smallest if cited & {*law.rows}]
         law = next(iter((named or smallest)[::-1]), None)
+        for name in known.names.scalars(name for item in items for name in item.rates):
+            if not (known.is_defined(name) or (law and name in law.variables)):
+                raise ValueError(f"nothing says how {name} moves")
         return self._restated(law, at) if law is not None else None
 
     def _restated(self, law: Law, at: Item) -> Law:
@@ -209,18 +210,19 @@ class Stage:
         taken = {head(name)[0] for name in places} | {n for p in squares for n in p.heads.squares}
         taken |= {part for name in taken for part in vectors.get(name, ())}
         taken |= {argument for name in places for argument in head(name)[1]}
-        taken |= {*closure.variables} | words.matrices | words.times
+        clocks = {name for item in self.known.clocks for name in item.bare}
+        taken |= {*closure.variables, "t"} | words.matrices | clocks
         taken |= words.functions - words.scalars
-        taken |= set() if self.known.moves("i") else {"i"}
+        taken |= {"i"} if self.known.units else set()
         for name in self.known.names.scalars(sorted(closure.names)):
             if name not in taken and not name.startswith(BRACKET):
                 yield name
 
     def _with_unit(self, scene: Scene, names: frozenset[str], clock: Item | None) -> Scene:
-        if self.known.moves("i") or ("i" not in names and clock is None):
+        if not self.known.units or ("i" not in names and clock is None):
             return scene
-        units = [item.printed for item in self.known.units]
-        return scene.with_unit((units or [UNIT[1]])[0], clock.printed if clock else None)
+        unit = self.known.units[0].printed
+        return scene.with_unit(unit, clock.printed if clock else None)
 
     @cached_property
     def introduced(self) -> frozenset[str]:
@@ -228,8 +230,9 @@ class Stage:
         names = (name for law in self.known.laws for name in law.mentions)
         found = {*self.known.names.scalars(names)}
         for item in self.known.paper.items:
-            supposed = item in self.known.roles and self.known.roles[item].name == ASSUMPTION
-            if isinstance(item.formula, Name) or supposed:
+            role = self.known.roles[item].name
+            fixed = role == DEFINITION and not self.known.varying(item.names)
+            if isinstance(item.formula, Name) or role == ASSUMPTION or fixed:
                 found |= item.names
         return frozenset(found)
 
