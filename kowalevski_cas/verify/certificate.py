@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 
 from kowalevski_cas.algebra.present import formula_in
 from kowalevski_cas.algebra.tower import Element
+from kowalevski_cas.files import read_json
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.problem.codec import Data, evidence_data, problem_data, read_evidence
@@ -57,8 +58,8 @@ class Stored:
         if self.instead is not None:
             return self.instead
         try:
-            data = json.loads(self.path.read_bytes())
-        except (OSError, ValueError, RecursionError):
+            data = read_json(self.path)
+        except (OSError, ValueError):
             return {}
         return data if isinstance(data, dict) and data.get("version") == VERSION else {}
 

@@ -121,8 +121,9 @@ class Outcome(NamedTuple):
     ``enclosed``. ``formulas`` are those of the claim and ``source`` is how the paper prints them,
     which stands in for them where they cannot be read. ``granted`` lists what the scenes of the
     claim suppose not to vanish, ``branches`` the equations by which they choose one of the two
-    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. Words
-    have mathematics between dollars.
+    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. An
+    error that nobody expected has the ``stack`` of the process in which it arose. Words have
+    mathematics between dollars.
     """
 
     claim: str
@@ -146,6 +147,7 @@ class Outcome(NamedTuple):
     granted: tuple[Formula, ...] = ()
     branches: tuple[Formula, ...] = ()
     corrected: tuple[str, ...] = ()
+    stack: str = ""
 
 
 class Run(NamedTuple):
