@@ -6,6 +6,7 @@ from kowalevski_cas.algebra.numbers import rank
 from kowalevski_cas.problem.differentials import chosen, differentials, minors
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.evidence import At, Evidence, Minors
+from kowalevski_cas.problem.examine import law
 from kowalevski_cas.problem.goals import Rank
 from kowalevski_cas.search.place import Candidate, PointFinder
 
@@ -32,6 +33,6 @@ class RankFinder(PointFinder):
         def good(candidate: Candidate) -> bool:
             return rank([[candidate(entry) for entry in row] for row in rows]) == len(rows)
 
-        divided = [*known, *(entry for row in rows for entry in row)]
+        divided = [*law(goal, at), *known, *(entry for row in rows for entry in row)]
         point = self.point(at, known, divided, good)
         return None if point is None else At(point)

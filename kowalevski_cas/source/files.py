@@ -14,6 +14,9 @@ from kowalevski_cas.source.text import Source, SourceError
 LARGEST = 4_000_000
 """Bytes in a source; the longest papers have a tenth of this."""
 
+COMMENTS = ".kc"
+"""The suffix of the file of comments beside a source."""
+
 NOISE = 0.01
 """The share of control characters from which a file is not taken for text."""
 
@@ -23,10 +26,17 @@ _CODECS = {"utf8x": "utf-8", "ansinew": "cp1252", "applemac": "mac-roman"}
 
 
 def read_source(path: Path, styles: Iterable[Path] = ()) -> Source:
-    """The source in a file, with the style files whose macros it uses.
+    """The source in a file, with the style files whose macros it uses, and the comments beside it.
 
     Raises :class:`SourceError` for what is no file of text of a sensible size.
     """
+    comments = path.with_suffix(COMMENTS)
+    beside = _read(comments) if comments != path and comments.is_file() else None
+    return replace(_read(path), styles=tuple(map(_read, styles)), beside=beside)
+
+
+def _read(path: Path) -> Source:
+    """The source in one file."""
     try:
         # Opening a pipe would wait for a writer; so the kind is asked for first.
         kind = path.stat()
@@ -42,7 +52,7 @@ def read_source(path: Path, styles: Iterable[Path] = ()) -> Source:
         raise SourceError(
             f"{path} has {kind.st_size:,} bytes; a source of more than {LARGEST:,} is not read"
         )
-    return replace(decode(str(path), data), styles=tuple(map(read_source, styles)))
+    return decode(str(path), data)
 
 
 def decode(path: str, data: bytes) -> Source:

@@ -19,11 +19,13 @@ LONGEST_VERB = 1000
 _VERBATIM = "verbatim|Verbatim|lstlisting|minted|comment|filecontents"
 _SILENT = re.compile(
     r"\\(?:\\|%)"  # escaped: it prints
+    r"|(?P<line>^[ \t]*%[^\n]*\n?)"
     r"|(?P<comment>%[^\n]*)"
     rf"|\\begin\s*\{{(?P<name>(?:{_VERBATIM})\*?)\}}"
     r"|\\verb\*?(?P<mark>[^\w\s*])"
     r"|(?P<off>\\iffalse)(?![A-Za-z])"
-    r"|(?P<end>\\end\s*\{document\})"
+    r"|(?P<end>\\end\s*\{document\})",
+    re.MULTILINE,
 )
 _BEGINNING = re.compile(r"\\begin\s*\{document\}")
 _PRINTING = re.compile(r"[^\r\n]")
@@ -37,17 +39,27 @@ class SourceError(UserError, ValueError):
 class Source:
     """The text of a TeX file, and the same text with all that does not print blanked.
 
-    ``styles`` are the files of macros that it uses.
+    ``styles`` are the files of macros that it uses, ``beside`` is that of comments on it.
     """
 
     path: str
     text: str
     encoding: str = "utf-8"
     styles: tuple[Source, ...] = ()
+    beside: Source | None = None
 
-    @cached_property
+    @property
     def visible(self) -> str:
         """The text with comments, verbatim passages and what follows the end as blanks."""
+        return self._blanked[0]
+
+    @property
+    def comments(self) -> list[int]:
+        """The offsets of the signs of comments."""
+        return self._blanked[1]
+
+    @cached_property
+    def _blanked(self) -> tuple[str, list[int]]:
         return _blanked(self.text)
 
     @cached_property
@@ -69,8 +81,10 @@ class Source:
         return offset - self._lines[self.line(offset) - 1] + 1
 
 
-def _blanked(text: str) -> str:
+def _blanked(text: str) -> tuple[str, list[int]]:
+    """The text with blanks for what does not print, and the offsets of the signs of comments."""
     pieces: list[str] = []
+    comments: list[int] = []
     at = 0
     while (match := _SILENT.search(text, at)) is not None:
         start, end = match.span()
@@ -86,9 +100,13 @@ def _blanked(text: str) -> str:
         elif last == "off":
             end = _after_fi(text, end)
         piece = text[start:end]
-        pieces += [text[at:start], _PRINTING.sub(" ", piece) if last else piece]
+        if last in ("line", "comment"):
+            comments.append(text.index("%", start))
+        # The end of a line that is a comment makes no paragraph: it does not print either.
+        blank = " " * len(piece) if last == "line" else _PRINTING.sub(" ", piece)
+        pieces += [text[at:start], blank if last else piece]
         at = end
-    return "".join([*pieces, text[at:]])
+    return "".join([*pieces, text[at:]]), comments
 
 
 _CONDITIONAL = re.compile(r"\\(if[a-zA-Z]*|fi)(?![A-Za-z])|\\(?:newif|\\)")

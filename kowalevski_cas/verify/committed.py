@@ -110,7 +110,8 @@ def check_files(paths: Sequence[Path], about: Expected | None = None) -> Checked
             if about is not None:
                 about.compare(name, certificate, corrected)
         except (OSError, ValueError, checker.Rejected) as error:
-            found.rejected[str(path)] = checker.printable(str(error)) or type(error).__name__
+            said = str(getattr(error, "strerror", None) or error)
+            found.rejected[str(path)] = checker.printable(said) or type(error).__name__
             continue
         found.accepted[name] = certificate
     return found

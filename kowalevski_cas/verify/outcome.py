@@ -121,9 +121,9 @@ class Outcome(NamedTuple):
     ``enclosed``. ``formulas`` are those of the claim and ``source`` is how the paper prints them,
     which stands in for them where they cannot be read. ``granted`` lists what the scenes of the
     claim suppose not to vanish, ``branches`` the equations by which they choose one of the two
-    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. An
-    error that nobody expected has the ``stack`` of the process in which it arose. Words have
-    mathematics between dollars.
+    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. What
+    the paper does not claim is ``ours``. An error that nobody expected has the ``stack`` of the
+    process in which it arose. Words have mathematics between dollars.
     """
 
     claim: str
@@ -147,6 +147,7 @@ class Outcome(NamedTuple):
     granted: tuple[Formula, ...] = ()
     branches: tuple[Formula, ...] = ()
     corrected: tuple[str, ...] = ()
+    ours: bool = False
     stack: str = ""
 
 
@@ -154,7 +155,8 @@ class Run(NamedTuple):
     """The outcomes of one derivation, in the order of the paper.
 
     ``sections`` lists number and heading; ``versions`` the programs and
-    libraries that took part; in ``vocabulary`` the words of all outcomes can be read.
+    libraries that took part; in ``vocabulary`` the words of all outcomes can be read. ``edition``
+    says which text was read, and ``main`` which claims are the main results.
     """
 
     derivation: str
@@ -166,6 +168,8 @@ class Run(NamedTuple):
     arithmetics: tuple[str, ...]
     versions: dict[str, str]
     vocabulary: Vocabulary
+    edition: str = ""
+    main: tuple[str, ...] = ()
 
     @property
     def digest(self) -> str:
