@@ -24,7 +24,7 @@ from kowalevski_cas.notation import (
     to_latex,
     to_plain,
 )
-from kowalevski_cas.paper.claims import DarbouxPolynomial
+from kowalevski_cas.paper.claims import DarbouxPolynomial, Degree, Reality
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.vocabulary import vocabulary
 from kowalevski_cas.verify.outcome import Verdict
@@ -119,14 +119,15 @@ def test_what_is_claimed_for_special_constants_says_for_which(lorenz, special, s
 
 def test_a_constant_is_no_integral_and_the_reason_is_told():
     rotation = System(r"\dot x=y, \dot y=-x")
-    whole, itself = "everywhere, not on this set only", "by itself"
+    set_only = "on this set the function is constant by the equations of the set alone"
+    itself = "the function is constant by itself"
     for stated, words in (
-        (rotation.integral("x^2+y^2", given=("x=0", "y=0")), whole),
+        (rotation.integral("x^2+y^2", given=("x=0", "y=0")), set_only),
         (rotation.integral("x-x"), itself),
         (rotation.integral(r"\ln(x^2)-2\ln x"), itself),
     ):
         assert stated.verdict is Verdict.REFUTED
-        assert stated.outcome.message == f"the function is constant {words}"
+        assert stated.outcome.message == words
 
 
 def test_only_what_is_claimed_later_is_said_to_be_shown(cli, tmp_path):
@@ -671,6 +672,16 @@ def test_a_cofactor_may_be_a_number(lorenz):
     assert lorenz.where("b=1", r"\rho=0").darboux("y^2+z^2", -2).verdict is Verdict.PROVED
     with pytest.raises(TypeError, match="cofactor is to be a statement"):
         lorenz.states(DarbouxPolynomial, "darboux", "", printed="x", cofactor=2)
+
+
+def test_attributes_are_names_or_formulas_as_the_kind_declares_them():
+    circle = System(r"\dot x=y,\quad \dot y=-x")
+    claim = circle.states(Degree, "degree", "", variable="x", degree=1)
+    assert claim.verdict is Verdict.PROVED
+    claim = circle.states(Reality, "reality", "", real=("x", "xy"), imaginary=())
+    assert claim.verdict is Verdict.PROVED
+    with pytest.raises(TypeError, match="variable is to be a string, not 3"):
+        circle.states(Degree, "degree", "", variable=3, degree=1)
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from textwrap import TextWrapper
 from typing import Final
 
-from kowalevski_cas.cli.terminal import coloured, width
+from kowalevski_cas.cli.terminal import styled, width
 from kowalevski_cas.notation import (
     Formula,
     NotationError,
@@ -45,8 +45,12 @@ _COLOURS: Final = {
 
 def sign(verdict: Verdict, words: str = "") -> str:
     """The sign of a verdict, and words, in its colour on a terminal; all signs are as wide."""
-    said = f"{MARKS[verdict].sign:<3} {words}".ljust(4)
-    return coloured(said, _COLOURS.get(verdict, 33))
+    return styled(f"{MARKS[verdict].sign:<3} {words}".ljust(4), _COLOURS.get(verdict, 33))
+
+
+def bold(line: str) -> str:
+    """A line that stands out on a terminal."""
+    return styled(line, 1)
 
 
 def formulas(found: Iterable[Formula], source: str = "") -> str:
@@ -118,7 +122,7 @@ def lines(blocks: Iterable[Block], indent: int = 0) -> Iterator[str]:
         match block:
             case Heading():
                 yield ""
-                yield from wrapped(text(block.text), margin, indent)
+                yield from map(bold, wrapped(text(block.text), margin, indent))
             case Paragraph():
                 yield from wrapped(text(block.text), margin, indent)
             case Display():

@@ -1,4 +1,4 @@
-"""What is printed: any letters, and no control characters but those of colours of our own.
+"""What is printed: any letters, and no control characters but those of styles of our own.
 
 Formulas, names and messages come from papers, and from other programs: none of them may steer a
 terminal.
@@ -13,10 +13,13 @@ from collections.abc import Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from typing import Any, TextIO
 
-_RESET, _BLACK = 0xFDD0, 30
-"""Colours are printed as codes that Unicode keeps for the inside of programs, and no text has."""
+_FIRST = 0xFDD0
+"""Styles are printed as codes that Unicode keeps for the inside of programs, and no text has."""
 
-_COLOUR = re.compile("[\ufdd0-\ufdd7]")
+_STYLES = (0, 1, *range(31, 37))
+"""The numbers by which a terminal knows plain letters, bold ones, and those in colours."""
+
+_STYLE = re.compile(f"[{chr(_FIRST)}-{chr(_FIRST + len(_STYLES) - 1)}]")
 
 _CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 """Characters by which a text could steer a terminal, or turn round what is read."""
@@ -27,16 +30,16 @@ def printable(text: str) -> str:
     return _CONTROL.sub("?", text)
 
 
-def coloured(words: str, code: int) -> str:
-    """Words in the colour that terminals know by this number, if the output shows colours."""
-    if not (isinstance(sys.stdout, Output) and sys.stdout.colours):
+def styled(words: str, style: int) -> str:
+    """Words in a style that terminals know by this number, if the output shows styles."""
+    if not (isinstance(sys.stdout, Output) and sys.stdout.has_styles):
         return words
-    return f"{chr(_RESET + code - _BLACK)}{words}{chr(_RESET)}"
+    return f"{chr(_FIRST + _STYLES.index(style))}{words}{chr(_FIRST)}"
 
 
 def width(words: str) -> int:
     """The number of letters that are seen of words."""
-    return len(_COLOUR.sub("", words))
+    return len(_STYLE.sub("", words))
 
 
 class Output:
@@ -44,13 +47,13 @@ class Output:
 
     def __init__(self, stream: TextIO) -> None:
         self.stream = stream
-        self.colours = stream.isatty() and not os.environ.get("NO_COLOR")
+        self.has_styles = stream.isatty() and not os.environ.get("NO_COLOR")
 
     def write(self, text: str) -> int:
         """Write a text."""
         text = printable(text)
-        if self.colours:
-            text = _COLOUR.sub(_escape, text)
+        if self.has_styles:
+            text = _STYLE.sub(_escape, text)
         return self.stream.write(text)
 
     def __getattr__(self, name: str) -> Any:
@@ -58,8 +61,7 @@ class Output:
 
 
 def _escape(mark: re.Match[str]) -> str:
-    colour = ord(mark[0]) - _RESET
-    return f"\x1b[{_BLACK + colour if colour else 0}m"
+    return f"\x1b[{_STYLES[ord(mark[0]) - _FIRST]}m"
 
 
 @contextmanager

@@ -91,12 +91,11 @@ class Contents:
     def erratum(self) -> Document | None:
         """What author and journal would print: the misprints and what is false, and why.
 
-        Nothing, if there is nothing, or if nobody has printed the formulas.
+        Nothing, if there is nothing, or if no author has printed the formulas.
         """
-        blocks = tuple(erratum(self.findings))
-        if not blocks or not self.findings.copied:
+        blocks, run = tuple(erratum(self.findings)), self.run
+        if not blocks or not self.findings.copied or not run.author:
             return None
-        run = self.run
         title = print_prose(read_prose(run.title, run.vocabulary), str, to_plain)
         origin = ", ".join(filter(None, (run.author, run.source)))
         return Document(

@@ -20,7 +20,8 @@ class Finding:
 
     ``tex`` is the one formula of the claim, if it has one. TeX among the ``attributes`` becomes
     places where the kind declares them; the same TeX is the same place. If the formula is only how
-    the words are seen to hold, it is of ``steps``. What is ``computed`` besides is stated by no claim.
+    the words are seen to hold, it is of ``steps``. What is ``computed`` besides is stated by no
+    claim.
     """
 
     kind: type[Claim]

@@ -145,7 +145,7 @@ class Session(Mender):
             return self.unread(claim, on, Verdict.TIMEOUT, late)
         except (NotationError, Meaningless, FormatError, ProcessDied) as error:
             return self.unread(claim, on, Verdict.ERROR, str(error))
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             said = f"it cannot be computed ({type(error).__name__}: {error})"
             outcome = self.unread(claim, on, Verdict.ERROR, said)
             return outcome._replace(stack=format_exc(limit=-FRAMES))
