@@ -1,7 +1,8 @@
 """Read a paper's TeX source and prove or refute each formula in it.
 
 The derivation says what each place of the paper is; the source says what stands
-there. Nothing in the source is executed, and no file is read but those named. With --list,
+there. Nothing in the source is executed; read are the files that are named, and what they take from
+the paper's folder: other files of text, and styles. With --list,
 the formulas of any article are listed, and no derivation is needed.
 """
 
@@ -160,6 +161,7 @@ def _list(source: Source, format: str) -> int:
         value = {
             "formulas": [asdict(formula) for formula in found],
             "notes": [{"line": line, "words": words} for line, words in notes],
+            "files": [*source.files],
         }
         print(json.dumps(value, indent=2, ensure_ascii=False))
         return AS_RECORDED if found else NOTHING
@@ -171,6 +173,7 @@ def _list(source: Source, format: str) -> int:
         print(f"{formula.line:>5}  {kind:<10} {formula.label:<12} {tex:<60}  {state}")
     for line, words in notes:
         print(f"{line:>5}  {words}")
+    print(f"read: {', '.join(source.files)}")
     readable = sum(1 for formula in found if not formula.trouble)
     print(f"{len(found)} formulas, {readable} can be read")
     return AS_RECORDED if found else NOTHING
