@@ -71,7 +71,10 @@ class AuditSession(Session):
         best: tuple[Neighbour, list[str]] | None = None
         claims = self.derivation.claims
         on = self.on(claim)
-        with suppress(TimeoutError, NotationError, Meaningless), time_limit(self.patience):
+        with (
+            suppress(TimeoutError, NotationError, Meaningless, RecursionError),
+            time_limit(self.patience),
+        ):
             for found in true_ones(self._elsewhere(claim, on), on.apart(on.texts)):
                 assert found.printed is not None and found.edit is not None
                 texts = self.texts.edited(found.printed, found.edit)

@@ -58,7 +58,7 @@ class _Annotated:
             derivation.name, derivation.title, derivation.author, derivation.source,
             tuple((s.number, s.title) for s in derivation.sections),
             tuple(audit.outcomes.values()), tuple(audit.session.arithmetics), {},
-            audit.session.texts.vocabulary,
+            audit.session.texts.vocabulary, derivation.edition, derivation.main,
         )  # fmt: skip
         paper = sections(run, derivation, audit.session.texts)
         self.contents = Contents(run, paper)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from itertools import count, permutations
 from time import perf_counter
@@ -18,8 +18,9 @@ from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.confirm import Disagreement, receive
 from kowalevski_cas.verify.mender import Mender
-from kowalevski_cas.verify.outcome import Outcome, Run, Screened, Verdict
+from kowalevski_cas.verify.outcome import CORRECTED, Outcome, Run, Screened, Verdict
 from kowalevski_cas.verify.statement import Statement
 
 Progress = Callable[[str, int, int], None]
@@ -51,7 +52,8 @@ def shared(
         progress(claim, next(begun), len(tasks))
 
     outcomes = each(decided, range(len(tasks)), heard=heard)
-    return [session.result([next(outcomes) for _ in claims]) for session, claims in chosen]
+    received = map(receive, outcomes)
+    return [session.result([next(received) for _ in claims]) for session, claims in chosen]
 
 
 class Session(Mender):
@@ -94,6 +96,8 @@ class Session(Mender):
             arithmetics=tuple(self.arithmetics),
             versions={},
             vocabulary=self.texts.vocabulary,
+            edition=derivation.edition,
+            main=derivation.main,
         )
 
     def outcome(self, claim: Claim) -> Outcome:
@@ -110,6 +114,10 @@ class Session(Mender):
                     digest=found.digest, corrected=found.corrected, seconds=found.seconds
                 )
         return self.found[claim.id]
+
+    def certificates(self, claim: Claim) -> Iterator[tuple[str, str]]:
+        """The certificate of a claim, and that of its correction, by name."""
+        yield from self.outcome(claim).certificates.items()
 
     def stands(self, id: str) -> bool:
         """Whether the correction of a claim that its derivation accepts is proved."""
@@ -132,11 +140,13 @@ class Session(Mender):
         try:
             with time_limit(self.timeout):
                 statement = Statement(claim, on)
-                outcome = self._decided(statement, start)
-        except TimeoutError:
-            late = f"not decided within {self.timeout:g} s"
+                outcome = self.anew(statement, claim.id, lambda: self._decided(statement, start))
+        except TimeoutError as error:
+            late = str(error) or f"not decided within {self.timeout:g} s"
             return self.unread(claim, on, Verdict.TIMEOUT, late)
-        except (NotationError, Meaningless, FormatError, ProcessDied) as error:
+        except (
+            NotationError, Meaningless, FormatError, ProcessDied, Unproved, Disagreement
+        ) as error:  # fmt: skip
             return self.unread(claim, on, Verdict.ERROR, str(error))
         except (ArithmeticError, MemoryError, RecursionError) as error:
             said = f"it cannot be computed ({type(error).__name__}: {error})"
@@ -147,7 +157,9 @@ class Session(Mender):
             first = self.arithmetics[0]
             spent = outcome.seconds[first] + perf_counter() - correcting
             outcome = outcome._replace(seconds={**outcome.seconds, first: spent})
-        return self.with_acceptance(claim, outcome)
+        names = (claim.id, f"{CORRECTED}/{claim.id}")
+        notes = [self.rejected.pop(name) for name in names if name in self.rejected]
+        return self.with_acceptance(claim, outcome._replace(note="\n".join(notes)))
 
     def _decided(self, statement: Statement, start: float) -> Outcome:
         """The outcome for one claim, without a correction."""
@@ -172,5 +184,5 @@ class Session(Mender):
             accepted = statement.claim.printed in self.accepted
             verdict = Verdict.TIMEOUT if accepted else outcome.verdict
             return outcome._replace(verdict=verdict, message=outcome.message or late)
-        except (FormatError, Unproved, ProcessDied) as error:
+        except (FormatError, Unproved, Disagreement, ProcessDied) as error:
             return outcome._replace(verdict=Verdict.ERROR, message=str(error))

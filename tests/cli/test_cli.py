@@ -316,7 +316,8 @@ def test_the_answer_comes_first_and_each_slip_once(cli, derivation, decided, mon
     monkeypatch.setenv("COLUMNS", "70")
     code, out, _ = cli("verify", "kharlamov2002")
     assert code == 0
-    lead = " ".join(out.splitlines()[4:8])
+    lead = " ".join(out.split("Four misprints")[0].split())
+    assert "The main results stand." in lead
     assert "Nine are spoiled by four misprints, and one is false." in lead
     assert (
         out.count("for w₃, which is not defined, read ω₃")
@@ -482,8 +483,8 @@ def test_what_the_checker_rejects_is_not_recorded(cli, write, monkeypatch):
     folder = write(TRUE + WRONG)
     code, _, err = cli("record", folder)
     assert code == 3
-    said = "energy is not recorded: error: no certificate: something is wrong with it\n"
-    assert err == said
+    assert err.startswith("energy is not recorded: error: ")
+    assert err.endswith("the checker says: something is wrong with it\n")
     assert load_record(Path(folder)).keys() == {"speed", "wrong"}
     names = {path.name for path in Path(folder, "certificates").iterdir()}
     assert names == {"speed.json", "wrong.json", "corrected"}

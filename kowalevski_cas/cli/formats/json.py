@@ -36,6 +36,7 @@ def render(results: Sequence[Result]) -> str:
             "differences": [
                 {"id": d.claim, "recorded": d.recorded, "found": d.found} for d in differences
             ],
+            "certificates": sum(len(o.certificates) for _, o in outcomes),
             "seconds": round(sum(sum(o.seconds.values()) for _, o in outcomes), 6),
             "digests": {r.run.derivation: r.run.digest for r in results},
             "versions": results[0].run.versions if results else {},
@@ -87,6 +88,7 @@ def _evidence(found: Outcome | Audited) -> dict[str, Any]:
 def audited(audit: Audit) -> str:
     """All formulas, the statements in words, and a summary."""
     value = {
+        **_assumed(audit),
         "formulas": [_formula(formula) for formula in audit.formulas],
         "statements": [_statement(audit, outcome) for outcome in audit.statements],
         "summary": {
@@ -95,6 +97,7 @@ def audited(audit: Audit) -> str:
             "formulas": len(audit.formulas),
             **audit.counts,
             "claims": Counter(str(outcome.verdict) for outcome in audit.outcomes.values()),
+            "certificates": len(audit.certificates),
             "wrong": audit.wrong,
             "moved": [formula.id for formula in audit.formulas if formula.moved],
             "notes": [{"line": line, "words": words} for line, words in audit.notes],
@@ -104,6 +107,25 @@ def audited(audit: Audit) -> str:
     return json.dumps(value, indent=2, ensure_ascii=False) + "\n"
 
 
+def _assumed(audit: Audit) -> dict[str, Any]:
+    """What a source that is its own derivation takes for granted."""
+    if audit.reading is None:
+        return {}
+    from kowalevski_cas.audit.reading import assumed
+
+    return {
+        "assumed": [
+            {
+                "kind": one.kind,
+                "words": one.words,
+                "id": one.place.place if one.place else None,
+                "claims": list(one.claims),
+            }
+            for one in assumed(audit)
+        ]
+    }
+
+
 def _formula(formula: Audited) -> dict[str, Any]:
     return {
         "id": formula.id,
@@ -111,6 +133,8 @@ def _formula(formula: Audited) -> dict[str, Any]:
         "line": formula.line,
         "column": formula.column,
         "role": formula.role,
+        "reason": formula.reason or None,
+        "on": list(formula.on),
         "tex": formula.tex,
         "verdict": formula.verdict,
         "claims": list(formula.claims),

@@ -9,12 +9,13 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from kowalevski_cas.cli import plain
-from kowalevski_cas.cli.formats import Result
+from kowalevski_cas.cli.formats import Result, reading
 from kowalevski_cas.library import MEND
 from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Display, Paragraph
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.places import names
+from kowalevski_cas.report.results import main_results
 from kowalevski_cas.report.sentences import Phrases, alike
 from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
 
@@ -24,8 +25,29 @@ if TYPE_CHECKING:
 
 
 def render(results: Sequence[Result]) -> str:
-    """Each derivation with what was found in it, each slip once."""
-    return "\n".join(told(result) for result in results)
+    """Each derivation with what was found in it, each slip once; those with findings last."""
+    shown = [told(result) for result in sorted(results, key=_worst)]
+    if len(results) > 1:
+        shown.append("".join(f"{line}\n" for line in _table(results)))
+    return "\n".join(shown)
+
+
+def _worst(result: Result) -> int:
+    """How much a reader has to do about a derivation: nothing, to read, or to act."""
+    if result.differences:
+        return 2
+    return int(not all(outcome.verdict.green for outcome in result.run.outcomes))
+
+
+def _table(results: Sequence[Result]) -> Iterator[str]:
+    """A line a derivation: how many claims have which verdict, and whether that is known."""
+    width = max(len(result.run.derivation) for result in results)
+    present = [v for v in Verdict if any(o.verdict is v for r in results for o in r.run.outcomes)]
+    for result in sorted(results, key=_worst):
+        counts = Counter(outcome.verdict for outcome in result.run.outcomes)
+        cells = [f"{counts[v]:>5} {plain.sign(v)}" if counts[v] else " " * 10 for v in present]
+        status = f"as {result.standard}" if not result.differences else "DIFFERENT"
+        yield f"{result.run.derivation:<{width}}{''.join(cells)} {status}"
 
 
 def told(result: Result, claims: Iterable[str] = ()) -> str:
@@ -35,13 +57,21 @@ def told(result: Result, claims: Iterable[str] = ()) -> str:
     findings = Findings(phrases, run.outcomes, copied)
     named = filter(None, (run.author, run.title, run.source))
     title = phrases.words("".join(f"{part}. " for part in named))
+    results = *main_results(phrases, run.outcomes, run.main, findings.slips), Paragraph(())
     wrong = *plain.lines(findings.blocks()), *_errors(result), *claims
-    return _page(plain.text(title), findings, wrong, _summary(result))
+    return _page(plain.text(title), findings, wrong, _summary(result), results[:-1] and results)
 
 
-def _page(title: str, findings: Findings, wrong: Iterable[str], summary: Iterable[str]) -> str:
-    """The answer under a title, what is wrong, and a summary."""
-    head = *plain.wrapped(title), "", *plain.wrapped(findings.lead())
+def _page(
+    title: str,
+    findings: Findings,
+    wrong: Iterable[str],
+    summary: Iterable[str],
+    results: Iterable[Block] = (),
+) -> str:
+    """The answer under a title, what is wrong, and a summary; the main results come first."""
+    answer = *plain.lines(results), *plain.wrapped(findings.lead())
+    head = *plain.wrapped(title), "", *answer
     return "\n".join((*head, *wrong, "", *summary, ""))
 
 
@@ -72,7 +102,8 @@ def _summary(result: Result) -> Iterator[str]:
     shown = ", ".join(f"{count} {verdict}" for verdict, count in counts.items())
     seconds = sum(sum(o.seconds.values()) for o in run.outcomes)
     claims, by = plain.many(len(run.outcomes), "claim"), ", ".join(run.arithmetics)
-    head = f"{claims}: {shown}; {by}; {seconds:.2f} s"
+    checked = plain.many(len(run.certificates), "certificate")
+    head = f"{claims}: {shown}; {by}; {checked} checked; {seconds:.2f} s"
     noun = result.standard
     if not result.differences:
         none = "; there is no record to compare with (`kowalevski-cas record`)"
@@ -105,6 +136,17 @@ class Told:
         """The audit as text; details stand before the summary."""
         audit = self.audit
         findings = Findings(self.phrases, tuple(audit.outcomes.values()))
+        if audit.reading is not None:
+            return "\n".join(
+                (
+                    *reading.told(audit, self.phrases),
+                    *self.wrong(),
+                    *details,
+                    "",
+                    *self.summary(),
+                    "",
+                )
+            )
         source = f"{audit.source.path}, by the derivation {audit.session.derivation.name}."
         notes = (f"line {line}: {words}" for line, words in audit.notes)
         wrong = *self.wrong(), *plain.lines(findings.hypotheses()), *details, *notes
@@ -172,7 +214,8 @@ class Told:
         claims = Counter(str(outcome.verdict) for outcome in audit.outcomes.values())
         yield f"{plain.many(len(audit.formulas), 'formula')}: {_counted(audit.counts)}"
         claimed = plain.many(len(audit.outcomes), "claim")
-        yield f"{claimed}: {_counted(claims)}; {audit.seconds:.2f} s"
+        checked = plain.many(len(audit.certificates), "certificate")
+        yield f"{claimed}: {_counted(claims)}; {checked} checked; {audit.seconds:.2f} s"
 
 
 def _slip(formula: Audited) -> object:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, NamedTuple, dataclass_transform
 
-from kowalevski_cas.notation import Edit, Formula, Relation, edits
+from kowalevski_cas.notation import Edit, Formula, NotationError, Relation, edits
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts, check_attributes
@@ -68,9 +69,9 @@ class Claim(_Kind, ABC):
 
     ``printed`` is the place of the formula, if the claim is one formula;
     ``words`` says what is claimed, and ``sentence`` is the author's sentence that claims it, word
-    for word, where the formula alone does not. Whatever else a claim is about, its places, scenes
-    and neighbours, follows from the types of its attributes. A kind is a subclass with more
-    attributes.
+    for word, where the formula alone does not. A claim that the paper does not make is ``ours``.
+    Whatever else a claim is about, its places, scenes and neighbours, follows from the types of its
+    attributes. A kind is a subclass with more attributes.
     """
 
     id: str
@@ -78,6 +79,7 @@ class Claim(_Kind, ABC):
     printed: Printed | None = field(default=None, kw_only=True)
     words: str
     sentence: str = field(default="", kw_only=True)
+    ours: bool = field(default=False, kw_only=True)
 
     def __post_init__(self) -> None:
         """Refuse displays and single values where tuples are expected."""
@@ -93,6 +95,14 @@ class Claim(_Kind, ABC):
             raise Meaningless("the claim is about a formula, and names none")
         return self.printed
 
+    def settings(self, on: Elaborations) -> Elaborations:
+        """The settings of scenes, in which the functions of the claim's formulas are known."""
+        met: list[Formula] = []
+        for place in dict.fromkeys(self.places()):
+            with suppress(NotationError):
+                met.append(on.texts.formula(place))
+        return on.meeting(tuple(met))
+
     @abstractmethod
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         """What is stated, in the settings that the scenes mean."""
@@ -105,6 +115,10 @@ class Claim(_Kind, ABC):
         It is made with FLINT; ``names`` are those to which a point of a space gives values.
         """
         return {}
+
+    def remark(self, on: Elaborations) -> str:
+        """What is told of the claim where it is proved."""
+        return ""
 
     def refuted_by(self, denial: Denial) -> bool:
         """Whether what denies a goal denies the claim; a goal may be more than what is claimed."""
