@@ -23,6 +23,11 @@ class Said:
         """What says which role a statement has."""
         return next((one for one in self.of.get(item, ()) if one.verb != "on"), None)
 
+    def verb(self, item: Item) -> str:
+        """The verb of what says which role a statement has; empty if nothing does."""
+        found = self.role(item)
+        return found.verb if found is not None else ""
+
     def on(self, item: Item) -> tuple[Item, ...] | None:
         """On which statements a claim rests, if that is said."""
         found = [one.on for one in self.of.get(item, ()) if one.on is not None]
@@ -80,6 +85,12 @@ def names_of(found: Directive, item: Item) -> tuple[str, ...]:
     return tuple(called.get(_bare(name), name) for name in found.names)
 
 
+def _printed(item: Item) -> tuple[tuple[str, ...], ...]:
+    """The tokens of a statement, and of its display."""
+    whole = words(item.typed.tex)
+    return (whole,) if item.formula is None else (words(item.printed.tex), whole)
+
+
 def places(word: str, paper: Paper) -> Sequence[Item]:
     """The statements of a label, or of TeX in quotes.
 
@@ -88,7 +99,7 @@ def places(word: str, paper: Paper) -> Sequence[Item]:
     """
     if word.startswith('"'):
         wanted = words(word.strip('"'))
-        found = [one for one in paper.items if wanted in (words(one.printed.tex), words(one.typed.tex))]
+        found = [one for one in paper.items if wanted in _printed(one)]
         if len({id(one.typed) for one in found}) > 1:
             raise LookupError("stands there several times")
         if found:
@@ -97,7 +108,8 @@ def places(word: str, paper: Paper) -> Sequence[Item]:
     known: dict[str, list[Item]] = {}
     for one in paper.items:
         names = (*one.typed.labels, one.printed.display.id)
-        for name in dict.fromkeys((*names, one.printed.place, *(f"{n}.{one.printed.number}" for n in names))):
+        numbered = (f"{name}.{one.printed.number}" for name in names)
+        for name in dict.fromkeys((*names, *numbered)):
             known.setdefault(name, []).append(one)
     if word in known:
         return known[word]

@@ -15,14 +15,13 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import MISSING, dataclass, fields, replace
 from difflib import get_close_matches
 from functools import cache
 from typing import Any
 
 from kowalevski_cas.paper import claims
 from kowalevski_cas.paper.claims import Claim
-from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.reading.statements import Item
 from kowalevski_cas.source.comments import Comment
 from kowalevski_cas.source.text import SourceError
@@ -30,9 +29,23 @@ from kowalevski_cas.source.text import SourceError
 NAMING = ("define", "level", "given", "map")
 """What may be followed by the names that get a meaning or a value."""
 VERBS = ("law", *NAMING, "claim", "on", "skip")
-RULED = ("identity", "constant", "integral", "invariant", "inequality")
+RULED = (
+    "identity", "constant", "integral", "invariant", "inequality", "solution", "approximate",
+)  # fmt: skip
 """Kinds of claims of which the rules of reading know on what they stand."""
 
+AS = {
+    "set": "set",
+    "set-in-force": "set in force",
+    "value": "value",
+    "inequality": "inequality",
+    "of-the-sentence": "of the sentence",
+    "square": "square",
+    "clock": "clock",
+    "unit": "unit",
+}
+"""The kinds of roles that may stand behind ``as``."""
+_BEHIND = ("on", "names")
 _WORDS = re.compile(r'"[^"]*"|[^\s"]+')
 _BASE = {attribute.name for attribute in fields(Claim)}
 _PLACES = ("Printed", "Printed | None", "tuple[Printed, ...]")
@@ -126,42 +139,41 @@ class _Parser:
             return self.claim(made)
         if verb == "on":
             on = self.places(self.taken(()))
-            return Directive(self.comment, verb, number, items=tuple(self.items), on=on)
+            return replace(made, items=tuple(self.items), on=on)
         ruled = self.ruled()
         names = tuple(self.taken(())) if verb in NAMING else ()
-        if verb in ("law", "skip") and verb == "law" and self.words:
-            raise wrong(self.comment, f"nothing follows {verb}")
-        return Directive(self.comment, verb, number, names, ruled)
+        if verb == "law" and self.words:
+            raise wrong(self.comment, f"{self.words[0]} follows law, and nothing should")
+        return replace(made, names=names, ruled=ruled)
 
     def ruled(self) -> str:
         """The kind of a role, behind ``as``."""
-        if self.words[:1] != ["as"] or len(self.words) < 2:
+        if self.words[:1] != ["as"]:
             return ""
         self.words.pop(0)
-        return self.words.pop(0).replace("-", " ")
+        word = str(self.words.pop(0)) if self.words else ""
+        if word not in AS:
+            raise wrong(self.comment, f"the word {word} is not known behind as", word, AS)
+        return AS[word]
 
     def claim(self, made: Directive) -> Directive:
-        """A claim: its kind, and the values of its attributes."""
-        number = made.number
-        if not self.words or self.words[0] in (*RULED, "on", "names"):
-            ruled = self.words.pop(0) if self.words and self.words[0] in RULED else ""
-            if not self.words or self.words[0] in ("on", "names"):
-                names, on = (), None
-                while self.words:
-                    if self.words.pop(0) == "on":
-                        on = self.places(self.taken(("on", "names")))
-                    else:
-                        names = tuple(self.taken(("on", "names")))
-                found = ruled or "identity"
-                return Directive(
-                    self.comment, "claim", number, names, found, items=(), on=on
-                )  # fmt: skip
-            self.words.insert(0, ruled)
+        """A claim: by the rules, or of a kind with the values of its attributes."""
+        by_rules = [*self.words[:1]] if self.words[:1] and self.words[0] in RULED else []
+        rest = self.words[len(by_rules) :]
+        if not rest or rest[0] in _BEHIND:
+            self.words = rest
+            names: tuple[str, ...] = ()
+            on: tuple[Item, ...] | None = None
+            while self.words:
+                if self.words.pop(0) == "on":
+                    on = self.places(self.taken(_BEHIND))
+                else:
+                    names = tuple(self.taken(_BEHIND))
+            ruled = by_rules[0] if by_rules else "identity"
+            return replace(made, names=names, ruled=ruled, on=on)
         kind = self.kind()
         values, on = self.values(kind)
-        return Directive(
-            self.comment, "claim", number, (), "", kind, values, tuple(self.items), on
-        )
+        return replace(made, kind=kind, values=values, items=tuple(self.items), on=on)
 
     def kind(self) -> type[Claim]:
         """The kind that the next words name: all of its name, or words that no other one has."""
@@ -211,7 +223,7 @@ class _Parser:
         for name, one in own.items():
             if name not in values and one.type.startswith("tuple") and name == "levels":
                 values[name] = ()
-            elif name not in values and _is_required(one):
+            elif name not in values and one.default is MISSING and one.default_factory is MISSING:
                 raise wrong(self.comment, f"{name} is missing")
         return values, on
 
@@ -255,18 +267,3 @@ class _Parser:
                 raise wrong(self.comment, f"{word} {error}") from None
         self.items += found
         return tuple(dict.fromkeys(found))
-
-
-def _is_required(one: Any) -> bool:
-    from dataclasses import MISSING
-
-    return one.default is MISSING and one.default_factory is MISSING
-
-
-def printed(values: Mapping[str, object] | None) -> list[Printed]:
-    """The places among the attributes of a claim."""
-    found: list[Printed] = []
-    for value in (values or {}).values():
-        inside = value if isinstance(value, tuple) else (value,)
-        found += [one for one in inside if isinstance(one, Printed)]
-    return found

@@ -17,7 +17,7 @@ from kowalevski_cas.reading.known import (
     Known,
     Role,
 )
-from kowalevski_cas.reading.ladder import Rung
+from kowalevski_cas.reading.ladder import Rung, rungs
 from kowalevski_cas.reading.stage import Stage
 from kowalevski_cas.reading.statements import Item
 
@@ -30,7 +30,7 @@ _ROLES = {"law": LAW, "define": DEFINITION, "map": DEFINITION, "level": LEVEL, "
 
 
 def said_role(found: Directive, item: Item, inferred: Role, known: Known) -> Role:
-    """The role that a comment gives a statement; what was inferred is said, if it is another one."""
+    """The role that a comment gives a statement, and what was inferred, if it is another one."""
     name, kind = _ROLES[found.verb], found.ruled
     if found.verb == "law" and known.law_of(item) is None:
         raise wrong(found.comment, "the formula belongs to no closed set of rates")
@@ -61,16 +61,16 @@ def _names(name: str, item: Item, inferred: Role) -> tuple[str, ...]:
     return (item.bare or tuple(sorted(item.names))) if name == ASSUMPTION else ()
 
 
-def said_rungs(item: Item, id: str, stage: Stage, said: Said, rungs: Iterator[Rung]) -> Iterator[Rung]:
-    """The claims that a statement may make: what a comment states, or on what it says they stand."""
+def said_rungs(item: Item, id: str, stage: Stage, said: Said) -> Iterator[Rung]:
+    """The claims that a statement may make: what a comment states, or on what it puts them."""
     found, on = said.role(item), said.on(item)
     if found is not None and found.kind is not None:
         yield said_rung(found, id, stage, item)
         return
     if on is None:
-        yield from rungs
+        yield from rungs(item, id, stage)
         return
-    same = [rung for rung in rungs if {*rung.on} == {*on}]
+    same = [rung for rung in rungs(item, id, stage) if {*rung.on} == {*on}]
     yield from same or [_rung_on(item, id, stage, on)]
 
 
