@@ -121,7 +121,14 @@ class Further(NamedTuple):
     point: Point
 
 
-Evidence = Shown | At | Minors | Found | Regardless | Roots | Solutions | Further
+class Departure(NamedTuple):
+    """Where a motion begins, and the order of a derivative that is another one on the other side."""
+
+    point: Point
+    order: int
+
+
+Evidence = Shown | At | Minors | Found | Regardless | Roots | Solutions | Further | Departure
 
 
 @dataclass(frozen=True)
