@@ -122,7 +122,7 @@ class Further(NamedTuple):
 
 
 class Departure(NamedTuple):
-    """Where a motion begins, and the order of a derivative that is another one on the other side."""
+    """Where a motion begins, and the order of a derivative of which the two sides differ."""
 
     point: Point
     order: int

@@ -91,6 +91,10 @@ class Reach:
             if "i" in old.roots:
                 self.name("i")
 
+    def goal(self, goal: Simple) -> None:
+        """Reach what a goal uses; a rank is about all variables, a kernel about the motion."""
+        _reach_goal(goal, (), self)
+
     def whole(self) -> None:
         """Reach all variables."""
         for name in self.setting.variables:
