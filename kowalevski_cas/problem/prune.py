@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from kowalevski_cas.notation import Formula, Name, Root
+from kowalevski_cas.notation import Formula, Name, Partial, Root
 from kowalevski_cas.problem.goals import (
     Along,
     Count,
@@ -41,6 +41,8 @@ class Reach:
                 self.name(one.name)
             elif isinstance(one, Root):
                 self._root(one)
+            elif isinstance(one, Partial):
+                self.name(one.by)
             else:
                 self.move()
 
