@@ -1,12 +1,13 @@
 r"""Functions with logarithms, of which only derivatives are known: :math:`(\ln f)'=f'/f`.
 
-A logarithm of an absolute value is half that of its square. A logarithm is a term with a constant
-factor, so that it stands in no derivative.
+A logarithm of an absolute value is half that of its square; any other one is that of a positive
+function, which is the square of its root. A logarithm is a term with a constant factor, so that it
+stands in no derivative.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 from kowalevski_cas.notation import (
     Application,
@@ -17,6 +18,7 @@ from kowalevski_cas.notation import (
     Power,
     Product,
     Quotient,
+    Root,
     Sum,
     to_latex,
 )
@@ -31,6 +33,14 @@ def has_logarithm(formula: Formula) -> bool:
     return any(
         isinstance(one, Application) and one.function == LOGARITHM for one in formula.nodes()
     )
+
+
+def arguments(formula: Formula) -> Iterator[Formula]:
+    """What logarithms are taken of that has to be positive: no absolute values."""
+    for one in formula.nodes():
+        if isinstance(one, Application) and one.function == LOGARITHM:
+            plain = (inner for inner in one.arguments if not isinstance(inner, Modulus))
+            yield from (inner for inner in plain if not has_logarithm(inner))
 
 
 def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaboration) -> Formula:
@@ -49,7 +59,7 @@ def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaborati
             square = Power(inner, Number(2))
             return Quotient(by(square), Product((Number(2), square)))
         case Application(_, (inner,)) if not has_logarithm(inner):
-            return Quotient(by(inner), inner)
+            return Quotient(by(inner), Power(Root(inner), Number(2)))
         case Sum() | Negative():
             return formula.mapped(of)
         case Quotient(above, below) if _is_constant(below, space):
