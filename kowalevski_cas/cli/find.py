@@ -15,7 +15,7 @@ from typing import Any
 
 from kowalevski_cas.cli import plain, session
 from kowalevski_cas.cli.exits import AS_RECORDED, NOTHING, UNDECIDED, CommandError
-from kowalevski_cas.files import write
+from kowalevski_cas.files import read, write
 from kowalevski_cas.library import owner
 from kowalevski_cas.notation import NotationError, to_latex, to_plain
 from kowalevski_cas.paper.derivation import Derivation
@@ -98,7 +98,7 @@ def run(arguments: argparse.Namespace) -> int:
     pool = session.pool(arguments)
     (answer,) = session.watched(lambda _: _answer(derivation, scene, arguments, name, pool), [None])
     if file is not None:
-        write(file, file.read_text(encoding="utf-8") + answer.claims)
+        write(file, read(file) + answer.claims)
     outcomes = answer.run.outcomes
     if arguments.format == "json":
         print(json.dumps([*map(_data, answer.findings, outcomes)], indent=1))
@@ -113,7 +113,8 @@ def run(arguments: argparse.Namespace) -> int:
             print(f"{outcome.verdict}  {said}{':  ' if shown else ''}{shown}")
             for one in finding.computed:
                 print(f"computed  {_cut(plain.words(one, answer.run.vocabulary), verbose)}")
-        print(f"{len(outcomes)} found")
+        checked = plain.many(len(answer.run.certificates), "certificate")
+        print(f"{len(outcomes)} found; {checked} checked")
     if answer.unfinished:
         raise CommandError(answer.unfinished, UNDECIDED)
     return AS_RECORDED if all(one.verdict.green for one in outcomes) else UNDECIDED

@@ -14,15 +14,13 @@ from typing import TYPE_CHECKING, TypeVar
 
 from kowalevski_cas import __version__
 from kowalevski_cas.cli.exits import NOTHING, CommandError
+from kowalevski_cas.cli.terminal import Output, printable
 from kowalevski_cas.library import available, find, load, source
-from kowalevski_cas.limits import ProcessDied, tell, time_limit
+from kowalevski_cas.limits import tell
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.pool import Pool
-from kowalevski_cas.problem.examine import Unproved
-from kowalevski_cas.problem.space import Meaningless
-from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.certificate import FOLDER, Stored, load_certificates
 from kowalevski_cas.verify.outcome import Run
@@ -94,6 +92,8 @@ def runs(
         sessions.append(session)
     with progress_bar() as progress:
         found = shared(sessions, only, progress)
+    for note in (outcome.note for run in found for outcome in run.outcomes if outcome.note):
+        print(note, file=sys.stderr)
     return [(run, session.texts) for run, session in zip(found, sessions, strict=True)]
 
 
@@ -105,30 +105,21 @@ def recorded(folder: Path) -> Mapping[str, Mapping[str, object]]:
         return {}
 
 
-def certificates(
-    folder: Path, derivation: Derivation, timeout: float, anew: bool = False
-) -> tuple[dict[str, str], dict[str, str]]:
-    """The texts of certificates by name, and reasons why others are missing.
+def rejected(run: Run) -> dict[str, str]:
+    """Why the checker, on its own, rejects certificates of a run; by the claims.
 
-    Evidence that is stored is used again, unless all is to be found ``anew``. ``timeout`` is in
-    seconds, for each claim.
+    It computes with Python's integers here, as it does wherever it is alone.
     """
-    from kowalevski_cas.problem.checker import Rejected
+    from kowalevski_cas.problem import checker
 
-    stored = {} if anew else load_certificates(folder)
-    session = Session(derivation, ["flint"], certificates=stored, record=recorded(folder))
-    texts: dict[str, str] = {}
     reasons: dict[str, str] = {}
-    for done, claim in enumerate(derivation.claims):
-        tell(claim.id, done, len(derivation.claims))
+    for done, (name, text) in enumerate(run.certificates.items()):
+        tell(name, done, len(run.certificates))
         try:
-            with time_limit(timeout):
-                texts.update(session.certificates(claim))
-        except TimeoutError:
-            reasons[claim.id] = f"not found within {timeout:g} s"
-        except (FormatError, Rejected, Unproved, NotationError, Meaningless, ProcessDied) as error:
-            reasons[claim.id] = str(error)
-    return texts, reasons
+            checker.check(text)
+        except checker.Rejected as error:
+            reasons[name.rpartition("/")[2]] = str(error)
+    return reasons
 
 
 def add_timeout(
@@ -260,17 +251,20 @@ def progress_bar() -> Iterator[Callable[..., None]]:
         yield lambda *words: None
         return
     from rich.console import Console
+    from rich.markup import escape
     from rich.progress import Progress as Bar
 
     tasks: dict[int, TaskID] = {}
 
     def move(name: str, done: int, total: int, number: int = 0) -> None:
+        name = escape(printable(name))
         if number not in tasks:
             tasks[number] = bar.add_task(name)
         bar.update(tasks[number], description=name, completed=done, total=total, refresh=True)
 
     # Without a thread of its own: processes are forked meanwhile.
-    with Bar(console=Console(stderr=True), transient=True, auto_refresh=False) as bar:
+    stream = sys.stderr.stream if isinstance(sys.stderr, Output) else sys.stderr
+    with Bar(console=Console(file=stream), transient=True, auto_refresh=False) as bar:
         yield move
 
 

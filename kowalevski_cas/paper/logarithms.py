@@ -1,8 +1,8 @@
-r"""Functions with logarithms, of which only derivatives are known: :math:`(\ln f)'=f'/f`.
+r"""Functions of which only derivatives are known: :math:`(\ln f)'=f'/f`, and those of arcs.
 
-A logarithm of an absolute value is half that of its square; any other one is that of a positive
-function, which is the square of its root. A logarithm is a term with a constant factor, so that it
-stands in no derivative.
+A logarithm of an absolute value is half that of its square. A logarithm, or an arc, is a term with
+a constant factor, so that it stands in no derivative. It is real where the roots in its derivative
+are.
 """
 
 from __future__ import annotations
@@ -20,27 +20,38 @@ from kowalevski_cas.notation import (
     Quotient,
     Root,
     Sum,
+    Vocabulary,
+    read,
+    substitute,
     to_latex,
 )
+from kowalevski_cas.notation.functions import DERIVATIVE_OF
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.problem.space import Meaningless
 
-LOGARITHM = r"\ln"
+ARGUMENT = Vocabulary(frozenset("x"))
 
 
 def has_logarithm(formula: Formula) -> bool:
-    """Whether a logarithm stands in a formula."""
+    """Whether a function of which only the derivative is known stands in a formula."""
     return any(
-        isinstance(one, Application) and one.function == LOGARITHM for one in formula.nodes()
+        isinstance(one, Application) and one.function in DERIVATIVE_OF for one in formula.nodes()
     )
 
 
-def arguments(formula: Formula) -> Iterator[Formula]:
-    """What logarithms are taken of that has to be positive: no absolute values."""
+def roots(formula: Formula) -> Iterator[Root]:
+    """The roots that are real where logarithms, but those of absolute values, and arcs are."""
     for one in formula.nodes():
-        if isinstance(one, Application) and one.function == LOGARITHM:
-            plain = (inner for inner in one.arguments if not isinstance(inner, Modulus))
-            yield from (inner for inner in plain if not has_logarithm(inner))
+        match one:
+            case Application(function, (inner,)) if function in DERIVATIVE_OF:
+                if not isinstance(inner, Modulus) and not has_logarithm(inner):
+                    slope = _slope(function, inner)
+                    yield from (node for node in slope.nodes() if isinstance(node, Root))
+
+
+def _slope(function: str, inner: Formula) -> Formula:
+    """The derivative of a function by its argument."""
+    return substitute(read(DERIVATIVE_OF[function], ARGUMENT), {"x": inner})
 
 
 def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaboration) -> Formula:
@@ -55,11 +66,11 @@ def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaborati
     if not has_logarithm(formula):
         return by(formula)
     match formula:
-        case Application(_, (Modulus() as inner,)) if not has_logarithm(inner):
+        case Application(r"\ln", (Modulus() as inner,)) if not has_logarithm(inner):
             square = Power(inner, Number(2))
             return Quotient(by(square), Product((Number(2), square)))
-        case Application(_, (inner,)) if not has_logarithm(inner):
-            return Quotient(by(inner), Power(Root(inner), Number(2)))
+        case Application(function, (inner,)) if not has_logarithm(inner):
+            return Product((_slope(function, inner), by(inner)))
         case Sum() | Negative():
             return formula.mapped(of)
         case Quotient(above, below) if _is_constant(below, space):
@@ -68,7 +79,8 @@ def derived(formula: Formula, by: Callable[[Formula], Formula], space: Elaborati
             own = [factor for factor in factors if not has_logarithm(factor)]
             if len(own) == len(factors) - 1 and all(_is_constant(one, space) for one in own):
                 return Product(tuple(one if one in own else of(one) for one in factors))
-    raise Meaningless(f"{to_latex(formula)}: a logarithm is read with a constant factor only")
+    what = "a logarithm, or an arc, is read with a constant factor only"
+    raise Meaningless(f"{to_latex(formula)}: {what}")
 
 
 def _is_constant(formula: Formula, space: Elaboration) -> bool:

@@ -8,7 +8,7 @@ from itertools import takewhile
 
 from kowalevski_cas.notation import NotationError, Vocabulary, read_display
 from kowalevski_cas.notation.cursor import BOLD, Cursor, is_known
-from kowalevski_cas.notation.macros import FUNCTIONS
+from kowalevski_cas.notation.functions import FUNCTIONS
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
 from kowalevski_cas.source.displays import Typed
@@ -50,7 +50,8 @@ def listing(source: Source) -> tuple[list[Listed], list[tuple[int, str]]]:
                 formula.kind, formula.inline, formula.tex.strip(), count, trouble,
             )
         )  # fmt: skip
-    return found, [(source.line(offset), words) for offset, words in expanded.notes]
+    notes = (*source.refused, *expanded.notes)
+    return found, [(source.line(offset), words) for offset, words in notes]
 
 
 def _read(formula: Typed, vocabularies: Iterable[Vocabulary]) -> tuple[int, str]:

@@ -2,27 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from itertools import count, permutations
+from math import inf
 from time import perf_counter
+from traceback import format_exc
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.library import library
 from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import load_certificates
+from kowalevski_cas.verify.confirm import Disagreement, receive
 from kowalevski_cas.verify.mender import Mender
-from kowalevski_cas.verify.outcome import Outcome, Run, Screened, Verdict
+from kowalevski_cas.verify.outcome import CORRECTED, Outcome, Run, Screened, Verdict
 from kowalevski_cas.verify.statement import Statement
 
 Progress = Callable[[str, int, int], None]
+
+FRAMES = 20
+"""The innermost calls of a stack that are shown."""
 
 LEAST = 0.5
 """Seconds for a correction, however little the refutation has left."""
@@ -51,7 +58,8 @@ def shared(
         progress(claim, next(begun), len(tasks))
 
     outcomes = each(decided, range(len(tasks)), heard=heard)
-    return [session.result([next(outcomes) for _ in claims]) for session, claims in chosen]
+    received = map(receive, outcomes)
+    return [session.result([next(received) for _ in claims]) for session, claims in chosen]
 
 
 class Session(Mender):
@@ -113,6 +121,10 @@ class Session(Mender):
                 )
         return self.found[claim.id]
 
+    def certificates(self, claim: Claim) -> Iterator[tuple[str, str]]:
+        """The certificate of a claim, and that of its correction, by name."""
+        yield from self.outcome(claim).certificates.items()
+
     def stands(self, id: str) -> bool:
         """Whether the correction of a claim that its derivation accepts is proved."""
         name, _, own = id.rpartition("/")
@@ -129,27 +141,38 @@ class Session(Mender):
         return session._confirms(claim, session.outcome(claim))
 
     def decide(self, claim: Claim) -> Outcome:
-        """The outcome for one claim, if all stands that it rests on."""
-        on, start = self.on(claim), perf_counter()
+        """The outcome for one claim, if all stands that it rests on; an error, whatever happens."""
+        on = self.on(claim)
         try:
-            with time_limit(self.timeout):
-                statement = Statement(claim, on)
-                outcome = self._decided(statement, start)
-        except TimeoutError:
-            late = f"not decided within {self.timeout:g} s"
+            with time_limit(inf):  # if the process dies here, this claim is lost, and not the run
+                return self.with_acceptance(claim, self._corrected(claim, on))
+        except TimeoutError as error:
+            late = str(error) or f"not decided within {self.timeout:g} s"
             return self.unread(claim, on, Verdict.TIMEOUT, late)
-        except (NotationError, Meaningless, FormatError, ProcessDied) as error:
+        except (
+            NotationError, Meaningless, FormatError, ProcessDied, Unproved, Disagreement
+        ) as error:  # fmt: skip
             return self.unread(claim, on, Verdict.ERROR, str(error))
-        except (ArithmeticError, MemoryError, RecursionError) as error:
+        except (Exception, SystemExit) as error:
             said = f"it cannot be computed ({type(error).__name__}: {error})"
-            return self.unread(claim, on, Verdict.ERROR, said)
+            outcome = self.unread(claim, on, Verdict.ERROR, said)
+            return outcome._replace(stack=format_exc(limit=-FRAMES))
+
+    def _corrected(self, claim: Claim, on: Elaborations) -> Outcome:
+        """The outcome for one claim, with the nearest true statement if it is refuted."""
+        start = perf_counter()
+        with time_limit(self.timeout):
+            statement = Statement(claim, on)
+            outcome = self.anew(statement, claim.id, lambda: self._decided(statement, start))
         if outcome.verdict is Verdict.REFUTED:
             correcting = perf_counter()
             outcome = self._with_correction(statement, outcome, correcting - start)
             first = self.arithmetics[0]
             spent = outcome.seconds[first] + perf_counter() - correcting
             outcome = outcome._replace(seconds={**outcome.seconds, first: spent})
-        return self.with_acceptance(claim, outcome)
+        names = (claim.id, f"{CORRECTED}/{claim.id}")
+        notes = [self.rejected.pop(name) for name in names if name in self.rejected]
+        return outcome._replace(note="\n".join(notes))
 
     def _decided(self, statement: Statement, start: float) -> Outcome:
         """The outcome for one claim, without a correction."""
@@ -174,5 +197,5 @@ class Session(Mender):
             accepted = statement.claim.printed in self.accepted
             verdict = Verdict.TIMEOUT if accepted else outcome.verdict
             return outcome._replace(verdict=verdict, message=outcome.message or late)
-        except (FormatError, Unproved, ProcessDied) as error:
+        except (FormatError, Unproved, Disagreement, ProcessDied) as error:
             return outcome._replace(verdict=Verdict.ERROR, message=str(error))

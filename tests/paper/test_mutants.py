@@ -41,7 +41,7 @@ def free_body():
     body.jacobi(), body.casimir(K), body.involution(K, H), body.integrable(H, casimirs=[K])
     body.darboux("x-z", "-y")
     L = body.define(r"{\bf L}=\begin{pmatrix}0&-z&y\\z&0&-x\\-y&x&0\end{pmatrix}")
-    M = body.define(r"{\bf M}=\begin{pmatrix}0&z&0\\-z&0&-x\\0&x&0\end{pmatrix}")
+    M = body.define(r"{\bf M}=\begin{pmatrix}0&-z&0\\z&0&x\\0&-x&0\end{pmatrix}")
     body.lax(L, M)
     body.states(kinds.Dimension, "global", "", levels=(), equations=("x=0",), dimension=2)
     body.states(kinds.LocalDimension, "dimension", "", equations=("x=0",), dimension=2)

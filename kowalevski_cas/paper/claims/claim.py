@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, NamedTuple, dataclass_transform
 
-from kowalevski_cas.notation import Edit, Formula, Relation, edits
+from kowalevski_cas.notation import Edit, Formula, NotationError, Relation, edits
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts, check_attributes
@@ -93,6 +94,14 @@ class Claim(_Kind, ABC):
         if self.printed is None:
             raise Meaningless("the claim is about a formula, and names none")
         return self.printed
+
+    def settings(self, on: Elaborations) -> Elaborations:
+        """The settings of scenes, in which the functions of the claim's formulas are known."""
+        met: list[Formula] = []
+        for place in dict.fromkeys(self.places()):
+            with suppress(NotationError):
+                met.append(on.texts.formula(place))
+        return on.meeting(tuple(met))
 
     @abstractmethod
     def goals(self, on: Elaborations) -> Iterator[Goal]:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 
-from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, Root, to_latex
+from kowalevski_cas.notation import Derivative, Formula, Name, Partial, Relation, to_latex
 from kowalevski_cas.paper.claims.claim import Claim
 from kowalevski_cas.paper.claims.dimension import check_conjugates
 from kowalevski_cas.paper.claims.forms import equations, members, minus, rate, sides, vanishes
@@ -16,7 +16,7 @@ from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.components import parts
 from kowalevski_cas.paper.elaborate import Elaboration
 from kowalevski_cas.paper.elaborations import Elaborations
-from kowalevski_cas.paper.logarithms import arguments, derived, has_logarithm
+from kowalevski_cas.paper.logarithms import derived, has_logarithm, roots
 from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.goals import Fails, Follows, Goal, Rank
 from kowalevski_cas.problem.space import Equation, Meaningless
@@ -69,17 +69,16 @@ class FirstIntegral(Claim):
     def _of_logarithms(self, on: Elaborations, printed: list[Formula]) -> Iterator[Goal]:
         """The rate of a function with logarithms vanishes, and its differential does not.
 
-        It is about points at which the logarithms are real: what they are taken of has a real root.
+        It is about points at which the logarithms, and the roots in their derivatives, are real.
         """
         if len(printed) > 1 or self.given:
             raise Meaningless("a function with logarithms is claimed by itself, on no set")
-        roots = dict.fromkeys(to_latex(Root(positive)) for positive in arguments(printed[0]))
-        new = (root for root in roots if root not in self.scene.roots)
-        space = on(self.scene.adjoining(*new))
+        new = dict.fromkeys(map(to_latex, roots(printed[0]))).keys() - self.scene.roots.keys()
+        space = on(self.scene.adjoining(*sorted(new)))
         try:
             _ = space.finder
         except Meaningless as error:
-            raise Meaningless(f"a logarithm is real nowhere: {error}", error.name) from None
+            raise Meaningless(f"a logarithm, or an arc, is real nowhere: {error}", error.name) from None
 
         def vanishing(by: Callable[[Formula], Formula]) -> Equation:
             return vanishes(space.plain(derived(printed[0], by, space)))
