@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from itertools import count, permutations
+from math import inf
 from time import perf_counter
+from traceback import format_exc
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.library import library
 from kowalevski_cas.limits import ProcessDied, tell, time_limit, watched
 from kowalevski_cas.notation import NotationError
 from kowalevski_cas.paper.claims import Claim
+from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
@@ -24,6 +27,9 @@ from kowalevski_cas.verify.outcome import CORRECTED, Outcome, Run, Screened, Ver
 from kowalevski_cas.verify.statement import Statement
 
 Progress = Callable[[str, int, int], None]
+
+FRAMES = 20
+"""The innermost calls of a stack that are shown."""
 
 LEAST = 0.5
 """Seconds for a correction, however little the refutation has left."""
@@ -135,12 +141,11 @@ class Session(Mender):
         return session._confirms(claim, session.outcome(claim))
 
     def decide(self, claim: Claim) -> Outcome:
-        """The outcome for one claim, if all stands that it rests on."""
-        on, start = self.on(claim), perf_counter()
+        """The outcome for one claim, if all stands that it rests on; an error, whatever happens."""
+        on = self.on(claim)
         try:
-            with time_limit(self.timeout):
-                statement = Statement(claim, on)
-                outcome = self.anew(statement, claim.id, lambda: self._decided(statement, start))
+            with time_limit(inf):  # if the process dies here, this claim is lost, and not the run
+                return self.with_acceptance(claim, self._corrected(claim, on))
         except TimeoutError as error:
             late = str(error) or f"not decided within {self.timeout:g} s"
             return self.unread(claim, on, Verdict.TIMEOUT, late)
@@ -148,9 +153,17 @@ class Session(Mender):
             NotationError, Meaningless, FormatError, ProcessDied, Unproved, Disagreement
         ) as error:  # fmt: skip
             return self.unread(claim, on, Verdict.ERROR, str(error))
-        except (ArithmeticError, MemoryError, RecursionError) as error:
+        except (Exception, SystemExit) as error:
             said = f"it cannot be computed ({type(error).__name__}: {error})"
-            return self.unread(claim, on, Verdict.ERROR, said)
+            outcome = self.unread(claim, on, Verdict.ERROR, said)
+            return outcome._replace(stack=format_exc(limit=-FRAMES))
+
+    def _corrected(self, claim: Claim, on: Elaborations) -> Outcome:
+        """The outcome for one claim, with the nearest true statement if it is refuted."""
+        start = perf_counter()
+        with time_limit(self.timeout):
+            statement = Statement(claim, on)
+            outcome = self.anew(statement, claim.id, lambda: self._decided(statement, start))
         if outcome.verdict is Verdict.REFUTED:
             correcting = perf_counter()
             outcome = self._with_correction(statement, outcome, correcting - start)
@@ -159,7 +172,7 @@ class Session(Mender):
             outcome = outcome._replace(seconds={**outcome.seconds, first: spent})
         names = (claim.id, f"{CORRECTED}/{claim.id}")
         notes = [self.rejected.pop(name) for name in names if name in self.rejected]
-        return self.with_acceptance(claim, outcome._replace(note="\n".join(notes)))
+        return outcome._replace(note="\n".join(notes))
 
     def _decided(self, statement: Statement, start: float) -> Outcome:
         """The outcome for one claim, without a correction."""
