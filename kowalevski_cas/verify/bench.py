@@ -83,6 +83,8 @@ class Bench:
                 self.read_elsewhere[place] = f"{name}/{known.get(place, place.place)}"
         self.found: dict[str, Outcome] = {}
         """What is said about the claims that are decided."""
+        self.verdicts: dict[str, Verdict] = {}
+        """The verdicts of those that are certified."""
 
     def _accepted(self) -> dict[Printed, Formula]:
         """What the derivation accepts in place of what is printed."""

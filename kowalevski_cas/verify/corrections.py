@@ -10,7 +10,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, TypeGuard
 
 from kowalevski_cas.algebra.points import NoPoint
-from kowalevski_cas.notation import Formula, Negative, NotationError
+from kowalevski_cas.notation import Edit, Formula, Negative, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.elaborate import finder_of
 from kowalevski_cas.paper.elaborations import Elaborations
@@ -54,21 +54,23 @@ def stated(neighbour: Neighbour, on: Elaborations) -> Statement:
 
 def corrections(printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
     """The neighbours of what is refuted that are true and say something, the likeliest first."""
-    neighbours = sorted(printed.claim.neighbours(printed.on.texts), key=_unlikeliness)
+    neighbours = sorted(printed.claim.neighbours(printed.on.texts), key=_likelihood)
     for neighbour in true_ones(neighbours, printed.on):
         statement = stated(neighbour, printed.on)
         if says_something(neighbour, statement, printed):
             yield neighbour, statement
 
 
-def _unlikeliness(neighbour: Neighbour) -> tuple[bool, bool, bool]:
-    """Names that are not alike are seldom taken for each other; what is defined is seldom wrong.
+def _likelihood(neighbour: Neighbour) -> tuple[bool, ...]:
+    return (False,) * 3 if neighbour.edit is None else unlikeliness(neighbour.edit)
 
-    A formula seldom begins with a minus: of two signs, the second is changed.
+
+def unlikeliness(edit: Edit) -> tuple[bool, ...]:
+    """What sorts edits: names that are not alike are seldom taken for each other.
+
+    What is defined is seldom wrong. A formula seldom begins with a minus: of two signs, the second
+    is changed.
     """
-    edit = neighbour.edit
-    if edit is None:
-        return False, False, False
     begins = isinstance(edit.replacement, Negative) and not any(edit.path[-1:])
     return unlike(edit), edit.path[:1] == (0,), begins
 
@@ -97,7 +99,7 @@ def _screened(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Nei
     stages: dict[object, Sampled] = {}
     decided = 0
     for neighbour in neighbours:
-        verdict = _passes(neighbour, on, stages)
+        verdict = passes(neighbour, on, stages)
         if verdict is None:
             decided += 1
             verdict = decided <= DECIDED
@@ -105,8 +107,11 @@ def _screened(neighbours: Iterable[Neighbour], on: Elaborations) -> Iterator[Nei
             yield neighbour
 
 
-def _passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]) -> bool | None:
-    """Whether all identities hold at points; ``None`` if there are other goals, or no points."""
+def passes(neighbour: Neighbour, on: Elaborations, stages: dict[object, Sampled]) -> bool | None:
+    """Whether all identities hold at points; ``None`` if there are other goals, or no points.
+
+    ``stages`` are the settings that were evaluated there already.
+    """
     from kowalevski_cas.problem.sampled import Sampled  # a recorded correction is only looked up
 
     try:

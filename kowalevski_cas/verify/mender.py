@@ -6,7 +6,8 @@ on a proof of the claim as it is corrected.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
 
 from kowalevski_cas.algebra import POINTS
 from kowalevski_cas.notation import NotationError
@@ -28,13 +29,20 @@ from kowalevski_cas.verify.vacuous import says_something
 class Mender(Teller):
     """Corrections of claims, their acceptance, and certificates."""
 
-    def correct(self, printed: Statement) -> Correction | None:
-        """The nearest true statement, decided in every arithmetic."""
-        found = (self.proposed(*candidate) for candidate in self._candidates(printed))
-        return next((one for one in found if one is not None), None)
+    def known_corrections(self, printed: Statement) -> Sequence[Correction]:
+        """What the derivation accepts, or else is recorded, decided in every arithmetic."""
+        return [*islice(self._proposed(self._known(printed)), 1)]
 
-    def _candidates(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
-        """What the derivation accepts, what is recorded, and what is found; true, or not."""
+    def corrected_by(self, printed: Statement, most: int) -> Iterator[Correction]:
+        """The nearest true statements, so many at most, decided in every arithmetic."""
+        return islice(self._proposed(self._near(printed)), most)
+
+    def _proposed(self, candidates: Iterable[tuple[Neighbour, Statement]]) -> Iterator[Correction]:
+        found = (self.proposed(*candidate) for candidate in candidates)
+        return (one for one in found if one is not None)
+
+    def _known(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
+        """What the derivation accepts, and what is recorded; true, or not."""
         claim = printed.claim
         accepted = [
             tex for place, tex in self.derivation.accepted.items() if place == claim.printed
@@ -45,8 +53,11 @@ class Mender(Teller):
             if found is not None and says_something(*found, printed):
                 if tex in accepted or self._leaves_true(claim, found[0]):
                     yield found
+
+    def _near(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
+        """What is found near a claim that is true, and leaves true what is true."""
         for found in corrections(printed):
-            if self._leaves_true(claim, found[0]):
+            if self._leaves_true(printed.claim, found[0]):
                 yield found
 
     def _leaves_true(self, claim: Claim, neighbour: Neighbour) -> bool:
@@ -55,22 +66,21 @@ class Mender(Teller):
         if place is None or edit is None:
             return True
         texts = self.texts.edited(place, edit)
-        for other in self.derivation.claims:
-            if other is not claim and place in other.reads():
-                try:
-                    now = Statement(other, self.on(other))
-                    evidence = self._evidence(now, other.id)
-                except (NotationError, Meaningless, FormatError):
-                    continue  # it is not true now
-                if isinstance(evidence, tuple) and not self._holds(other, texts, now.digest):
-                    return False
-        return True
+        others = (c for c in self.derivation.claims if c is not claim and place in c.reads())
+        return all(self.keeps(other, texts) for other in others if self._is_true(other))
 
-    def _holds(self, claim: Claim, texts: Texts, digest: str) -> bool:
-        """Whether a claim is true under other texts; it is if its problem has this digest."""
+    def _is_true(self, claim: Claim) -> bool:
+        try:
+            return isinstance(self._evidence(Statement(claim, self.on(claim)), claim.id), tuple)
+        except (NotationError, Meaningless, FormatError):
+            return False
+
+    def keeps(self, claim: Claim, texts: Texts) -> bool:
+        """Whether a claim that is true stays true under other texts; so it does if it says the same."""
         try:
             statement = Statement(claim, self.on(claim, texts))
-            return statement.digest == digest or statement.holds()
+            same = statement.digest == Statement(claim, self.on(claim)).digest
+            return same or statement.holds()
         except (NotationError, Meaningless, ZeroDivisionError):
             return False
 
@@ -127,22 +137,26 @@ class Mender(Teller):
     # -- certificates --------------------------------------------------------------
 
     def certificates(self, claim: Claim) -> Iterator[tuple[str, str]]:
-        """The certificate of a claim, and that of its correction, by name.
+        """The certificate of a claim, and that of a correction that is known, by name.
 
         Raises ``FormatError`` or ``Rejected`` if one cannot be written, :class:`Unproved` if the
         claim is not decided.
         """
         statement = Statement(claim, self.on(claim))
         decided = self._judged(statement, self._evidence(statement, claim.id), "flint")
+        self.verdicts[claim.id] = decided.verdict
         yield claim.id, self._certificate(decided, claim.id)
-        if decided.verdict is not Verdict.REFUTED:
-            return
-        for _, mended in self._candidates(statement):
-            if self.mended(mended) is not None:
-                name = f"{CORRECTED}/{claim.id}"
-                decided = self._judged(mended, self._evidence(mended, name), "flint")
-                yield name, self._certificate(decided, name)
-                return
+        if decided.verdict is Verdict.REFUTED:
+            for _, mended in self._known(statement):
+                if self.mended(mended) is not None:
+                    yield self.certificate_of(mended)
+                    return
+
+    def certificate_of(self, corrected: Statement) -> tuple[str, str]:
+        """The certificate of a corrected claim, with its name."""
+        name = f"{CORRECTED}/{corrected.claim.id}"
+        decided = self._judged(corrected, self._evidence(corrected, name), "flint")
+        return name, self._certificate(decided, name)
 
     def _certificate(self, decided: Decided, name: str) -> str:
         statement, verdicts, accepted = decided.statement, decided.verdicts, decided.accepted

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from enum import StrEnum
 from hashlib import sha256
 from typing import NamedTuple
@@ -100,7 +100,9 @@ class Correction(NamedTuple):
     """The nearest true statement: its formulas, what was changed, its verdict, its digest.
 
     ``printed`` and ``edit`` say where, if one printed formula was changed, and ``accepted``
-    that the derivation reads it in place of what is printed.
+    that the derivation reads it in place of what is printed. If it is no formula of the claim that
+    is wrong, but one on which it stands, ``blamed`` is what is printed there, and ``formulas``
+    are what should be. A relation of constants that is to be supposed blames what is supposed.
     """
 
     formulas: tuple[Formula, ...]
@@ -111,6 +113,23 @@ class Correction(NamedTuple):
     printed: Printed | None = None
     edit: Edit | None = None
     accepted: bool = False
+    blamed: tuple[Formula, ...] = ()
+
+
+class Blamed(NamedTuple):
+    """A printed formula that makes claims fail: its repair, what that mends, what rests on it.
+
+    ``printed`` is empty where a relation of constants is missing, which is the repair then.
+    ``mends`` are the refuted claims that are proved with the repair; all others in ``rests`` were
+    decided with what is printed, and stay true with the repair if they are true.
+    """
+
+    place: str
+    printed: tuple[Formula, ...]
+    repair: Correction
+    alternatives: tuple[Correction, ...]
+    mends: tuple[str, ...]
+    rests: tuple[str, ...]
 
 
 class Outcome(NamedTuple):
@@ -136,6 +155,7 @@ class Outcome(NamedTuple):
     steps: tuple[Step, ...] = ()
     counterexample: Counterexample | None = None
     correction: Correction | None = None
+    alternatives: tuple[Correction, ...] = ()
     rests_on: tuple[str, ...] = ()
     digest: str = ""
     message: str = ""
@@ -146,6 +166,11 @@ class Outcome(NamedTuple):
     granted: tuple[Formula, ...] = ()
     branches: tuple[Formula, ...] = ()
     corrected: tuple[str, ...] = ()
+
+    def corrected_by(self, corrections: Sequence[Correction]) -> Outcome:
+        """The outcome with the likeliest of some corrections, and the others as alternatives."""
+        first, *others = (*corrections, None)
+        return self._replace(correction=first, alternatives=tuple(filter(None, others)))
 
 
 class Run(NamedTuple):

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property
 from itertools import count, permutations
 from time import perf_counter
+from typing import Any
 
 from kowalevski_cas.algebra import POINTS, load, load_points
 from kowalevski_cas.library import library
@@ -17,12 +19,16 @@ from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
 from kowalevski_cas.verify.bench import Decided
+from kowalevski_cas.verify.blame import Blame, Repairs
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.mender import Mender
-from kowalevski_cas.verify.outcome import Outcome, Run, Screened, Verdict
+from kowalevski_cas.verify.outcome import Correction, Outcome, Run, Screened, Verdict
 from kowalevski_cas.verify.statement import Statement
 
 Progress = Callable[[str, int, int], None]
+
+Work = Callable[[Callable[[Any], Any], Sequence[Any]], Iterable[Any]]
+"""How something is done for each of several items: here, or in processes of their own."""
 
 LEAST = 0.5
 """Seconds for a correction, however little the refutation has left."""
@@ -51,7 +57,8 @@ def shared(
         progress(claim, next(begun), len(tasks))
 
     outcomes = each(decided, range(len(tasks)), heard=heard)
-    return [session.result([next(outcomes) for _ in claims]) for session, claims in chosen]
+    found = [(session, [next(outcomes) for _ in claims]) for session, claims in chosen]
+    return [session.result(session.with_corrections(ones, each)) for session, ones in found]
 
 
 class Session(Mender):
@@ -77,7 +84,8 @@ class Session(Mender):
         With a limit of time, the run has processes of its own.
         """
         if self.timeout is None or watched():
-            return self.result([self.outcome(claim) for claim in self.chosen(only)])
+            found = [self.outcome(claim) for claim in self.chosen(only)]
+            return self.result(self.with_corrections(found, map))
         (run,) = shared([self], only)
         return run
 
@@ -142,11 +150,7 @@ class Session(Mender):
             said = f"it cannot be computed ({type(error).__name__}: {error})"
             return self.unread(claim, on, Verdict.ERROR, said)
         if outcome.verdict is Verdict.REFUTED:
-            correcting = perf_counter()
-            outcome = self._with_correction(statement, outcome, correcting - start)
-            first = self.arithmetics[0]
-            spent = outcome.seconds[first] + perf_counter() - correcting
-            outcome = outcome._replace(seconds={**outcome.seconds, first: spent})
+            outcome = self._timed(claim, outcome, lambda: self.known_corrections(statement))
         return self.with_acceptance(claim, outcome)
 
     def _decided(self, statement: Statement, start: float) -> Outcome:
@@ -160,17 +164,58 @@ class Session(Mender):
             start = perf_counter()
         return self._outcome(statement, found)._replace(seconds=seconds)
 
-    def _with_correction(self, statement: Statement, outcome: Outcome, spent: float) -> Outcome:
-        """The outcome with the nearest true statement, if that is found in what time is left."""
+    # -- corrections -----------------------------------------------------------------
+
+    def with_corrections(self, outcomes: Sequence[Outcome], work: Work) -> list[Outcome]:
+        """The outcomes with the corrections of what is refuted, where none is known.
+
+        What claims share is looked at first, then they are one by one.
+        """
+        found = {outcome.claim: outcome for outcome in outcomes}
+        blame = self.blame(found)
+        if failing := blame.open():
+            (shared,) = work(lambda _: self._shared(blame), ["shared"])
+            for id, corrections in shared.items():
+                found[id] = found[id].corrected_by(corrections)
+            left = [claim for claim in failing if claim.id not in shared]
+
+            def alone(place: int) -> Outcome:
+                claim = left[place]
+                tell(claim.id)
+                return self._timed(claim, found[claim.id], lambda: blame.alone(claim))
+
+            for outcome in work(alone, range(len(left))):
+                found[outcome.claim] = outcome
+        return [*found.values()]
+
+    def blame(self, outcomes: Mapping[str, Outcome]) -> Blame:
+        """The search for what makes claims fail, of which these are the outcomes so far."""
+        verdicts = {id: outcome.verdict for id, outcome in outcomes.items()}
+        explained = [id for id, outcome in outcomes.items() if outcome.correction]
+        return Blame(self, verdicts, explained)
+
+    def _shared(self, blame: Blame) -> Repairs:
+        """What mends several claims, if it is found in time."""
+        with suppress(TimeoutError, ProcessDied, FormatError, Unproved):
+            with time_limit(self.patience or self.timeout):
+                return blame.shared()
+        return {}
+
+    def _timed(
+        self, claim: Claim, outcome: Outcome, search: Callable[[], Sequence[Correction]]
+    ) -> Outcome:
+        """An outcome with the corrections that are found in what time is left, and with that time."""
+        first, start = self.arithmetics[0], perf_counter()
         limits = [] if self.patience is None else [self.patience]
-        limits += [] if self.timeout is None else [max(self.timeout - spent, LEAST)]
+        limits += [] if self.timeout is None else [max(self.timeout - outcome.seconds[first], LEAST)]
         try:
             with time_limit(min(limits, default=None)):
-                return outcome._replace(correction=self.correct(statement))
+                outcome = outcome.corrected_by(search())
         except TimeoutError:
             late = "no correction was found within the time"
-            accepted = statement.claim.printed in self.accepted
-            verdict = Verdict.TIMEOUT if accepted else outcome.verdict
-            return outcome._replace(verdict=verdict, message=outcome.message or late)
+            verdict = Verdict.TIMEOUT if claim.printed in self.accepted else outcome.verdict
+            outcome = outcome._replace(verdict=verdict, message=outcome.message or late)
         except (FormatError, Unproved, ProcessDied) as error:
-            return outcome._replace(verdict=Verdict.ERROR, message=str(error))
+            outcome = outcome._replace(verdict=Verdict.ERROR, message=str(error))
+        spent = outcome.seconds[first] + perf_counter() - start
+        return outcome._replace(seconds={**outcome.seconds, first: spent})

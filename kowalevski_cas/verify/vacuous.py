@@ -18,7 +18,9 @@ from kowalevski_cas.notation import (
 )
 from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.paper.claims import Neighbour
-from kowalevski_cas.paper.elaborate import finder_of
+from kowalevski_cas.paper.elaborate import Elaboration, finder_of
+from kowalevski_cas.paper.names import head
+from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import simple
 from kowalevski_cas.verify.statement import Statement
 
@@ -91,3 +93,21 @@ def _common(formula: Formula) -> set[str]:
         case Quotient():
             return _common(formula.numerator)
     return set()
+
+
+def spoils(before: Elaboration, after: Elaboration) -> bool:
+    """Whether of what moves on a scene something stands still, or of what is defined, if edited.
+
+    So the law is not changed into one of which anything is true.
+    """
+    was, now = before.finder, after.finder
+    if any(now.rates[x].is_zero for x, rate in was.rates.items() if not rate.is_zero):
+        return True
+    names = (head(one)[0] for one in before.scene.definitions)
+    return any(_still(name, now) and not _still(name, was) for name in names if was.knows(Name(name)))
+
+
+def _still(name: str, at: Evaluation) -> bool:
+    """Whether a name stands for numbers and constants."""
+    parts = at.components(Name(name))
+    return all(at.partial(part, x).is_zero for part in parts for x in at.setting.variables)

@@ -9,6 +9,7 @@ from functools import cached_property
 from typing import Any, NamedTuple, dataclass_transform
 
 from kowalevski_cas.notation import Edit, Formula, Relation, edits
+from kowalevski_cas.notation.edits import changes_subject
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.scene import Scene
 from kowalevski_cas.paper.texts import Printed, Texts, check_attributes
@@ -149,7 +150,8 @@ class Claim(_Kind, ABC):
         for printed in self.establishes():
             statement = texts.statement(printed)
             for edit in edits(statement, texts.vocabulary, names, wanted):
-                if printed not in defining or _head(edit.formula) == _head(statement.formula):
+                kept = printed not in defining or _head(edit.formula) == _head(statement.formula)
+                if kept and not changes_subject(edit):
                     yield Neighbour(edit.words, self, texts, printed, edit)
         for attribute in fields(self):
             value = getattr(self, attribute.name)
