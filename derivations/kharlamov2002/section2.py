@@ -298,7 +298,7 @@ all_constants = (
 N4 = InvariantRelations(
     "eq15",
     with_root,
-    "the equations $F_1=0$, $F_2=0$ define an invariant manifold; with (4) it is the set $N^4$",
+    "the equations $F_1=0$, $F_2=0$ define an invariant manifold",
     relations=(*eq15,),
     sentence=r"defines the invariant submanifold of the phase space of Eqs.~(\ref{eq10})",
 )

@@ -309,6 +309,7 @@ section.claim(
         sentence=r"""
 Therefore the family of motions (\ref{eq16}) found in this paper generalizes the so-called
 {\it especially remarkable} motions of the 2nd and 3rd Appelrot classes""",
+        ours=True,
         general=N4,
         special=InvariantRelations(
             "limit/direct",

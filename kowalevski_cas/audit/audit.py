@@ -4,30 +4,27 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from itertools import islice
+from dataclasses import dataclass
 from time import perf_counter
 
 from kowalevski_cas.audit.audited import SUSPECT, Audited
 from kowalevski_cas.audit.author import AuthorSession
 from kowalevski_cas.audit.describe import Describer
-from kowalevski_cas.audit.displays import Typed, find_formulas
 from kowalevski_cas.audit.limits import excess
-from kowalevski_cas.audit.macros import Expanded, expand
 from kowalevski_cas.audit.places import Place, find_places
-from kowalevski_cas.audit.sentences import Sentences
+from kowalevski_cas.audit.quotations import Quotations
 from kowalevski_cas.audit.session import AuditSession, formulas
-from kowalevski_cas.audit.source import Source, SourceError
-from kowalevski_cas.audit.tokens import likeness, words
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Display
+from kowalevski_cas.source.formulas import typed_formulas
+from kowalevski_cas.source.macros import Expanded
+from kowalevski_cas.source.text import Source
+from kowalevski_cas.source.tokens import likeness, words
 from kowalevski_cas.verify.outcome import Outcome, Verdict, in_latex
 
 FITS = 0.2
 """The share of a derivation's displays that must be found in a source."""
 
-MOST = 20_000
-"""Formulas in one source."""
 ABSENT = "the derivation has this formula and the source has not"
 
 
@@ -99,19 +96,6 @@ class Audit:
         return sum(formula.wrong for formula in self.formulas) + len(self.false)
 
 
-def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
-    """A source with its macros written out, and the formulas in it."""
-    expanded = expand(source)
-    found = list(islice(find_formulas(expanded.text, source.body), MOST + 1))
-    if len(found) > MOST:
-        raise SourceError(f"{source.path} has more than {MOST:,} formulas")
-    for place, formula in enumerate(found):
-        origin = expanded.origin(formula.start, formula.start + 1)[0]
-        if why := expanded.definitions.why(formula.tex, formula.kind, origin):
-            found[place] = replace(formula, trouble=formula.trouble or why)
-    return expanded, found
-
-
 def derivation_of(source: Source, derivations: Sequence[Derivation]) -> Derivation | None:
     """The derivation of which a source is a version, if there is one."""
     _, formulas = typed_formulas(source)
@@ -140,14 +124,14 @@ def audit(source: Source, base: AuditSession) -> Audit:
         elif words(place.typed.tex) != words(place.display.tex):
             reason = _excess(place.display, place.typed.tex, base)
             (refused if reason else sources)[place.display] = reason or place.typed.tex
-    sentences = Sentences(source, expanded, typed, places, base.derivation)
-    session = AuthorSession(base, sources, refused, sentences.differing())
+    quotations = Quotations(source, expanded, typed, places, base.derivation)
+    session = AuthorSession(base, sources, refused, quotations.differing())
     notes = [(source.line(offset), reason) for offset, reason in expanded.notes]
     describe = Describer(source, expanded, session, refused)
     found = [formula for place in places for formula in describe.formulas(place)]
     found += describe.new(typed, places)
     return Audit(
-        source, expanded, places, found, session, notes, sentences.lines(), perf_counter() - start
+        source, expanded, places, found, session, notes, quotations.lines(), perf_counter() - start
     )
 
 

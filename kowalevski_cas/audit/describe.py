@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from kowalevski_cas.audit.audited import GIVEN, MISSING, NEW, SUSPECT, UNREADABLE, WRONG, Audited
 from kowalevski_cas.audit.author import AuthorSession
-from kowalevski_cas.audit.displays import Typed
-from kowalevski_cas.audit.macros import Expanded
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.audit.roles import Role, Roles, undefined, unused
-from kowalevski_cas.audit.source import Source
 from kowalevski_cas.notation import Formula, NotationError, split_display, to_latex
 from kowalevski_cas.paper.texts import Display, Printed
+from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.macros import Expanded
+from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import WORST
 
 

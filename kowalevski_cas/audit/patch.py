@@ -8,8 +8,8 @@ from io import StringIO
 
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.places import Place
-from kowalevski_cas.audit.tokens import changes
 from kowalevski_cas.notation import NotationError, read_display
+from kowalevski_cas.source.tokens import changes
 
 ROUNDS = 3
 """A misprint can hide behind another one; so what is mended is audited again."""

@@ -11,10 +11,10 @@ from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from kowalevski_cas.audit.displays import Typed
-from kowalevski_cas.audit.tokens import likeness, words
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Display
+from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.tokens import likeness, words
 
 LIKE = 0.6
 """How much alike an inline formula and what the derivation has for it must be."""

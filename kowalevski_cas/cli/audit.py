@@ -15,9 +15,7 @@ from pathlib import Path
 
 from kowalevski_cas.algebra import EXACT
 from kowalevski_cas.audit.audit import Audit, audit, derivation_of
-from kowalevski_cas.audit.listing import listing
 from kowalevski_cas.audit.session import AuditSession
-from kowalevski_cas.audit.source import Source, read_source
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.exits import (
     AS_RECORDED,
@@ -32,6 +30,9 @@ from kowalevski_cas.cli.formats import OF_AUDITS, load_format
 from kowalevski_cas.files import write
 from kowalevski_cas.library import available
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.source.files import read_source
+from kowalevski_cas.source.listing import listing
+from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Verdict
 from kowalevski_cas.verify.teller import disagreement

@@ -38,10 +38,10 @@ class MathML(Printer):
         return f"<mn>{formula.value}</mn>"
 
     def name(self, formula: Name) -> str:
-        return self._name(formula, 0)
+        return self._name(formula)
 
-    def _name(self, formula: Name, dots: int) -> str:
-        """A letter under dots, with its index."""
+    def _name(self, formula: Name, dots: int = 0, primes: str = "") -> str:
+        """A letter under dots, with primes and its index."""
         parts = symbol(formula.name)
         upright = parts.font == r"\mathrm" and len(parts.letter) == 1
         letter = escape(styled(parts.letter, parts.font))
@@ -51,8 +51,9 @@ class MathML(Printer):
         while dots:
             text = _over(text, _DOTS[min(dots, 4)])
             dots -= min(dots, 4)
+        text += primes
         index = "".join(map(_atom, parts.indices))
-        return f"<msub>{text}{_one(index)}</msub>" if index else text
+        return f"<msub>{_one(text)}{_one(index)}</msub>" if index else text
 
     def sign(self, sign: str) -> str:
         return f"<mo>{escape(SIGNS[sign])}</mo>"
@@ -84,12 +85,16 @@ class MathML(Printer):
         return f"<msup>{_one(base)}{_one(exponent)}</msup>"
 
     def primed(self, argument: Formula, order: int) -> str:
-        text = self(argument)
-        text = text if isinstance(argument, Name) else self.bracketed(text)
-        return self.raised(text, f"<mo>{self.prime * order}</mo>")
+        """Primes as letters behind the letter, before its index: fonts raise them by themselves."""
+        primes = f'<mo lspace="0" rspace="0">{self.prime * order}</mo>'
+        if isinstance(argument, Name):
+            return self._name(argument, primes=primes)
+        return self.bracketed(self(argument)) + primes
 
     def conjugate(self, formula: Conjugate) -> str:
-        return _over(self(formula.argument), "¯")
+        """An accent over a letter, a border over all else: no browser stretches a bar."""
+        text = self(formula.argument)
+        return _over(text, "¯") if _ATOM.fullmatch(text) else f'<mrow class="bar">{text}</mrow>'
 
     def dotted(self, argument: Formula, order: int) -> str:
         if isinstance(argument, Name):

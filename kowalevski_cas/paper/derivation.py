@@ -149,14 +149,17 @@ class Derivation:
         name: the name of its folder.
         title: the title of the paper.
         author: its author or authors.
-        source: the edition that the displays are from.
+        source: where the paper was published.
         sections: the sections, in their order.
         rests_on: the derivations whose displays and scenes it uses, as they are corrected.
         offers: what motions are computed with, by its type (:mod:`.closed_form`); each is made
             when it is asked for.
+        edition: which text was read, if it is not what was published, and its digest.
+        main: the ids of the claims that are the main results.
 
     Raises:
-        ValueError: if an id is given twice, here or in what it rests on.
+        ValueError: if an id is given twice, here or in what it rests on, or if no claim has that
+            of a main result.
     """
 
     name: str
@@ -166,9 +169,11 @@ class Derivation:
     sections: tuple[Section, ...]
     rests_on: tuple[Derivation, ...] = ()
     offers: Mapping[type, Callable[[], object]] = field(default_factory=dict)
+    edition: str = ""
+    main: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        """Refuse ids that are given twice, for everything goes by them."""
+        """Refuse ids that are given twice, for everything goes by them, or are nobody's."""
         for kind, ids in (
             ("sections or systems", [section.number for section in self.sections]),
             ("claims", [claim.id for claim in self.claims]),
@@ -178,6 +183,8 @@ class Derivation:
             if twice:
                 how = ', System(r"…", "name")' if kind == "sections or systems" else ""
                 raise ValueError(f"two {kind} are called {twice[0]}: give one another name{how}")
+        if lost := {*self.main} - {claim.id for claim in self.claims}:
+            raise ValueError(f"no claim is called {min(lost)}, which is named as a main result")
 
     @property
     def claims(self) -> tuple[Claim, ...]:

@@ -9,8 +9,6 @@ from typing import Final
 
 from kowalevski_cas import __version__
 from kowalevski_cas.audit.audit import Audit
-from kowalevski_cas.audit.displays import DISPLAYS, Typed, find_formulas
-from kowalevski_cas.audit.listing import guessed
 from kowalevski_cas.notation import Formula, NotationError, Vocabulary, read_display
 from kowalevski_cas.paper.texts import Display as Printed
 from kowalevski_cas.report.contents import Contents
@@ -32,6 +30,8 @@ from kowalevski_cas.report.paragraphs import FIRST, Placed
 from kowalevski_cas.report.places import Item, sections
 from kowalevski_cas.report.prose import read_article
 from kowalevski_cas.report.sentences import listed
+from kowalevski_cas.source.displays import DISPLAYS, Typed, find_formulas
+from kowalevski_cas.source.listing import guessed
 from kowalevski_cas.verify.outcome import Run, Verdict
 
 _CLOSING: Final = {"$": "$", "$$": "$$", "\\[": "\\]", "\\(": "\\)"}
@@ -58,7 +58,7 @@ class _Annotated:
             derivation.name, derivation.title, derivation.author, derivation.source,
             tuple((s.number, s.title) for s in derivation.sections),
             tuple(audit.outcomes.values()), tuple(audit.session.arithmetics), {},
-            audit.session.texts.vocabulary,
+            audit.session.texts.vocabulary, derivation.edition, derivation.main,
         )  # fmt: skip
         paper = sections(run, derivation, audit.session.texts)
         self.contents = Contents(run, paper)

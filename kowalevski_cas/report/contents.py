@@ -31,6 +31,7 @@ from kowalevski_cas.report.marks import MARKS
 from kowalevski_cas.report.passages import Passages
 from kowalevski_cas.report.places import Section, labels, names
 from kowalevski_cas.report.plates import Plate
+from kowalevski_cas.report.results import main_results
 from kowalevski_cas.report.sentences import Phrases, counted, listed, nonzero
 from kowalevski_cas.report.witnesses import Witness, arithmetics
 from kowalevski_cas.verify.outcome import Outcome, Run, Verdict
@@ -74,17 +75,26 @@ class Contents:
         ]
         title = print_prose(read_prose(run.title, run.vocabulary), str, to_plain)
         origin = ", ".join(filter(None, (run.author, run.source)))
+        read = [(*self.phrases.words(f"Read: {run.edition}"), ".")] if run.edition else []
         by: Text = (
             f"Written by kowalevski_cas {__version__}: ",
             Code(f"kowalevski-cas report {run.derivation}"),
             "; digest of the statements ", Code(run.digest[:16]), ".",
         )  # fmt: skip
         return Document(
-            f"Verification report on “{title}”",
-            f"Verification report on “{shorten(title, 60, placeholder=' …')}”",
-            ((*self.phrases.words(origin), "."), *self._origins(), by),
+            self._titled(title),
+            self._titled(shorten(title, 60, placeholder=" …")),
+            ((*self.phrases.words(origin), "."), *read, *self._origins(), by),
             tuple(blocks),
         )
+
+    def _titled(self, title: str) -> str:
+        """What the report is of a paper with this title: only what is printed can be verified."""
+        if any(section.copied for section in self.sections) or not self.sections:
+            return f"Verification report on “{title}”"
+        if any(section.copied is False for section in self.sections):
+            return f"Results of “{title}”, derived anew"
+        return title
 
     def _origins(self) -> Iterator[Text]:
         """Of which formulas nobody can say that they are those of a print."""
@@ -99,7 +109,13 @@ class Contents:
 
     def verdict(self) -> Iterator[Block]:
         """What is wrong, what holds, and who says so."""
-        yield Paragraph((self.findings.lead(),), "lead")
+        run, findings = self.run, self.findings
+        results = [*main_results(self.phrases, run.outcomes, run.main, findings.slips)]
+        yield from results
+        yield Paragraph((findings.lead(),), "" if results else "lead")
+        if findings.copied:
+            judged = "Judged were formulas, and the statements below; nothing else, and no picture."
+            yield Paragraph((judged,), "note")
         yield from self._legend()
         yield from self.findings.blocks()
         yield Heading(("How the statements were checked",), "holds", 2)

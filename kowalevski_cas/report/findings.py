@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 
 from kowalevski_cas.notation import Formula
@@ -47,8 +47,8 @@ class Findings:
 
     @cached_property
     def lacking(self) -> tuple[Outcome, ...]:
-        """What lacks a hypothesis, since it fails at a point where its formulas make sense."""
-        return tuple(o for o in self.outcomes if any(c.witness for c in o.conditions))
+        """What the paper claims, and fails at a point where its formulas make sense."""
+        return tuple(o for o in self.outcomes if _lacks(o) and not o.ours)
 
     @cached_property
     def missing(self) -> dict[Formula, list[tuple[str, Condition]]]:
@@ -67,28 +67,40 @@ class Findings:
         return tuple(o for o in self.outcomes if o.verdict in undecided)
 
     def lead(self) -> str:
-        """What was found, in two sentences."""
+        """What was found, in two sentences; of statements that are ours, in two more."""
         if not self.outcomes:
             return "Nothing was selected, so nothing is said."
-        many = {v: sum(o.verdict is v for o in self.outcomes) for v in Verdict}
-        where = many[Verdict.CONDITIONAL] - len(self.lacking)
+        ours = [outcome for outcome in self.outcomes if outcome.ours]
+        if len(ours) == len(self.outcomes):
+            return self._tally(ours)
+        said = [self._tally([outcome for outcome in self.outcomes if not outcome.ours])]
+        if ours:
+            said.append(self._tally(ours, " of our own"))
+        return " ".join(said)
+
+    def _tally(self, outcomes: Sequence[Outcome], whose: str = "") -> str:
+        """How many of these hold, and how."""
+        many = {v: sum(o.verdict is v for o in outcomes) for v in Verdict}
+        lacking = sum(map(_lacks, outcomes))
+        where = many[Verdict.CONDITIONAL] - lacking
         found = [
-            (many[Verdict.PROVED], "as printed" if self.copied else "as stated here"),
+            (many[Verdict.PROVED], "as stated here" if whose or not self.copied else "as printed"),
             (where, f"where {'its' if where == 1 else 'their'} denominators do not vanish"),
-            (len(self.lacking), f"only under {self._hypotheses()}"),
+            (lacking, "under a named condition" if whose else f"only under {self._hypotheses()}"),
         ]
-        what = counted(len(self.outcomes), "formula or statement", "formulas and statements")
-        wrong = self._wrong(many)
-        if len(self.outcomes) == 1:
+        what = counted(len(outcomes), "formula or statement", "formulas and statements")
+        wrong = self._wrong(outcomes)
+        if len(outcomes) == 1:
             said = [f"holds {how}" for n, how in found if n] + [f"is {how}" for _, how in wrong]
-            return f"The only statement {said[0]}."
+            return f"The only statement{whose} {said[0]}."
         for n, how in found:
-            if n == len(self.outcomes):
-                return f"{f'All {what}' if n > 2 else 'Both statements'} hold {how}."
+            if n == len(outcomes):
+                every = f"All {what}" if n > 2 else "Both statements"
+                return f"{every}{whose} hold {how}."
         holds = [f"{in_words(n)} hold{'s' * (n == 1)} {how}" for n, how in found if n]
         fails = _joined([f"{in_words(n)} {'is' if n == 1 else 'are'} {how}" for n, how in wrong])
         more = f" {capital(fails)}." if fails else ""
-        return f"Of {what}, {_joined(holds) or 'none is proved'}.{more}"
+        return f"Of {what}{whose}, {_joined(holds) or 'none is proved'}.{more}"
 
     def _hypotheses(self) -> str:
         """What is missing, and how many there are if there are several."""
@@ -97,12 +109,17 @@ class Findings:
             return "a hypothesis that the paper does not state"
         return f"hypotheses that the paper does not state ({in_words(many)} in all)"
 
-    def _wrong(self, many: Mapping[Verdict, int]) -> list[tuple[int, str]]:
+    def _wrong(self, outcomes: Sequence[Outcome]) -> list[tuple[int, str]]:
         """How many statements do not hold, or are open, and why."""
-        slips = counted(len(self.slips), "misprint")
-        spoiled = (len(self.refuted) - len(self.false), f"spoiled by {slips}")
-        open_ones = [(many[verdict], what) for verdict, what in _OPEN.items()]
-        return [one for one in (spoiled, (len(self.false), "false"), *open_ones) if one[0]]
+        slips = [slip for slip in self.slips if any(outcome in outcomes for outcome in slip)]
+        spoiled = sum(len(slip) for slip in slips)
+        false = sum(outcome in self.false for outcome in outcomes)
+        open_ones = [
+            (sum(outcome.verdict is verdict for outcome in outcomes), what)
+            for verdict, what in _OPEN.items()
+        ]
+        by = f"spoiled by {counted(len(slips), 'misprint')}"
+        return [one for one in ((spoiled, by), (false, "false"), *open_ones) if one[0]]
 
     def blocks(self) -> Iterator[Block]:
         """What is wrong, for a reader who has half a minute."""
@@ -180,6 +197,11 @@ _OPEN = {
     Verdict.TIMEOUT: "not decided in the time allowed",
     Verdict.ERROR: "not decided, because something went wrong",
 }
+
+
+def _lacks(outcome: Outcome) -> bool:
+    """Whether a point denies the statement where one of its conditions is violated."""
+    return any(condition.witness for condition in outcome.conditions)
 
 
 def _joined(items: Sequence[str]) -> str:

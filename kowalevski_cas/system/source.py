@@ -16,8 +16,8 @@ def display(source: str, label: str) -> str:
     Raises:
         ValueError: the file cannot be read, or has no display, or several, with this label.
     """
-    from kowalevski_cas.audit.audit import typed_formulas  # seldom asked for
-    from kowalevski_cas.audit.source import read_source
+    from kowalevski_cas.source.files import read_source
+    from kowalevski_cas.source.formulas import typed_formulas  # seldom asked for
 
     here = sys._getframe(1).f_globals.get("__file__", "")
     path = Path(here).parent / source

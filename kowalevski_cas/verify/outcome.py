@@ -140,8 +140,8 @@ class Outcome(NamedTuple):
     ``enclosed``. ``formulas`` are those of the claim and ``source`` is how the paper prints them,
     which stands in for them where they cannot be read. ``granted`` lists what the scenes of the
     claim suppose not to vanish, ``branches`` the equations by which they choose one of the two
-    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. Words
-    have mathematics between dollars.
+    values of a printed root, ``corrected`` the claims whose accepted corrections it rests on. What
+    the paper does not claim is ``ours``. Words have mathematics between dollars.
     """
 
     claim: str
@@ -166,6 +166,7 @@ class Outcome(NamedTuple):
     granted: tuple[Formula, ...] = ()
     branches: tuple[Formula, ...] = ()
     corrected: tuple[str, ...] = ()
+    ours: bool = False
 
     def corrected_by(self, corrections: Sequence[Correction]) -> Outcome:
         """The outcome with the likeliest of some corrections, and the others as alternatives."""
@@ -177,7 +178,8 @@ class Run(NamedTuple):
     """The outcomes of one derivation, in the order of the paper.
 
     ``sections`` lists number and heading; ``versions`` the programs and
-    libraries that took part; in ``vocabulary`` the words of all outcomes can be read.
+    libraries that took part; in ``vocabulary`` the words of all outcomes can be read. ``edition``
+    says which text was read, and ``main`` which claims are the main results.
     """
 
     derivation: str
@@ -189,6 +191,8 @@ class Run(NamedTuple):
     arithmetics: tuple[str, ...]
     versions: dict[str, str]
     vocabulary: Vocabulary
+    edition: str = ""
+    main: tuple[str, ...] = ()
 
     @property
     def digest(self) -> str:

@@ -102,6 +102,8 @@ class Session(Mender):
             arithmetics=tuple(self.arithmetics),
             versions={},
             vocabulary=self.texts.vocabulary,
+            edition=derivation.edition,
+            main=derivation.main,
         )
 
     def outcome(self, claim: Claim) -> Outcome:

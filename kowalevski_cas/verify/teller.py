@@ -113,6 +113,7 @@ class Teller(Bench):
             granted=tuple(map(on.texts.expression, granted)),
             branches=branches,
             verdicts={name: verdict for name in self.arithmetics},
+            ours=claim.ours or any(place.display.source for place in claim.establishes()),
         )
 
     def corrected(self, statement: Statement) -> tuple[str, ...]:

@@ -11,11 +11,11 @@ from time import perf_counter
 
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.session import AS_BEFORE, AuditSession
-from kowalevski_cas.audit.source import Source
 from kowalevski_cas.library import load
 from kowalevski_cas.limits import tell, watched
 from kowalevski_cas.pool import HERE, Pool
 from kowalevski_cas.processes import each
+from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.outcome import Outcome, Verdict
 from kowalevski_cas.verify.record import load_record

@@ -12,11 +12,12 @@ import random
 from collections import Counter
 from pathlib import Path
 
-from kowalevski_cas.audit.source import Source, read_source
 from kowalevski_cas.cli import session
 from kowalevski_cas.cli.audit import chosen
 from kowalevski_cas.cli.exits import AS_RECORDED, DIFFERENT, NOTHING, UNDECIDED, CommandError
 from kowalevski_cas.library import find
+from kowalevski_cas.source.files import read_source
+from kowalevski_cas.source.text import Source
 from study.mutants.catching import Measure, Measurement, measure
 from study.mutants.mutant import every, sample
 from study.mutants.synthetic import synthetic

@@ -9,12 +9,12 @@ from functools import lru_cache
 from random import Random
 
 from kowalevski_cas.audit.audit import Audit
-from kowalevski_cas.audit.displays import Typed
 from kowalevski_cas.audit.places import Place
 from kowalevski_cas.notation import Formula, NotationError, Statement, Vocabulary, read_display
 from kowalevski_cas.notation.lexer import scan
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.paper.texts import Printed
+from kowalevski_cas.source.displays import Typed
 
 PATIENCE = 10
 """How often a token is drawn in vain before no other mutant is looked for."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from kowalevski_cas.audit.source import Source
 from kowalevski_cas.paper.derivation import Derivation
+from kowalevski_cas.source.text import Source
 
 
 def synthetic(derivation: Derivation) -> Source:

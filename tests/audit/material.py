@@ -8,9 +8,10 @@ import pytest
 from kowalevski_cas.audit.audit import Audit, audit
 from kowalevski_cas.audit.patch import mended
 from kowalevski_cas.audit.session import AuditSession
-from kowalevski_cas.audit.source import Source, decode, read_source
 from kowalevski_cas.library import find, load
 from kowalevski_cas.processes import each
+from kowalevski_cas.source.files import decode, read_source
+from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.certificate import load_certificates
 from kowalevski_cas.verify.record import load_record
 from study.mutants.synthetic import synthetic

@@ -5,10 +5,10 @@ import pytest
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.patch import mended
 from kowalevski_cas.audit.session import AuditSession
-from kowalevski_cas.audit.source import Source
 from kowalevski_cas.paper.claims import Identity
 from kowalevski_cas.paper.derivation import Derivation, Section
 from kowalevski_cas.paper.scene import Scene
+from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import in_latex
 from kowalevski_cas.verify.run import Session
 from study.mutants.synthetic import synthetic

@@ -7,7 +7,7 @@ import pytest
 
 from kowalevski_cas.audit.audit import audit
 from kowalevski_cas.audit.patch import mended, patch
-from kowalevski_cas.audit.source import Source
+from kowalevski_cas.source.text import Source
 from tests.audit.material import audited, audited_again, base, changed, patched, source, watched
 
 

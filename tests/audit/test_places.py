@@ -4,10 +4,11 @@ import re
 
 import pytest
 
-from kowalevski_cas.audit.audit import typed_formulas
 from kowalevski_cas.audit.places import find_places
-from kowalevski_cas.audit.source import Source, read_source
-from kowalevski_cas.audit.tokens import likeness, words
+from kowalevski_cas.source.files import read_source
+from kowalevski_cas.source.formulas import typed_formulas
+from kowalevski_cas.source.text import Source
+from kowalevski_cas.source.tokens import likeness, words
 from tests.audit.material import article, base, paper_path, source
 
 

@@ -5,10 +5,11 @@ import random
 import pytest
 
 from kowalevski_cas.audit.audit import audit
-from kowalevski_cas.audit.listing import listing
-from kowalevski_cas.audit.source import Source, SourceError, decode
 from kowalevski_cas.cli.formats import OF_AUDITS, load_format
 from kowalevski_cas.processes import each
+from kowalevski_cas.source.files import decode
+from kowalevski_cas.source.listing import listing
+from kowalevski_cas.source.text import Source, SourceError
 from kowalevski_cas.verify.outcome import Verdict
 from tests.audit.material import base, source
 from tests.sample import sampled

@@ -22,7 +22,7 @@ def test_it_writes_the_picture_and_the_list_for_the_report(reports: Path) -> Non
     written = {path.name for path in (reports / "motion").iterdir()}
     assert written == {"rectangle.png", "plates.json"}
     listed = json.loads((reports / "motion/plates.json").read_text(encoding="utf-8"))
-    named = [plate["name"] for plates in listed.values() for plate in plates]
+    named = [plate["name"] for entries in listed.values() for plate in entries]
     assert named == list(PICTURES)
     shown = [plate.place for derivation in listed for plate in plates(reports, derivation)]
     assert shown == ["motion/rectangle"]

@@ -16,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kowalevski_cas.problem import checker
-from kowalevski_cas.problem.checker.__main__ import main
+from kowalevski_cas.problem.checker.command import main
 from kowalevski_cas.problem.examine import Unproved
 
 from .judges import judged

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.problem import checker
-from kowalevski_cas.problem.checker.__main__ import main
+from kowalevski_cas.problem.checker.command import main
 
 from .oracle import is_true
 from .tampering import changed, names_in, others, places, seal

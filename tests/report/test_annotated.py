@@ -6,11 +6,12 @@ from pathlib import Path
 import pytest
 
 from kowalevski_cas.audit.audit import audit
-from kowalevski_cas.audit.source import Source, decode
 from kowalevski_cas.cli import main
 from kowalevski_cas.report.annotated import annotated
 from kowalevski_cas.report.document import Claim, Display, Document, Heading, Link, Paragraph
 from kowalevski_cas.report.html import render_html
+from kowalevski_cas.source.files import decode
+from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import Verdict
 from study.mutants.synthetic import synthetic
 from tests.audit.material import base

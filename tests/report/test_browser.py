@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from kowalevski_cas.report.document import Graph
+from kowalevski_cas.report.document import Display, Graph
 from kowalevski_cas.report.graph import Picture
 from kowalevski_cas.report.html import render_html
 from kowalevski_cas.report.marks import MARKS
 from tests.report.browser import PROGRAM, Browser
-from tests.report.fixtures import document
+from tests.report.fixtures import document, read
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(PROGRAM is None, reason="there is no Chromium")]
 
@@ -98,3 +98,45 @@ def test_marks_and_formulas_are_in_the_accessibility_tree(browser: Browser) -> N
 def test_it_is_read_without_scripts_and_loads_nothing(browser: Browser) -> None:
     assert browser.value("document.querySelectorAll('script, link, iframe').length") == 0
     assert browser.value("performance.getEntriesByType('resource').length") == 0
+
+
+BARS = """[...document.querySelectorAll('.bar')].filter(bar => bar.getClientRects().length).map(bar => {
+  const inner = document.createRange(); inner.selectNodeContents(bar);
+  return [bar.getBoundingClientRect().width, inner.getBoundingClientRect().width,
+          parseFloat(getComputedStyle(bar).borderTopWidth)]; })"""
+ROOTS = """[...document.querySelectorAll('msqrt, mfrac')].filter(one =>
+  one.getClientRects().length).map(one => [one.getBoundingClientRect().width,
+  Math.max(...[...one.children].map(child => child.getBoundingClientRect().width))])"""
+BRACKETS = """[...document.querySelectorAll('mrow')].filter(row => row.getClientRects().length
+  && row.children.length > 2 && row.firstChild.matches('mo:not([stretchy])')
+  && '([|'.includes(row.firstChild.textContent)).map(row => {
+  const high = [...row.children].slice(1, -1).map(one => one.getBoundingClientRect().height);
+  return [row.firstChild.getBoundingClientRect().height, Math.max(...high)]; })"""
+PRIMES = """[...document.querySelectorAll('mo')].filter(one => one.getClientRects().length
+  && /^′+$/.test(one.textContent)).map(one => {
+  const letter = one.previousSibling.getBoundingClientRect(), prime = one.getBoundingClientRect();
+  return [letter.top - prime.top, letter.height]; })"""
+
+
+SIGNS = (
+    r"\overline{x_2z_1w_1}=\overline{U_1}+\bar x_1+\overline{\frac{x_1}{x_2}}",
+    r"U_1'=\frac{1}{\sqrt{x_1x_2}}\left(\frac{z_1}{x_1}+\sqrt{\frac{x_1}{x_2}}\right)^2",
+    r"(\overline{z_1+w_1})'=\sqrt{1+\frac{x_1}{1+\frac{z_1}{w_1}}}",
+)
+
+
+def test_signs_are_as_large_as_what_they_cover(tmp_path: Path) -> None:
+    """Bars, radicals, lines of fractions and brackets: to a tenth; primes stay at their letter."""
+    page = tmp_path / "page.html"
+    shown = tuple(Display(read(tex)) for tex in SIGNS)
+    assert all(display.formulas for display in shown)
+    page.write_text(render_html(document()._replace(blocks=shown)), encoding="utf-8")
+    with Browser(tmp_path / "user") as browser:
+        browser.show(page)
+        browser.width(1280)
+        bars, roots, brackets, primes = map(browser.value, (BARS, ROOTS, BRACKETS, PRIMES))
+    assert (len(bars), len(roots), len(brackets), len(primes)) == (5, 9, 1, 2)
+    assert all(abs(bar - inner) <= 0.1 * inner and line >= 1 for bar, inner, line in bars)
+    assert all(inner <= whole for whole, inner in roots)
+    assert all(bracket >= 0.9 * inner for bracket, inner in brackets)
+    assert all(above <= 0.3 * height for above, height in primes)

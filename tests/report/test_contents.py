@@ -142,7 +142,7 @@ class TestWrong:
         assert "eq12" not in missing and "denominator" not in missing
 
     def test_valid_for_is_explained_by_a_denominator_under_the_summary(self) -> None:
-        marks = WHOLE.blocks[1]
+        marks = WHOLE.blocks[2]
         assert "has this denominator" in said(marks)
         theta = condition("x_1x_2", "").expression
         formulas = [part for part in parts((marks,)) if isinstance(part, Formula)]

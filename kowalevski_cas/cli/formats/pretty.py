@@ -15,6 +15,7 @@ from kowalevski_cas.notation import Formula
 from kowalevski_cas.report.document import Block, Display, Paragraph
 from kowalevski_cas.report.findings import Findings
 from kowalevski_cas.report.places import names
+from kowalevski_cas.report.results import main_results
 from kowalevski_cas.report.sentences import Phrases, alike
 from kowalevski_cas.verify.outcome import Correction, Counterexample, Outcome, Verdict
 
@@ -35,13 +36,21 @@ def told(result: Result, claims: Iterable[str] = ()) -> str:
     findings = Findings(phrases, run.outcomes, copied)
     named = filter(None, (run.author, run.title, run.source))
     title = phrases.words("".join(f"{part}. " for part in named))
+    results = *main_results(phrases, run.outcomes, run.main, findings.slips), Paragraph(())
     wrong = *plain.lines(findings.blocks()), *_errors(result), *claims
-    return _page(plain.text(title), findings, wrong, _summary(result))
+    return _page(plain.text(title), findings, wrong, _summary(result), results[:-1] and results)
 
 
-def _page(title: str, findings: Findings, wrong: Iterable[str], summary: Iterable[str]) -> str:
-    """The answer under a title, what is wrong, and a summary."""
-    head = *plain.wrapped(title), "", *plain.wrapped(findings.lead())
+def _page(
+    title: str,
+    findings: Findings,
+    wrong: Iterable[str],
+    summary: Iterable[str],
+    results: Iterable[Block] = (),
+) -> str:
+    """The answer under a title, what is wrong, and a summary; the main results come first."""
+    answer = *plain.lines(results), *plain.wrapped(findings.lead())
+    head = *plain.wrapped(title), "", *answer
     return "\n".join((*head, *wrong, "", *summary, ""))
 
 

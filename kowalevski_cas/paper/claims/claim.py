@@ -69,9 +69,9 @@ class Claim(_Kind, ABC):
 
     ``printed`` is the place of the formula, if the claim is one formula;
     ``words`` says what is claimed, and ``sentence`` is the author's sentence that claims it, word
-    for word, where the formula alone does not. Whatever else a claim is about, its places, scenes
-    and neighbours, follows from the types of its attributes. A kind is a subclass with more
-    attributes.
+    for word, where the formula alone does not. A claim that the paper does not make is ``ours``.
+    Whatever else a claim is about, its places, scenes and neighbours, follows from the types of its
+    attributes. A kind is a subclass with more attributes.
     """
 
     id: str
@@ -79,6 +79,7 @@ class Claim(_Kind, ABC):
     printed: Printed | None = field(default=None, kw_only=True)
     words: str
     sentence: str = field(default="", kw_only=True)
+    ours: bool = field(default=False, kw_only=True)
 
     def __post_init__(self) -> None:
         """Refuse displays and single values where tuples are expected."""

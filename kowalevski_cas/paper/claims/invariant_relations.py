@@ -26,9 +26,7 @@ class InvariantRelations(Claim):
 
     def goals(self, on: Elaborations) -> Iterator[Goal]:
         cofactors = matrix("M", len(self.functions(on)))
-        moves = self.moves_by(cofactors, on)
-        there = replace(moves, given=equations(on, on(self.scene), self.relations))
-        yield Exists((moves, there), names_in(cofactors))
+        yield Exists(self.moves_by(cofactors, on), names_in(cofactors))
 
     def functions(self, on: Elaborations) -> list[Formula]:
         """The left minus the right sides of the equations; it takes one to define a set."""
@@ -36,12 +34,14 @@ class InvariantRelations(Claim):
             raise Meaningless("no equations are given")
         return [minus(sides) for sides in equations(on, on(self.scene), self.relations)]
 
-    def moves_by(self, cofactors: Rows, on: Elaborations) -> Follows:
-        """The goal that the functions move by this matrix."""
+    def moves_by(self, cofactors: Rows, on: Elaborations) -> tuple[Follows, Follows]:
+        """The goals that the functions move by this matrix, and that it is regular on the set."""
         functions = self.functions(on)
         right = applied(cofactors, functions)
         rows = ((rate(f), side) for f, side in zip(functions, right, strict=True))
-        return Follows(on(self.scene), (tuple(rows),), (), self.main)
+        moves = Follows(on(self.scene), (tuple(rows),), (), self.main)
+        given = equations(on, on(self.scene), self.relations)
+        return moves, replace(moves, given=given)
 
     def establishes(self) -> Iterator[Printed]:
         yield from self.relations

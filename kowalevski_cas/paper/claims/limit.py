@@ -29,7 +29,8 @@ class Limit(Claim):
     On the scene of the limit let F be the general functions and e those of the
     special system. There is an invertible T with F = T e, and where e vanishes
     :math:`\dot T + T N = \kappa M T`, M being the matrix of the general system, N that of the
-    special one, and :math:`\kappa` the ratio of the times.
+    special one, and :math:`\kappa` the ratio of the times. M and N are regular on their sets, and
+    M, N, T and its inverse where e vanishes.
     """
 
     general: InvariantRelations
@@ -42,14 +43,14 @@ class Limit(Claim):
         special = equations(on, space, self.special.relations)
         general = [minus(sides) for sides in equations(on, space, self.general.relations)]
         through = applied(t, [minus(sides) for sides in special])
-        inverse = entries((product(t, s), diagonal([ONE] * size)))
-        same = tuple(map(vanishes, self._rest(on, m, n, t)))
+        inverse = tuple(entries((product(t, s), diagonal([ONE] * size))))
+        same = map(vanishes, self._rest(on, m, n, t))
         goals = (
-            self.general.moves_by(m, on),
-            self.special.moves_by(n, on),
+            *self.general.moves_by(m, on),
+            *self.special.moves_by(n, on),
             identity(space, *zip(general, through, strict=True)),
             identity(space, *inverse),
-            Follows(space, (same,), special),
+            Follows(space, ((*inverse, *same),), special),
         )
         yield Exists(goals, tuple(name for one in (m, n, t, s) for name in names_in(one)))
 

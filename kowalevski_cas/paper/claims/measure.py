@@ -12,7 +12,7 @@ from kowalevski_cas.paper.claims.invariant_relations import InvariantRelations
 from kowalevski_cas.paper.elaborations import Elaborations
 from kowalevski_cas.paper.matrices import trace
 from kowalevski_cas.paper.texts import Texts
-from kowalevski_cas.problem.goals import Exists, Follows, Goal, identity
+from kowalevski_cas.problem.goals import Exists, Follows, Goal, Rank, identity
 
 
 class LastMultiplier(Claim):
@@ -20,8 +20,10 @@ class LastMultiplier(Claim):
 
     On the whole space: :math:`\mu' + \mu\,\mathrm{div}X = 0`, and :math:`\mu` vanishes nowhere.
     On the set F = 0 with F' = M F the form :math:`\mu\,dV/dF` (Gelfand, Leray) is preserved
-    exactly if moreover :math:`\mathrm{tr}M=0` there. Geometric integrals among the functions
-    add nothing to the trace.
+    exactly if moreover :math:`\mathrm{tr}M=0` there, for an M that is regular on the set, and
+    with differentials dF that are independent at a real point of it: else there is no such form,
+    or M is not determined on the set. Geometric integrals among the functions add nothing to the
+    trace.
     """
 
     relations: InvariantRelations
@@ -36,7 +38,8 @@ class LastMultiplier(Claim):
         there = on(self.relations.scene)
         given = equations(on, there, self.relations.relations)
         on_set = Follows(there, ((vanishes(trace(cofactors)),),), given)
-        yield Exists((self.relations.moves_by(cofactors, on), on_set), names_in(cofactors))
+        yield Exists((*self.relations.moves_by(cofactors, on), on_set), names_in(cofactors))
+        yield Rank(there, (), given, len(given))
 
     def neighbours(self, texts: Texts, wanted: Formula | None = None) -> Iterator[Neighbour]:
         variable = self.scene.variables[0]

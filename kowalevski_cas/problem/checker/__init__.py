@@ -14,7 +14,7 @@ To be read in this order, and each file knows those before it only:
 * ``evidence``: real points, combinations, sums of squares, proofs by cases;
 * ``goals``, ``counts`` and ``kernels``: what is stated, what shows it, and what denies it;
 * ``problem``: spaces and goals, what exists, and the words for what is proved;
-* ``certificate``, and ``__main__`` for the command line.
+* ``certificate``, and ``command`` for the command line, which ``__main__`` runs.
 
 The folder is a program: ``python -I -S FOLDER FILE...`` runs it, wherever it has been copied to.
 """

@@ -1,54 +1,12 @@
-"""Check files: a line says what each proves, or why it is rejected; with --full, all of it.
+"""Run the command, as a part of a package or where the folder has been copied to."""
 
-Exit codes: 0 all files are certified, 5 one is rejected, 6 there is none.
-"""
-
-import os
 import sys
+from importlib import import_module
 from types import ModuleType
 
 if not __package__:  # the folder is run: it is a package, whatever else has its name
-    __package__ = "checker"
-    sys.modules[__package__] = ModuleType(__package__)
-    sys.modules[__package__].__path__ = [sys.path.pop(0)]
-
-from .certificate import Certificate, check
-from .reading import SIZE, Rejected, need, printable
-
-
-def read(path: str) -> str:
-    """The text of a file."""
-    try:
-        with open(path, encoding="utf-8") as file:
-            return file.read(SIZE)
-    except (OSError, ValueError) as error:
-        raise Rejected(f"it cannot be read: {type(error).__name__}") from None
-
-
-def checked(path: str, seen: set[tuple[str, str]]) -> Certificate:
-    """What a file certifies, which has the name of the claim and is not among those seen."""
-    found = check(read(path))
-    need(os.path.basename(path) == f"{found.claim}.json", f"it is about {found.claim}")
-    need((found.claim, found.digest) not in seen, "it was certified before")
-    seen.add((found.claim, found.digest))
-    return found
-
-
-def main(arguments: list[str]) -> int:
-    """Check files; the last line says how many are certified."""
-    paths, seen = [a for a in arguments if a != "--full"], set[tuple[str, str]]()
-    for path in paths:
-        try:
-            found = checked(path, seen)
-        except Rejected as error:
-            print(f"REJECTED {printable(ascii(path))}: {error}")
-            continue
-        print(found.summary())
-        for line in found.lines() if "--full" in arguments else ():
-            print(line)
-    print(f"CERTIFIED {len(seen)} of {len(paths)}")
-    return 6 if not paths else 0 if len(seen) == len(paths) else 5
-
+    sys.modules["checker"] = ModuleType("checker")
+    sys.modules["checker"].__path__ = [sys.path.pop(0)]
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(import_module(".command", __package__ or "checker").main(sys.argv[1:]))

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from kowalevski_cas.audit.listing import listing
-from kowalevski_cas.audit.source import decode
+from kowalevski_cas.source.files import decode
+from kowalevski_cas.source.listing import listing
 
 
 def troubles(text: str, style: str = "") -> list[str]:

@@ -1,6 +1,6 @@
 import pytest
 
-from kowalevski_cas.audit.displays import LONGEST, find_formulas
+from kowalevski_cas.source.displays import LONGEST, find_formulas
 
 
 def found(text: str):

@@ -9,9 +9,9 @@ import re
 from bisect import bisect_right
 from dataclasses import dataclass, field
 
-from kowalevski_cas.audit.definitions import MACRO, Definitions, Macro, definitions, group_at, skip
-from kowalevski_cas.audit.source import Source, SourceError
-from kowalevski_cas.audit.tokens import set_apart
+from kowalevski_cas.source.definitions import MACRO, Definitions, Macro, definitions, group_at, skip
+from kowalevski_cas.source.text import Source, SourceError
+from kowalevski_cas.source.tokens import set_apart
 
 DEEPEST = 30
 """Macros within macros."""

@@ -5,9 +5,9 @@ import re
 import pytest
 
 from kowalevski_cas.audit.audit import audit
-from kowalevski_cas.audit.source import Source
 from kowalevski_cas.library import load
 from kowalevski_cas.paper.claims import ChangedEquation, Identity, Unit
+from kowalevski_cas.source.text import Source
 from kowalevski_cas.verify.outcome import Verdict
 from tests.audit.material import audited, base, changed, source
 from tests.sample import sampled

@@ -9,6 +9,8 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from kowalevski_cas.source.comments import Comment
+
 DISPLAYS = (
     "equation displaymath eqnarray align alignat flalign gather multline dmath math subequations"
 ).split()
@@ -53,6 +55,8 @@ class Typed:
     inline: bool = False
     trouble: str = ""
     """Why this is no whole formula, if it is none."""
+    comments: tuple[Comment, ...] = ()
+    """What the author says of it to this program."""
 
 
 def find_formulas(text: str, start: int = 0) -> Iterator[Typed]:

@@ -2,9 +2,9 @@
 
 import pytest
 
-from kowalevski_cas.audit.audit import typed_formulas
-from kowalevski_cas.audit.macros import expand
-from kowalevski_cas.audit.source import decode
+from kowalevski_cas.source.files import decode
+from kowalevski_cas.source.formulas import typed_formulas
+from kowalevski_cas.source.macros import expand
 
 
 def written(text: str) -> str:

@@ -3,9 +3,10 @@ from itertools import pairwise
 
 import pytest
 
-from kowalevski_cas.audit import definitions, macros
-from kowalevski_cas.audit.macros import expand
-from kowalevski_cas.audit.source import SourceError, decode
+from kowalevski_cas.source import definitions, macros
+from kowalevski_cas.source.files import decode
+from kowalevski_cas.source.macros import expand
+from kowalevski_cas.source.text import SourceError
 
 
 def written(text: str) -> str:

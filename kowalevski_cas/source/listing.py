@@ -6,15 +6,15 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import takewhile
 
-from kowalevski_cas.audit.audit import typed_formulas
-from kowalevski_cas.audit.displays import Typed
-from kowalevski_cas.audit.source import Source
-from kowalevski_cas.audit.tokens import scanned
 from kowalevski_cas.notation import NotationError, Vocabulary, read_display
 from kowalevski_cas.notation.cursor import BOLD, Cursor, is_known
 from kowalevski_cas.notation.macros import FUNCTIONS
 from kowalevski_cas.notation.tokens import Token
 from kowalevski_cas.notation.vocabulary import MATRIX, VECTOR
+from kowalevski_cas.source.displays import Typed
+from kowalevski_cas.source.formulas import typed_formulas
+from kowalevski_cas.source.text import Source
+from kowalevski_cas.source.tokens import scanned
 
 _LISTED = frozenset({"letter", "number", "comma", "accent", "_", "{", "}"})
 

@@ -2,8 +2,9 @@ import os
 
 import pytest
 
-from kowalevski_cas.audit import source as module
-from kowalevski_cas.audit.source import SourceError, decode, read_source
+from kowalevski_cas.source import files as module
+from kowalevski_cas.source.files import decode, read_source
+from kowalevski_cas.source.text import SourceError
 
 
 def visible(text: str) -> str:

@@ -1,0 +1,78 @@
+"""Whether the main results of a paper stand: for a reader who reads one paragraph."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+
+from kowalevski_cas.report.document import Block, Claim, Paragraph, Text
+from kowalevski_cas.report.sentences import Phrases, counted, in_words, listed
+from kowalevski_cas.verify.outcome import Outcome, Verdict
+
+Slip = tuple[Outcome, ...]
+
+
+def main_results(
+    phrases: Phrases, outcomes: Sequence[Outcome], main: Collection[str], slips: Sequence[Slip]
+) -> Iterator[Block]:
+    """What the verdicts say of the main results, and which misprints they rest on.
+
+    Nothing, if no claim that was decided is named as a main result.
+    """
+    results = [outcome for outcome in outcomes if outcome.claim in main]
+    if results:
+        said = f"{_fate([outcome.verdict for outcome in results])} "
+        yield Paragraph((said, *_reach(phrases, outcomes, results, slips)), "lead")
+        yield from (_statement(phrases, outcome) for outcome in results)
+
+
+def _fate(verdicts: Sequence[Verdict]) -> str:
+    """Whether the results stand, as a sentence."""
+    green, refuted = sum(v.green for v in verdicts), verdicts.count(Verdict.REFUTED)
+    many = len(verdicts)
+    said = [
+        (green, "stands", "stand"),
+        (refuted, "fails", "fail"),
+        (many - green - refuted, "is not decided", "are not decided"),
+    ]
+    for number, alone, several in said:
+        if number == many:
+            return f"The main result{f's {several}' if many > 1 else f' {alone}'}."
+    parts = [f"{in_words(n)} {alone if n == 1 else several}" for n, alone, several in said if n]
+    return f"Of {in_words(many)} main results {' and '.join(parts)}."
+
+
+def _statement(phrases: Phrases, outcome: Outcome) -> Claim:
+    """A statement with its sign, where it holds, and a link to its place."""
+    where = phrases.where(outcome.conditions)
+    valid = (", where ", *where) if where else ()
+    words = phrases.words(outcome.words.rstrip("."))
+    return Claim(outcome.verdict, "", (*phrases.links([outcome.claim]), ": ", *words, *valid, "."))
+
+
+def _reach(
+    phrases: Phrases, outcomes: Sequence[Outcome], results: Sequence[Outcome], slips: Sequence[Slip]
+) -> Text:
+    """Which of the misprints the results rest on."""
+    touched = {*_corrected(outcomes, results), *(outcome.claim for outcome in results)}
+    reaching = [slip for slip in slips if any(outcome.claim in touched for outcome in slip)]
+    it, they = ("it", "It rests") if len(results) == 1 else ("them", "They rest")
+    many = len(slips) - len(reaching)
+    free = f"{'does' if many == 1 else 'do'} not touch {it}."
+    if not reaching:
+        which = "misprint" if many == 1 else f"{in_words(many)} misprints"
+        return (f"The {which} {free}",) if slips else ()
+    where = [phrases.found([outcome.claim for outcome in slip]) for slip in reaching]
+    rest = f"; the other {counted(many, 'misprint')} {free}" if many else "."
+    return (f"{they} on the correction of what is misprinted ", *listed(where), rest)
+
+
+def _corrected(outcomes: Sequence[Outcome], results: Sequence[Outcome]) -> set[str]:
+    """The claims on whose corrections results rest, also by what they rest on."""
+    by_id = {outcome.claim: outcome for outcome in outcomes}
+    waiting, seen = [*results], set()
+    while waiting:
+        outcome = waiting.pop()
+        if outcome.claim not in seen:
+            seen.add(outcome.claim)
+            waiting += [by_id[id] for id in outcome.rests_on if id in by_id]
+    return {id for claim in seen for id in by_id[claim].corrected}

@@ -1,0 +1,1 @@
+"""A paper's text: its files, styles, displays, macros and sentences; no mathematics."""

@@ -1,0 +1,35 @@
+"""The formulas of a source with its macros written out, each with what makes it unclear."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import islice
+
+from kowalevski_cas.source.comments import commented, find_comments
+from kowalevski_cas.source.displays import Typed, find_formulas
+from kowalevski_cas.source.macros import Expanded, expand
+from kowalevski_cas.source.text import Source, SourceError
+
+MOST = 20_000
+"""Formulas in one source."""
+
+
+def typed_formulas(source: Source) -> tuple[Expanded, list[Typed]]:
+    """A source with its macros written out, and the formulas in it with the comments on them."""
+    expanded = expand(source)
+    found = list(islice(find_formulas(expanded.text, source.body), MOST + 1))
+    if len(found) > MOST:
+        raise SourceError(f"{source.path} has more than {MOST:,} formulas")
+    intervals = [_interval(expanded, formula) for formula in found]
+    said = commented(source, find_comments(source), intervals)
+    for number, formula in enumerate(found):
+        why = expanded.definitions.why(formula.tex, formula.kind, intervals[number][0])
+        comments = tuple(said.get(number, ()))
+        found[number] = replace(formula, trouble=formula.trouble or why, comments=comments)
+    return expanded, found
+
+
+def _interval(expanded: Expanded, formula: Typed) -> tuple[int, int]:
+    """The interval in the file of a formula, from what it prints first."""
+    start = formula.start + len(formula.tex) - len(formula.tex.lstrip())
+    return expanded.origin(start, max(start + 1, formula.end))

@@ -1,0 +1,82 @@
+"""The main results: whether they stand follows from the verdicts, and from what they rest on."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kowalevski_cas.paper.derivation import Derivation, Section
+from kowalevski_cas.report.document import Claim, Paragraph
+from kowalevski_cas.report.findings import Findings
+from kowalevski_cas.report.results import main_results
+from kowalevski_cas.report.sentences import Phrases
+from kowalevski_cas.verify.outcome import Outcome, Verdict
+from tests.report.fixtures import WORDS, C, P, R, claim, condition, correction, outcomes
+from tests.report.test_contents import said
+
+PRINT = Path(__file__).parents[3] / "shared/paper/000_68642ca11e599718.txt"
+
+
+def paragraphs(*found: Outcome, main: tuple[str, ...]) -> list[str]:
+    phrases = Phrases(WORDS, {})
+    slips = Findings(phrases, found).slips
+    blocks = main_results(phrases, found, main, slips)
+    return [said(b.text if isinstance(b, Paragraph) else b.head) for b in blocks]  # type: ignore[union-attr]
+
+
+def misprint(name: str, rests_on: tuple[str, ...] = ()) -> Outcome:
+    right = correction("x=x", "", P, place=name)
+    return claim(name, "1", "x=y", "", R, correction=right, rests_on=rests_on)
+
+
+def test_without_a_main_result_nothing_is_said() -> None:
+    assert paragraphs(*outcomes(), main=()) == []
+
+
+@pytest.mark.parametrize(
+    ("verdict", "sentence"),
+    [(P, "stands"), (C, "stands"), (R, "fails"), (Verdict.UNDECIDED, "is not decided"),
+     (Verdict.TIMEOUT, "is not decided"), (Verdict.PROBABLE, "is not decided")],
+)  # fmt: skip
+def test_the_verdict_says_whether_it_stands(verdict: Verdict, sentence: str) -> None:
+    first, second = paragraphs(claim("a", "1", "x=x", "it is so", verdict), main=("a",))
+    assert first == f"The main result {sentence}. "
+    assert "it is so" in second
+
+
+def test_several_results_are_told_apart() -> None:
+    both = claim("a", "1", "x=x", "", P), claim("b", "1", "x=y", "", R)
+    assert paragraphs(*both, main=("a", "b"))[0].startswith(
+        "Of two main results one stands and one fails."
+    )
+
+
+def test_conditions_are_named() -> None:
+    needs = claim("a", "1", "x=x", "it is so", C, conditions=(condition("x", ""),))
+    (_, block) = main_results(Phrases(WORDS, {}), [needs], ["a"], ())
+    assert isinstance(block, Claim) and "where" in said(block.head)
+
+
+@given(st.lists(st.booleans(), min_size=1, max_size=4))
+def test_a_misprint_is_named_if_and_only_if_the_result_rests_on_it(touching: list[bool]) -> None:
+    wrong = [misprint(f"m{k}") for k in range(len(touching))]
+    used = tuple(one.claim for one, touches in zip(wrong, touching, strict=True) if touches)
+    step = claim("step", "1", "x=x", "", P, corrected=used)
+    result = claim("a", "1", "x=x", "", P, rests_on=("step",))
+    text = paragraphs(*wrong, step, result, main=("a",))[0]
+    assert all((one.claim in text) == touches for one, touches in zip(wrong, touching, strict=True))
+    assert ("not touch it" in text) == (not all(touching))
+
+
+def test_a_main_result_is_a_claim() -> None:
+    with pytest.raises(ValueError, match="no claim is called eq1"):
+        Derivation("d", "", "", "", (Section("1", ""),), main=("eq1",))
+
+
+@pytest.mark.skipif(not PRINT.exists(), reason="the paper is not here")
+def test_the_digest_of_the_edition_is_that_of_the_text(derivation: Derivation) -> None:
+    assert hashlib.sha256(PRINT.read_bytes()).hexdigest()[:16] in derivation.edition
