@@ -17,6 +17,7 @@ from kowalevski_cas.cli.exits import NOTHING, CommandError
 from kowalevski_cas.library import available, find, load, source
 from kowalevski_cas.limits import ProcessDied, tell, time_limit
 from kowalevski_cas.notation import NotationError
+from kowalevski_cas.paper.claims import Claim
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.texts import Texts
 from kowalevski_cas.pool import Pool
@@ -24,7 +25,8 @@ from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
 from kowalevski_cas.processes import each
-from kowalevski_cas.verify.certificate import FOLDER, Stored, load_certificates
+from kowalevski_cas.verify.blame import Blame, Repairs
+from kowalevski_cas.verify.certificate import CORRECTED, FOLDER, Stored, load_certificates
 from kowalevski_cas.verify.outcome import Run
 from kowalevski_cas.verify.record import RecordError, load_record
 from kowalevski_cas.verify.run import Session, shared
@@ -119,15 +121,32 @@ def certificates(
     session = Session(derivation, ["flint"], certificates=stored, record=recorded(folder))
     texts: dict[str, str] = {}
     reasons: dict[str, str] = {}
-    for done, claim in enumerate(derivation.claims):
-        tell(claim.id, done, len(derivation.claims))
+
+    def certify(claim: Claim, found: Callable[[Claim], Iterable[tuple[str, str]]]) -> None:
         try:
             with time_limit(timeout):
-                texts.update(session.certificates(claim))
+                texts.update(found(claim))
         except TimeoutError:
             reasons[claim.id] = f"not found within {timeout:g} s"
         except (FormatError, Rejected, Unproved, NotationError, Meaningless, ProcessDied) as error:
             reasons[claim.id] = str(error)
+
+    for done, claim in enumerate(derivation.claims):
+        tell(claim.id, done, len(derivation.claims))
+        certify(claim, session.certificates)
+    corrected = [claim for claim in session.verdicts if f"{CORRECTED}/{claim}" in texts]
+    blame = Blame(session, session.verdicts, corrected)
+    if failing := blame.open():
+        shared: Repairs = {}
+        with suppress(TimeoutError), time_limit(timeout):
+            shared = blame.shared()
+
+        def of_correction(claim: Claim) -> Iterable[tuple[str, str]]:
+            near = shared.get(claim.id) or blame.alone(claim)
+            return session.certificate_of(claim, near)
+
+        for claim in failing:
+            certify(claim, of_correction)
     return texts, reasons
 
 

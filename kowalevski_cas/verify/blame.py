@@ -23,7 +23,7 @@ from enum import IntEnum
 from functools import cached_property
 from typing import NamedTuple
 
-from kowalevski_cas.notation import Edit, NotationError, edits
+from kowalevski_cas.notation import Derivative, Edit, Name, NotationError, edits
 from kowalevski_cas.notation.edits import changes_subject
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.texts import Printed, Texts
@@ -33,10 +33,14 @@ from kowalevski_cas.verify.mender import Mender
 from kowalevski_cas.verify.outcome import Correction, Verdict
 from kowalevski_cas.verify.relations import Relation, relations, supposes
 from kowalevski_cas.verify.statement import Statement
-from kowalevski_cas.verify.vacuous import says_something, spoils
+from kowalevski_cas.verify.vacuous import says_something, stands_still
 
 MOST = 3
 """How many repairs are proposed."""
+
+
+KINDS = ("sign", "index", "letter", "exponent", "coefficient", "factor", "power", "missing")
+"""The kinds of edits, the likelier ones first."""
 
 
 class Suspect(IntEnum):
@@ -60,9 +64,9 @@ class Repair(NamedTuple):
 
     def of(self, claim: Claim, texts: Texts) -> Neighbour:
         """What a claim says with the repair."""
-        if isinstance(self.change, Edit):
-            return Neighbour(self.change.words, claim, texts, self.place, self.change)
-        return self.change.neighbour(claim, texts)
+        if isinstance(self.change, Relation):
+            return self.change.neighbour(claim, texts)
+        return claim.edited(texts, self.place, self.change)
 
 
 Repairs = dict[str, tuple[Correction, ...]]
@@ -188,7 +192,7 @@ class Blame:
     def _names(
         failing: Sequence[Claim], suspects: Iterable[Printed], texts: Texts
     ) -> frozenset[str]:
-        """The names that an edit may bring in: those of the suspects, and what moves or is given."""
+        """The names that an edit may bring in: of the suspects, and what moves or is given."""
         scenes = [claim.scene for claim in failing]
         found = {name for scene in scenes for name in (*scene.variables, *scene.constants)}
         for place in suspects:
@@ -199,7 +203,7 @@ class Blame:
     # -- what mends -----------------------------------------------------------------
 
     def _sought(self, failing: Sequence[Claim], least: int) -> list[Repair]:
-        """The repairs that at points mend at least so many claims, and break none; likeliest first."""
+        """The repairs that at points mend at least so many claims, and break none."""
         found: list[Repair] = []
         most = least
         for suspect, change, place, standing in self._changes(failing, least):
@@ -252,35 +256,39 @@ class Blame:
             statement = stated(neighbour, on)
             if not says_something(neighbour, statement, self._statement(claim)):
                 return None
-            proved = self.mender.proposed(neighbour, statement)
+            return self.mender.proposed(neighbour, statement)
         except (NotationError, Meaningless, ZeroDivisionError):
             return None
-        if proved is None or repair.suspect is Suspect.OWN and repair.place in claim.establishes():
-            return proved
-        if isinstance(repair.change, Relation):
-            return proved._replace(formulas=(repair.change.formula,), printed=repair.place)
-        before, after = repair.change.statement.formula, repair.change.formula
-        return proved._replace(formulas=(after,), blamed=(before,))
 
     def _spoils(self, repair: Repair) -> bool:
         """Whether a repair makes false what is true, or leaves nothing of what it changes."""
-        edit = repair.change
+        place, edit = repair.place, repair.change
         if not isinstance(edit, Edit):
             return False
-        texts = self.mender.texts.edited(repair.place, edit)
-        claims = self.mender.derivation.claims
-        for other in (c for c in claims if repair.place in c.reads() and self._holds(c)):
-            if not self.mender.keeps(other, texts):
-                return True
-        scenes = {claim.scene: claim for claim in repair.mends}
-        return any(
-            spoils(self.mender.on(claim)(scene), self.mender.on(claim, texts)(scene))
-            for scene, claim in scenes.items()
-        )
+        about = [c for c in self.mender.derivation.claims if place in c.reads()]
+        if not all(self.mender.keeps(claim, place, edit) for claim in about if self._holds(claim)):
+            return True
+        return any(self._stops(claim, repair) for claim in repair.mends)
+
+    def _stops(self, claim: Claim, repair: Repair) -> bool:
+        """Whether what moves stands still with a repair, or what is said to be constant."""
+        on = self.mender.on(claim)
+        edited = repair.of(claim, on.texts)
+        now = on.under(edited.texts)
+        about = {
+            node.name
+            for formula in claim.formulas(now.texts)
+            for rate in formula.nodes()
+            if isinstance(rate, Derivative)
+            for node in rate.nodes()
+            if isinstance(node, Name) and node.name in claim.scene.definitions
+        }
+        return stands_still(on(claim.scene), now(edited.claim.scene), about)
 
 
 def _likelihood(repair: Repair) -> tuple[object, ...]:
     """What sorts repairs: those that mend most first, then by what is suspected."""
     change = repair.change
     edited = unlikeliness(change) if isinstance(change, Edit) else ()
-    return (-len(repair.mends), repair.suspect, *edited)
+    kind = KINDS.index(change.kind) if isinstance(change, Edit) else 0
+    return (-len(repair.mends), repair.suspect, *edited, kind)

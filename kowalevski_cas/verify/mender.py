@@ -10,9 +10,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 
 from kowalevski_cas.algebra import POINTS
-from kowalevski_cas.notation import NotationError
+from kowalevski_cas.notation import Edit, Formula, NotationError
 from kowalevski_cas.paper.claims import Claim, Neighbour
-from kowalevski_cas.paper.texts import Texts
+from kowalevski_cas.paper.texts import Printed
 from kowalevski_cas.problem.examine import Unproved
 from kowalevski_cas.problem.space import Meaningless
 from kowalevski_cas.problem.trees import FormatError
@@ -20,7 +20,7 @@ from kowalevski_cas.verify.bench import Decided
 from kowalevski_cas.verify.certificate import CORRECTED, certificate
 from kowalevski_cas.verify.corrections import corrections, printed_of, recorded_correction
 from kowalevski_cas.verify.necessary import conditions, failures
-from kowalevski_cas.verify.outcome import Condition, Correction, Outcome, Verdict
+from kowalevski_cas.verify.outcome import Condition, Correction, Outcome, Verdict, as_recorded
 from kowalevski_cas.verify.statement import Statement
 from kowalevski_cas.verify.teller import DECIDED, Teller
 from kowalevski_cas.verify.vacuous import says_something
@@ -45,13 +45,14 @@ class Mender(Teller):
         """What the derivation accepts, and what is recorded; true, or not."""
         claim = printed.claim
         accepted = [
-            tex for place, tex in self.derivation.accepted.items() if place == claim.printed
+            (tex, "") for place, tex in self.derivation.accepted.items() if place == claim.printed
         ]
-        recorded = self.record.get(claim.id, {}).get("correction")
-        for tex in (*accepted, *([recorded] if isinstance(recorded, str) else [])):
-            found = recorded_correction(claim, printed.on, tex)
+        entry = self.record.get(claim.id, {})
+        recorded = str(entry.get("correction") or ""), str(entry.get("mended", ""))
+        for known in (*accepted, *([recorded] if recorded[0] else [])):
+            found = recorded_correction(claim, printed.on, *known)
             if found is not None and says_something(*found, printed):
-                if tex in accepted or self._leaves_true(claim, found[0]):
+                if known in accepted or self._leaves_true(claim, found[0]):
                     yield found
 
     def _near(self, printed: Statement) -> Iterator[tuple[Neighbour, Statement]]:
@@ -65,9 +66,8 @@ class Mender(Teller):
         place, edit = neighbour.printed, neighbour.edit
         if place is None or edit is None:
             return True
-        texts = self.texts.edited(place, edit)
         others = (c for c in self.derivation.claims if c is not claim and place in c.reads())
-        return all(self.keeps(other, texts) for other in others if self._is_true(other))
+        return all(self.keeps(other, place, edit) for other in others if self._is_true(other))
 
     def _is_true(self, claim: Claim) -> bool:
         try:
@@ -75,10 +75,11 @@ class Mender(Teller):
         except (NotationError, Meaningless, FormatError):
             return False
 
-    def keeps(self, claim: Claim, texts: Texts) -> bool:
-        """Whether a claim that is true stays true under other texts; so it does if it says the same."""
+    def keeps(self, claim: Claim, place: Printed, edit: Edit) -> bool:
+        """Whether a claim that is true stays so under an edit, as if it says the same."""
         try:
-            statement = Statement(claim, self.on(claim, texts))
+            edited = claim.edited(self.texts, place, edit)
+            statement = Statement(edited.claim, self.on(edited.claim, edited.texts))
             same = statement.digest == Statement(claim, self.on(claim)).digest
             return same or statement.holds()
         except (NotationError, Meaningless, ZeroDivisionError):
@@ -89,9 +90,13 @@ class Mender(Teller):
         mended = self.mended(statement)
         if mended is None:
             return None
-        return Correction(
-            printed_of(neighbour), neighbour.words, *mended, neighbour.printed, neighbour.edit
-        )
+        place, edit = neighbour.printed, neighbour.edit
+        formulas, blamed = printed_of(neighbour), tuple[Formula, ...]()
+        if place is not None and edit is None:  # a relation of constants, which is not printed
+            formulas = (neighbour.texts.formula(place),)
+        elif edit is not None and place not in {*neighbour.claim.establishes()}:
+            formulas, blamed = (edit.formula,), (edit.statement.formula,)
+        return Correction(formulas, neighbour.words, *mended, place, edit, blamed=blamed)
 
     def mended(self, statement: Statement) -> tuple[Verdict, tuple[Condition, ...], str] | None:
         """The verdict on a corrected claim, its conditions and its digest, if it is proved."""
@@ -149,11 +154,21 @@ class Mender(Teller):
         if decided.verdict is Verdict.REFUTED:
             for _, mended in self._known(statement):
                 if self.mended(mended) is not None:
-                    yield self.certificate_of(mended)
+                    yield self._corrected(mended)
                     return
 
-    def certificate_of(self, corrected: Statement) -> tuple[str, str]:
-        """The certificate of a corrected claim, with its name."""
+    def certificate_of(
+        self, claim: Claim, corrections: Sequence[Correction]
+    ) -> Iterator[tuple[str, str]]:
+        """The certificate of the first correction of a claim, with its name."""
+        on = self.on(claim)
+        for one in corrections[:1]:
+            tex = as_recorded(one.formulas, one.words, claim.formulas(on.texts))
+            found = recorded_correction(claim, on, tex, one.elsewhere)
+            if found is not None:
+                yield self._corrected(found[1])
+
+    def _corrected(self, corrected: Statement) -> tuple[str, str]:
         name = f"{CORRECTED}/{corrected.claim.id}"
         decided = self._judged(corrected, self._evidence(corrected, name), "flint")
         return name, self._certificate(decided, name)

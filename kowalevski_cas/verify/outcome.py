@@ -102,7 +102,7 @@ class Correction(NamedTuple):
     ``printed`` and ``edit`` say where, if one printed formula was changed, and ``accepted``
     that the derivation reads it in place of what is printed. If it is no formula of the claim that
     is wrong, but one on which it stands, ``blamed`` is what is printed there, and ``formulas``
-    are what should be. A relation of constants that is to be supposed blames what is supposed.
+    are what should be. A relation of constants that is to be supposed stands at a place of its own.
     """
 
     formulas: tuple[Formula, ...]
@@ -114,6 +114,12 @@ class Correction(NamedTuple):
     edit: Edit | None = None
     accepted: bool = False
     blamed: tuple[Formula, ...] = ()
+
+    @property
+    def elsewhere(self) -> str:
+        """The place that is mended, if it is none of the claim's own."""
+        own = self.printed is None or (self.edit is not None and not self.blamed)
+        return "" if own or self.printed is None else self.printed.place
 
 
 class Blamed(NamedTuple):

@@ -16,7 +16,8 @@ from flint import fmpq_mpoly
 from kowalevski_cas.algebra.flint import coefficients
 from kowalevski_cas.algebra.present import formula_of
 from kowalevski_cas.algebra.tower import Element
-from kowalevski_cas.notation import Formula, Name, NotationError, Relation as Equation, to_latex
+from kowalevski_cas.notation import Formula, Name, NotationError, to_latex
+from kowalevski_cas.notation import Relation as Equation
 from kowalevski_cas.paper.claims import Claim, Neighbour
 from kowalevski_cas.paper.derivation import Derivation
 from kowalevski_cas.paper.elaborate import Elaboration
@@ -48,7 +49,8 @@ class Relation:
 
     def neighbour(self, claim: Claim, texts: Texts) -> Neighbour:
         """A claim on its scene, if that is the one of the relation, where this is supposed."""
-        return Neighbour(self.words, replace(claim, scene=self._supposing), texts)
+        supposing = replace(claim, scene=self._supposing)
+        return Neighbour(self.words, supposing, texts, self.place)
 
     @property
     def _supposing(self) -> Scene:

@@ -206,10 +206,12 @@ class Session(Mender):
     def _timed(
         self, claim: Claim, outcome: Outcome, search: Callable[[], Sequence[Correction]]
     ) -> Outcome:
-        """An outcome with the corrections that are found in what time is left, and with that time."""
+        """An outcome with the corrections that are found in time, and with what that took."""
         first, start = self.arithmetics[0], perf_counter()
         limits = [] if self.patience is None else [self.patience]
-        limits += [] if self.timeout is None else [max(self.timeout - outcome.seconds[first], LEAST)]
+        limits += (
+            [] if self.timeout is None else [max(self.timeout - outcome.seconds[first], LEAST)]
+        )
         try:
             with time_limit(min(limits, default=None)):
                 outcome = outcome.corrected_by(search())

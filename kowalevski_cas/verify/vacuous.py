@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from kowalevski_cas.notation import (
     Edit,
     Formula,
@@ -19,7 +21,6 @@ from kowalevski_cas.notation import (
 from kowalevski_cas.notation.errors import closeness
 from kowalevski_cas.paper.claims import Neighbour
 from kowalevski_cas.paper.elaborate import Elaboration, finder_of
-from kowalevski_cas.paper.names import head
 from kowalevski_cas.problem.evaluate import Evaluation
 from kowalevski_cas.problem.goals import simple
 from kowalevski_cas.verify.statement import Statement
@@ -95,16 +96,15 @@ def _common(formula: Formula) -> set[str]:
     return set()
 
 
-def spoils(before: Elaboration, after: Elaboration) -> bool:
-    """Whether of what moves on a scene something stands still, or of what is defined, if edited.
+def stands_still(before: Elaboration, after: Elaboration, names: Iterable[str]) -> bool:
+    """Whether of what moves on a scene something stands still on an edited one, or of some names.
 
-    So the law is not changed into one of which anything is true.
+    So no law is changed into one of which anything is true, and no function into a constant.
     """
     was, now = before.finder, after.finder
     if any(now.rates[x].is_zero for x, rate in was.rates.items() if not rate.is_zero):
         return True
-    names = (head(one)[0] for one in before.scene.definitions)
-    return any(_still(name, now) and not _still(name, was) for name in names if was.knows(Name(name)))
+    return any(_still(name, now) and not _still(name, was) for name in names)
 
 
 def _still(name: str, at: Evaluation) -> bool:
